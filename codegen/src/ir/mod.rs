@@ -1,0 +1,214 @@
+//! The intermediate representation: one straight-line SSA program per emitted function.
+//!
+//! Values are truth values, real scalars, or small dense vectors and matrices with their shape in the type. There are no branches
+//! (`Select`) and no memory; the only loops are the implicit ones over an array. Operands are earlier instructions.
+//! [`eval`] defines the meaning of every operation to the last bit; the emitted code and each exact pass preserve it.
+
+pub mod build;
+
+use std::collections::BTreeMap;
+
+/// A value: the instruction that makes it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ValueId(pub u32);
+
+/// Index into [`Program::polynomials`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct PolynomialId(pub u32);
+
+/// Index into [`Program::bases`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct BasisId(pub u32);
+
+pub use nsv_spec::expr::arena::{Comparison, Function, Operator, Shape};
+
+/// Type of a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Type {
+    /// Truth value.
+    Bool,
+    /// Real scalar or array.
+    Real(Shape),
+}
+
+/// Functions of the barrier Lyapunov function that are smooth at 0 although their usual form is 0/0 there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Kernel {
+    /// sin(E) cos(E) / E, 1 at 0.
+    SinCosOver,
+    /// First derivative of [`Kernel::SinCosOver`].
+    SinCosOverD1,
+    /// Second derivative of [`Kernel::SinCosOver`].
+    SinCosOverD2,
+    /// tan(E) / E, 1 at 0.
+    TanOver,
+}
+
+/// One operation. Reductions run left to right, starting from the first product or square: ((a0 b0 + a1 b1) + a2 b2) + ...
+#[derive(Clone, Debug, PartialEq)]
+pub enum Op {
+    /// Literal, row-major; the shape is in the type.
+    Const(Vec<f64>),
+    /// Input of the program, by position.
+    Input(usize),
+    /// Elementwise function.
+    Apply(Function, ValueId),
+    /// Smooth scalar kernel.
+    Kernel(Kernel, ValueId),
+    /// Elementwise operator; a scalar operand is broadcast.
+    Binary(Operator, ValueId, ValueId),
+    /// x^n, elementwise, n >= 2, by left-to-right binary powering: products only (1/x^n is a division by this).
+    PowInt(ValueId, u32),
+    /// Comparison of scalars.
+    Compare(Comparison, ValueId, ValueId),
+    /// Both.
+    And(ValueId, ValueId),
+    /// Either.
+    Or(ValueId, ValueId),
+    /// Negation.
+    Not(ValueId),
+    /// Condition, value if true, value if false; both are evaluated, no arithmetic mixes them.
+    Select(ValueId, ValueId, ValueId),
+    /// Array of scalars, row-major.
+    Array(Vec<ValueId>),
+    /// Entry (row, column).
+    Element(ValueId, usize, usize),
+    /// Matrix times matrix or vector.
+    MatMul(ValueId, ValueId),
+    /// Transpose of a matrix.
+    Transpose(ValueId),
+    /// Inner product of two vectors of one length.
+    Dot(ValueId, ValueId),
+    /// a b^T of two vectors.
+    Outer(ValueId, ValueId),
+    /// Sum of the squares of all entries.
+    SumSquares(ValueId),
+    /// A^-1 b for a square matrix and a vector: adjugate over determinant for up to three rows, else elimination with partial pivoting.
+    Solve(ValueId, ValueId),
+    /// Unit right singular vector of the largest singular value (cyclic Jacobi on A^T A, a fixed number of sweeps).
+    SingularVector(ValueId),
+    /// Polynomial data of scalar arguments, by nested Horner schemes.
+    Polynomial(PolynomialId, Vec<ValueId>),
+    /// Monomial basis of an input vector: a vector of the basis' length.
+    Basis(BasisId, ValueId),
+    /// Directional derivative of a monomial basis: input vector, its rate.
+    BasisRate(BasisId, ValueId, ValueId),
+    /// Second directional derivative along a line: input vector z, its rate z', its second rate z''.
+    BasisRate2(BasisId, ValueId, ValueId, ValueId),
+}
+
+/// Where a value comes from: an equation of the paper and a line of doc, printed above the emitted statement.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Origin {
+    /// Group heading, such as `virtual control of block 1 (31)`; statements of one group are emitted together.
+    pub group: String,
+    /// The equation in words and symbols, such as `e_1 = x_1 - y_r - zeta_1  (14)`.
+    pub equation: String,
+}
+
+/// One instruction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Instruction {
+    /// What is computed.
+    pub op: Op,
+    /// Type of the result.
+    pub ty: Type,
+    /// Name of the signal, unique in the program; `None` for intermediate values.
+    pub name: Option<String>,
+    /// Index into [`Program::origins`]; only named values need one.
+    pub origin: Option<usize>,
+}
+
+/// An input of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Input {
+    /// Name, such as `x1` or `params.mass`.
+    pub name: String,
+    /// Shape.
+    pub shape: Shape,
+}
+
+/// Polynomial data: sum of c * z_1^a_1 ... z_v^a_v.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PolynomialData {
+    /// Name, a Rust identifier in snake case, such as `cl_alpha` or `cl_alpha_d1` (derivative by the first argument).
+    pub name: String,
+    /// Argument names.
+    pub arguments: Vec<String>,
+    /// Coefficient and exponents.
+    pub terms: Vec<(f64, Vec<u32>)>,
+}
+
+/// Monomials of a network, in canonical order (total degree ascending, then exponent of z_1 descending, z_2, ...).
+#[derive(Clone, Debug, PartialEq)]
+pub struct MonomialBasis {
+    /// Name, such as `basis1`.
+    pub name: String,
+    /// Input names.
+    pub inputs: Vec<String>,
+    /// Exponents of each monomial.
+    pub exponents: Vec<Vec<u32>>,
+}
+
+/// A straight-line function.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Program {
+    /// Name, a Rust identifier.
+    pub name: String,
+    /// Inputs.
+    pub inputs: Vec<Input>,
+    /// Instructions; operands are earlier ones.
+    pub instructions: Vec<Instruction>,
+    /// Results, by name.
+    pub outputs: Vec<(String, ValueId)>,
+    /// Polynomial data used.
+    pub polynomials: Vec<PolynomialData>,
+    /// Bases used.
+    pub bases: Vec<MonomialBasis>,
+    /// Origins used.
+    pub origins: Vec<Origin>,
+}
+
+/// Values by name: inputs and outputs of [`eval`]; row-major entries.
+pub type Values = BTreeMap<String, Vec<f64>>;
+
+impl Program {
+    /// The instruction of a value.
+    pub fn instruction(&self, id: ValueId) -> &Instruction {
+        &self.instructions[id.0 as usize]
+    }
+
+    /// The type of a value.
+    pub fn ty(&self, id: ValueId) -> Type {
+        self.instruction(id).ty
+    }
+}
+
+impl Op {
+    /// Operands, in order.
+    pub fn operands(&self) -> Vec<ValueId> {
+        match self {
+            Op::Const(_) | Op::Input(_) => Vec::new(),
+            Op::Apply(_, a)
+            | Op::Kernel(_, a)
+            | Op::PowInt(a, _)
+            | Op::Not(a)
+            | Op::Element(a, _, _)
+            | Op::Transpose(a)
+            | Op::SumSquares(a)
+            | Op::SingularVector(a)
+            | Op::Basis(_, a) => vec![*a],
+            Op::Binary(_, a, b)
+            | Op::Compare(_, a, b)
+            | Op::And(a, b)
+            | Op::Or(a, b)
+            | Op::MatMul(a, b)
+            | Op::Dot(a, b)
+            | Op::Outer(a, b)
+            | Op::Solve(a, b)
+            | Op::BasisRate(_, a, b) => vec![*a, *b],
+            Op::Select(a, b, c) | Op::BasisRate2(_, a, b, c) => vec![*a, *b, *c],
+            Op::Array(items) | Op::Polynomial(_, items) => items.clone(),
+        }
+    }
+}

@@ -1,0 +1,2 @@
+//! The nsv compiler.
+pub mod ir;

@@ -1,0 +1,2 @@
+//! The `nsv` command.
+fn main() {}

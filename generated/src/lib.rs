@@ -1,0 +1,2 @@
+//! Committed output of the nsv compiler, one module per specification under `specs/`.
+#![no_std]
