@@ -40,6 +40,8 @@ pub enum Kernel {
     SinCosOverD1,
     /// Second derivative of [`Kernel::SinCosOver`].
     SinCosOverD2,
+    /// Third derivative of [`Kernel::SinCosOver`].
+    SinCosOverD3,
     /// tan(E) / E, 1 at 0.
     TanOver,
 }
