@@ -1,3 +1,5 @@
 //! The nsv compiler.
+pub mod driver;
 pub mod ir;
 pub mod opt;
+pub mod seal;
