@@ -47,43 +47,10 @@ impl Program {
 
     /// Type of an operation from its operands; `Const` and `Array` carry theirs.
     pub fn infer(&self, op: &Op) -> Type {
-        let real = Type::Real;
-        match op {
-            Op::Const(_) | Op::Array(_) => panic!("invariant: literals and arrays are appended with their shape"),
-            Op::Input(index) => real(self.inputs[*index].shape),
-            Op::Apply(_, a) | Op::Kernel(_, a) | Op::PowInt(a, _) => self.ty(*a),
-            Op::Binary(_, a, b) => real(broadcast(self.shape(*a), self.shape(*b))),
-            Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_) => Type::Bool,
-            Op::Select(_, a, b) => {
-                assert_eq!(self.ty(*a), self.ty(*b), "invariant: both arms of a select have one type");
-                self.ty(*a)
-            }
-            Op::Element(..) | Op::Dot(..) | Op::SumSquares(_) | Op::Polynomial(..) => real(Shape::Scalar),
-            Op::MatMul(a, b) => match (self.shape(*a), self.shape(*b)) {
-                (Shape::Matrix(r, k), Shape::Vector(l)) if k == l => real(Shape::Vector(r)),
-                (Shape::Matrix(r, k), Shape::Matrix(l, c)) if k == l => real(Shape::Matrix(r, c)),
-                (a, b) => panic!("invariant: product of {a:?} and {b:?}"),
-            },
-            Op::Transpose(a) => match self.shape(*a) {
-                Shape::Matrix(r, c) => real(Shape::Matrix(c, r)),
-                other => panic!("invariant: transpose of {other:?}"),
-            },
-            Op::Outer(a, b) => match (self.shape(*a), self.shape(*b)) {
-                (Shape::Vector(r), Shape::Vector(c)) => real(Shape::Matrix(r, c)),
-                (a, b) => panic!("invariant: outer product of {a:?} and {b:?}"),
-            },
-            Op::Solve(a, b) => match (self.shape(*a), self.shape(*b)) {
-                (Shape::Matrix(r, c), Shape::Vector(l)) if r == c && c == l => real(Shape::Vector(r)),
-                (a, b) => panic!("invariant: solve {a:?} for {b:?}"),
-            },
-            Op::SingularVector(a) => match self.shape(*a) {
-                Shape::Matrix(_, c) => real(Shape::Vector(c)),
-                other => panic!("invariant: singular vector of {other:?}"),
-            },
-            Op::Basis(basis, _) | Op::BasisRate(basis, _, _) | Op::BasisRate2(basis, _, _, _) => {
-                real(Shape::Vector(self.bases[basis.0 as usize].exponents.len()))
-            }
-        }
+        self.type_of(op).unwrap_or_else(|| {
+            let operands: Vec<Type> = op.operands().into_iter().map(|id| self.ty(id)).collect();
+            panic!("invariant: operands fit their operation, found {op:?} of {operands:?}")
+        })
     }
 }
 
@@ -93,13 +60,5 @@ pub fn size(shape: Shape) -> usize {
         Shape::Scalar => 1,
         Shape::Vector(n) => n,
         Shape::Matrix(r, c) => r * c,
-    }
-}
-
-fn broadcast(a: Shape, b: Shape) -> Shape {
-    match (a, b) {
-        (Shape::Scalar, other) | (other, Shape::Scalar) => other,
-        (a, b) if a == b => a,
-        (a, b) => panic!("invariant: elementwise {a:?} with {b:?}"),
     }
 }

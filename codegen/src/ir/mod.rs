@@ -4,7 +4,16 @@
 //! (`Select`) and no memory; the only loops are the implicit ones over an array. Operands are earlier instructions.
 //! [`eval`] defines the meaning of every operation to the last bit; the emitted code and each exact pass preserve it.
 
+pub mod basis;
 pub mod build;
+pub mod eval;
+pub mod horner;
+mod mnemonic;
+pub mod print;
+pub mod random;
+pub mod read;
+mod typing;
+pub mod verify;
 
 use std::collections::BTreeMap;
 
@@ -211,6 +220,35 @@ impl Op {
             | Op::BasisRate(_, a, b) => vec![*a, *b],
             Op::Select(a, b, c) | Op::BasisRate2(_, a, b, c) => vec![*a, *b, *c],
             Op::Array(items) | Op::Polynomial(_, items) => items.clone(),
+        }
+    }
+
+    /// The same operation on other operands, each replaced by `f` of it.
+    pub fn map_operands(&self, mut f: impl FnMut(ValueId) -> ValueId) -> Op {
+        match *self {
+            Op::Const(_) | Op::Input(_) => self.clone(),
+            Op::Apply(function, a) => Op::Apply(function, f(a)),
+            Op::Kernel(kernel, a) => Op::Kernel(kernel, f(a)),
+            Op::Binary(operator, a, b) => Op::Binary(operator, f(a), f(b)),
+            Op::PowInt(a, n) => Op::PowInt(f(a), n),
+            Op::Compare(comparison, a, b) => Op::Compare(comparison, f(a), f(b)),
+            Op::And(a, b) => Op::And(f(a), f(b)),
+            Op::Or(a, b) => Op::Or(f(a), f(b)),
+            Op::Not(a) => Op::Not(f(a)),
+            Op::Select(a, b, c) => Op::Select(f(a), f(b), f(c)),
+            Op::Array(ref items) => Op::Array(items.iter().map(|&item| f(item)).collect()),
+            Op::Element(a, row, column) => Op::Element(f(a), row, column),
+            Op::MatMul(a, b) => Op::MatMul(f(a), f(b)),
+            Op::Transpose(a) => Op::Transpose(f(a)),
+            Op::Dot(a, b) => Op::Dot(f(a), f(b)),
+            Op::Outer(a, b) => Op::Outer(f(a), f(b)),
+            Op::SumSquares(a) => Op::SumSquares(f(a)),
+            Op::Solve(a, b) => Op::Solve(f(a), f(b)),
+            Op::SingularVector(a) => Op::SingularVector(f(a)),
+            Op::Polynomial(id, ref items) => Op::Polynomial(id, items.iter().map(|&item| f(item)).collect()),
+            Op::Basis(id, a) => Op::Basis(id, f(a)),
+            Op::BasisRate(id, a, b) => Op::BasisRate(id, f(a), f(b)),
+            Op::BasisRate2(id, a, b, c) => Op::BasisRate2(id, f(a), f(b), f(c)),
         }
     }
 }

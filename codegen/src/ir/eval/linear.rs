@@ -1,0 +1,118 @@
+//! Products, solving and the singular vector of small dense arrays, row-major.
+
+/// Sum of products of paired entries, left to right from the first product.
+pub(super) fn sum_of_products(mut pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
+    let first = pairs.next().map_or(0.0, |(a, b)| a * b);
+    pairs.fold(first, |sum, (a, b)| sum + a * b)
+}
+
+/// Product of a `rows` x `inner` and an `inner` x `columns` matrix.
+pub(super) fn product(a: &[f64], b: &[f64], inner: usize, columns: usize, out: &mut [f64]) {
+    for (index, entry) in out.iter_mut().enumerate() {
+        let (i, j) = (index / columns, index % columns);
+        *entry = sum_of_products((0..inner).map(|k| (a[i * inner + k], b[k * columns + j])));
+    }
+}
+
+/// x with A x = b for a square A: adjugate over determinant up to three rows, else elimination with partial pivoting.
+pub(super) fn solve(a: &[f64], b: &[f64], x: &mut [f64]) {
+    match (a, b) {
+        (&[a00], &[b0]) => x[0] = b0 / a00,
+        (&[a00, a01, a10, a11], &[b0, b1]) => {
+            let det = a00 * a11 - a01 * a10;
+            x[0] = (a11 * b0 - a01 * b1) / det;
+            x[1] = (a00 * b1 - a10 * b0) / det;
+        }
+        (&[a00, a01, a02, a10, a11, a12, a20, a21, a22], &[b0, b1, b2]) => {
+            let adjugate = [
+                [a11 * a22 - a12 * a21, a02 * a21 - a01 * a22, a01 * a12 - a02 * a11],
+                [a12 * a20 - a10 * a22, a00 * a22 - a02 * a20, a02 * a10 - a00 * a12],
+                [a10 * a21 - a11 * a20, a01 * a20 - a00 * a21, a00 * a11 - a01 * a10],
+            ];
+            let det = a00 * adjugate[0][0] + a01 * adjugate[1][0] + a02 * adjugate[2][0];
+            for (entry, row) in x.iter_mut().zip(adjugate) {
+                *entry = (row[0] * b0 + row[1] * b1 + row[2] * b2) / det;
+            }
+        }
+        _ => eliminate(a.to_vec(), b.to_vec(), x),
+    }
+}
+
+/// Gaussian elimination; the pivot of a column is its first entry of largest magnitude.
+fn eliminate(mut a: Vec<f64>, mut b: Vec<f64>, x: &mut [f64]) {
+    let n = b.len();
+    for k in 0..n {
+        let pivot = (k + 1..n).fold(k, |best, i| if a[i * n + k].abs() > a[best * n + k].abs() { i } else { best });
+        for j in 0..n {
+            a.swap(k * n + j, pivot * n + j);
+        }
+        b.swap(k, pivot);
+        for i in k + 1..n {
+            let factor = a[i * n + k] / a[k * n + k];
+            for j in k + 1..n {
+                a[i * n + j] -= factor * a[k * n + j];
+            }
+            b[i] -= factor * b[k];
+        }
+    }
+    for i in (0..n).rev() {
+        let rest = (i + 1..n).fold(b[i], |rest, j| rest - a[i * n + j] * x[j]);
+        x[i] = rest / a[i * n + i];
+    }
+}
+
+/// Sweeps of the Jacobi method; it converges quadratically, so eight are ample for the sizes that are emitted.
+pub(crate) const SWEEPS: usize = 8;
+
+/// Unit right singular vector of the largest singular value of a matrix with `n` columns: cyclic Jacobi on A^T A with a fixed number of
+/// sweeps; its entry of largest magnitude is not negative.
+pub(super) fn singular_vector(a: &[f64], n: usize, out: &mut [f64]) {
+    let mut s = vec![vec![0.0; n]; n];
+    for i in 0..n {
+        for j in i..n {
+            s[i][j] = sum_of_products(a.chunks_exact(n).map(|row| (row[i], row[j])));
+            s[j][i] = s[i][j];
+        }
+    }
+    let mut v: Vec<Vec<f64>> = (0..n).map(|i| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect()).collect();
+    for _ in 0..SWEEPS {
+        for p in 0..n {
+            for q in p + 1..n {
+                rotate(&mut s, &mut v, p, q);
+            }
+        }
+    }
+    let largest = (1..n).fold(0, |best, j| if s[j][j] > s[best][best] { j } else { best });
+    let lead = (1..n).fold(v[0][largest], |lead, i| if v[i][largest].abs() > lead.abs() { v[i][largest] } else { lead });
+    for (entry, row) in out.iter_mut().zip(&v) {
+        *entry = if lead < 0.0 { -row[largest] } else { row[largest] };
+    }
+}
+
+/// The Jacobi rotation that makes the entry (p, q) of the symmetric `s` zero, collected in the columns of `v`.
+fn rotate(s: &mut [Vec<f64>], v: &mut [Vec<f64>], p: usize, q: usize) {
+    let off = s[p][q];
+    let theta = (s[q][q] - s[p][p]) / (off + off);
+    let root = 1.0 / (theta.abs() + libm::sqrt(theta * theta + 1.0));
+    let signed = if theta < 0.0 { -root } else { root };
+    let tangent = if off == 0.0 { 0.0 } else { signed };
+    let cosine = 1.0 / libm::sqrt(tangent * tangent + 1.0);
+    let sine = tangent * cosine;
+    let shift = tangent * off;
+    s[p][p] -= shift;
+    s[q][q] += shift;
+    s[p][q] = 0.0;
+    s[q][p] = 0.0;
+    for k in (0..s.len()).filter(|&k| k != p && k != q) {
+        let (x, y) = (s[k][p], s[k][q]);
+        s[k][p] = cosine * x - sine * y;
+        s[p][k] = s[k][p];
+        s[k][q] = sine * x + cosine * y;
+        s[q][k] = s[k][q];
+    }
+    for row in v {
+        let (x, y) = (row[p], row[q]);
+        row[p] = cosine * x - sine * y;
+        row[q] = sine * x + cosine * y;
+    }
+}

@@ -1,0 +1,82 @@
+//! Scalar definitions: elementary functions, operators, comparisons, integer powers.
+
+use crate::ir::{Comparison, Function, Operator};
+
+/// A function of one real.
+pub(super) fn function(function: Function, x: f64) -> f64 {
+    match function {
+        Function::Neg => -x,
+        Function::Abs => x.abs(),
+        Function::Sign => sign(x),
+        Function::Sqrt => libm::sqrt(x),
+        Function::Exp => libm::exp(x),
+        Function::Ln => libm::log(x),
+        Function::Sin => libm::sin(x),
+        Function::Cos => libm::cos(x),
+        Function::Tan => libm::tan(x),
+        Function::Asin => libm::asin(x),
+        Function::Acos => libm::acos(x),
+        Function::Atan => libm::atan(x),
+        Function::Sinh => libm::sinh(x),
+        Function::Cosh => libm::cosh(x),
+        Function::Tanh => libm::tanh(x),
+    }
+}
+
+/// 1, -1, or the argument itself where it is a zero or NaN.
+fn sign(x: f64) -> f64 {
+    if x > 0.0 {
+        1.0
+    } else if x < 0.0 {
+        -1.0
+    } else {
+        x
+    }
+}
+
+/// An operator. `min` and `max` give the second operand unless the first is strictly smaller or larger.
+pub(super) fn operator(operator: Operator, a: f64, b: f64) -> f64 {
+    match operator {
+        Operator::Add => a + b,
+        Operator::Sub => a - b,
+        Operator::Mul => a * b,
+        Operator::Div => a / b,
+        Operator::Pow => libm::pow(a, b),
+        Operator::Min => {
+            if a < b {
+                a
+            } else {
+                b
+            }
+        }
+        Operator::Max => {
+            if a > b {
+                a
+            } else {
+                b
+            }
+        }
+        Operator::Atan2 => libm::atan2(a, b),
+    }
+}
+
+/// A comparison by IEEE 754: only `ne` holds with NaN.
+pub(crate) fn comparison(comparison: Comparison, a: f64, b: f64) -> bool {
+    match comparison {
+        Comparison::Lt => a < b,
+        Comparison::Le => a <= b,
+        Comparison::Gt => a > b,
+        Comparison::Ge => a >= b,
+        Comparison::Eq => a == b,
+        Comparison::Ne => a != b,
+    }
+}
+
+/// x^n by left-to-right binary powering: r = x; for each lower bit of n from the top r = r*r, then r = r*x if the bit is set.
+pub(super) fn power(x: f64, n: u32) -> f64 {
+    let Some(highest) = n.checked_ilog2() else { return 1.0 };
+    (0..highest).rev().fold(x, |r, bit| {
+        let square = r * r;
+        if n >> bit & 1 == 1 { square * x } else { square }
+    })
+}
