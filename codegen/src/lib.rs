@@ -1,2 +1,3 @@
 //! The nsv compiler.
+pub mod casadi;
 pub mod ir;
