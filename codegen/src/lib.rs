@@ -1,3 +1,5 @@
 //! The nsv compiler.
 pub mod casadi;
+pub mod derive;
 pub mod ir;
+pub mod lower;

@@ -131,7 +131,8 @@ impl Law<'_> {
         leaves
     }
 
-    fn names_in(&self, symbol: &Symbol, names: &mut Vec<String>) {
+    /// Quantities and leaves that an expression refers to.
+    pub(crate) fn names_in(&self, symbol: &Symbol, names: &mut Vec<String>) {
         match symbol.term() {
             Term::Name(quantity) => names.push(quantity.clone()),
             Term::Model(expr, _) => self.leaves_in(*expr, names),

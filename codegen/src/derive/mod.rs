@@ -39,6 +39,12 @@ pub trait Partials {
     fn partials(&mut self, formula: &Program, job: &Job) -> Result<Program, crate::casadi::Error>;
 }
 
+impl Partials for crate::casadi::Provider<'_> {
+    fn partials(&mut self, formula: &Program, job: &Job) -> Result<Program, crate::casadi::Error> {
+        Self::partials(self, formula, job)
+    }
+}
+
 /// Derives the control law of a model.
 pub fn derive<'m>(model: &'m Model, partials: &mut dyn Partials) -> Result<Law<'m>, DeriveError> {
     let mut law = Law::new(model);

@@ -1,6 +1,6 @@
 //! The frame of an emitted program: which quantities are inputs, which are replaced, which are results.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use nsv_spec::expr::arena::{ConstantId, ParameterId};
 
@@ -52,6 +52,11 @@ pub fn program(law: &Law, name: &str, frame: &Frame) -> Program {
     };
     lowering.program.inputs = frame.inputs.iter().map(input).collect();
     lowering.replaced = frame.replaced.clone();
+    // In the order of the law, so that the program reads from the reference to the control as the equations do.
+    let needed = needed(law, frame);
+    for equation in law.equations().iter().filter(|equation| needed.contains(&equation.name)) {
+        lowering.quantity(&equation.name);
+    }
     let outputs = frame
         .outputs
         .iter()
@@ -60,6 +65,23 @@ pub fn program(law: &Law, name: &str, frame: &Frame) -> Program {
     let (mut program, _) = lowering.finish();
     program.outputs = outputs;
     program
+}
+
+/// Quantities that the outputs of a frame depend on.
+fn needed(law: &Law, frame: &Frame) -> BTreeSet<String> {
+    let mut needed: BTreeSet<String> = BTreeSet::new();
+    let mut pending: Vec<String> = frame.outputs.iter().map(|(_, quantity)| quantity.clone()).collect();
+    while let Some(quantity) = pending.pop() {
+        let given = frame.inputs.iter().any(|(input, _, _)| *input == quantity);
+        if given || !needed.insert(quantity.clone()) {
+            continue;
+        }
+        let own = law.equation(&quantity).map(|equation| &equation.rhs);
+        if let Some(rhs) = frame.replaced.get(&quantity).or(own) {
+            law.names_in(rhs, &mut pending);
+        }
+    }
+    needed
 }
 
 impl Context for Literal<'_, '_> {
