@@ -3,3 +3,4 @@ pub mod casadi;
 pub mod derive;
 pub mod ir;
 pub mod lower;
+pub mod opt;
