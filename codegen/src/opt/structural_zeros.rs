@@ -2,7 +2,8 @@
 //! and `x + 0 == x` up to the sign of a zero, so the pass is off in strict arithmetic. The emitted step refuses non-finite inputs, so
 //! with it a wrong result needs an overflow inside the step.
 
-use crate::ir::{Function, Instruction, Op, Operator, Program, Shape, ValueId};
+use crate::ir::build::size;
+use crate::ir::{Function, Instruction, Op, Operator, Program, Shape, Type, ValueId};
 
 use super::rewrite::{literal, of_type, rewrite};
 
@@ -62,8 +63,8 @@ fn is_zero(program: &Program, id: ValueId) -> bool {
 
 /// The literal 0 of the instruction's shape.
 fn zero(program: &mut Program, instruction: &Instruction) -> ValueId {
-    let crate::ir::Type::Real(shape) = instruction.ty else { panic!("invariant: arithmetic gives a real value") };
-    program.constant(shape, vec![0.0; crate::ir::build::size(shape)])
+    let Type::Real(shape) = instruction.ty else { panic!("invariant: arithmetic gives a real value") };
+    program.constant(shape, vec![0.0; size(shape)])
 }
 
 /// The diagonal of a literal square matrix whose other entries are 0.

@@ -1,22 +1,26 @@
 use super::*;
-use crate::ir::{Input, Op, Operator, Shape, Values, eval, random};
+use crate::ir::{Input, Op, Operator, Shape, Values, build, eval, random};
 
 fn pass(name: &str) -> &'static Pass {
     PASSES.iter().find(|pass| pass.name == name).expect("a pass of that name")
 }
 
-/// A program given by its statements, before and after a pass and the removal of what the pass left unused.
-fn before_and_after(name: &str, text: &str) -> String {
+/// Snapshots a program given by its statements before and after a pass, without what the pass left unused, under the name of the pass.
+/// Both must agree at ordinary inputs, to a few roundings even if the pass reassociates.
+fn check(name: &str, text: &str) {
     let before: Program = format!("program small\n{text}").parse().unwrap();
     before.assert_sound();
     let after = (pass("dead_code").run)((pass(name).run)(before.clone()));
     after.assert_sound();
-    format!("-- before --\n{before}-- after {name} --\n{after}")
-}
+    insta::assert_snapshot!(name, format!("-- before --\n{before}-- after {name} --\n{after}"));
 
-/// Snapshots `before_and_after` under the name of the pass.
-fn check(name: &str, text: &str) {
-    insta::assert_snapshot!(name, before_and_after(name, text));
+    let ordinary = |shape| (0..build::size(shape)).map(|i| 0.7 + 1.3 * i as f64).collect::<Vec<f64>>();
+    let inputs: Values = before.inputs.iter().map(|input| (input.name.clone(), ordinary(input.shape))).collect();
+    let (expected, found) = (eval::eval(&before, &inputs).unwrap(), eval::eval(&after, &inputs).unwrap());
+    for ((name, expected), (_, found)) in expected.iter().zip(&found) {
+        let close = |(a, b): (&f64, &f64)| a == b || (a - b).abs() <= 2.0 * f64::EPSILON * a.abs();
+        assert!(expected.iter().zip(found).all(close), "{name}: {found:?}, expected {expected:?}");
+    }
 }
 
 /// Outputs and named values, NaN made one.
