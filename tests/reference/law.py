@@ -125,7 +125,7 @@ def _block(problem, i, state, params, x, out):
         out[f"D_hat{i}"] = D_hat
     if w_hat is not None:
         out[f"w_hat{i}"] = w_hat
-    if i < n:
+    if f"h{i}" in state:
         out[f"h{i}_dot"] = (alpha - state[f"h{i}"]) / block.filter  # (33)
 
 
@@ -193,16 +193,16 @@ def initial_state(problem, params=None):
         if i < n:
             state[f"h{i}"] = np.zeros(m)
     for i, block in enumerate(problem.blocks, 1):  # block i's errors need h_{i-1}, its alpha needs its own estimate
-        out = _upto(problem, i, state, params)
+        out = upto(problem, i, state, params)
         if isinstance(block.disturbance, Exosystem):
             state[f"th{i}"] = -block.observer @ out[f"e{i}"]
-            out = _upto(problem, i, state, params)
+            out = upto(problem, i, state, params)
         if i < n:
             state[f"h{i}"] = out[f"alpha{i}"]
     return state
 
 
-def _upto(problem, last, state, params):
+def upto(problem, last, state, params=None):
     """The quantities of blocks 1 to `last`."""
     t = state["t"]
     out = {"y_r": problem.reference[0](t), "y_r_dot": problem.reference[1](t)}
