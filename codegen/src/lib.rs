@@ -1,5 +1,8 @@
 //! The nsv compiler.
+pub mod casadi;
+pub mod derive;
 pub mod driver;
 pub mod ir;
+pub mod lower;
 pub mod opt;
 pub mod seal;
