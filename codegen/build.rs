@@ -14,14 +14,29 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut files = Vec::new();
     collect(&sources, &mut files)?;
     files.sort();
-    let mut text = String::from("/// Path below `src` and text of every file of the runtime library.\npub(super) const RUNTIME: &[(&str, &str)] = &[\n");
+    let mut text = String::from(
+        "/// Path below `src` and text of every file of the runtime library.\npub(super) const RUNTIME: &[(&str, &str)] = &[\n",
+    );
     for file in files {
-        let name = file.strip_prefix(&sources)?.to_string_lossy().replace('\\', "/");
-        writeln!(text, "    ({name:?}, include_str!({:?})),", fs::canonicalize(&file)?)?;
+        let name = file
+            .strip_prefix(&sources)?
+            .to_string_lossy()
+            .replace('\\', "/");
+        writeln!(
+            text,
+            "    ({name:?}, include_str!({:?})),",
+            fs::canonicalize(&file)?
+        )?;
     }
     let libm = locked(&fs::read_to_string(lock)?, "libm").ok_or("libm is not in Cargo.lock")?;
-    writeln!(text, "];\n\n/// The entry of libm in the workspace's Cargo.lock.\npub(super) const LIBM: &str = {libm:?};")?;
-    fs::write(PathBuf::from(env::var("OUT_DIR")?).join("embedded.rs"), text)?;
+    writeln!(
+        text,
+        "];\n\n/// The entry of libm in the workspace's Cargo.lock.\npub(super) const LIBM: &str = {libm:?};"
+    )?;
+    fs::write(
+        PathBuf::from(env::var("OUT_DIR")?).join("embedded.rs"),
+        text,
+    )?;
     Ok(())
 }
 
@@ -39,5 +54,7 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> Result<(), Box<dyn Error>
 
 fn locked(lock: &str, name: &str) -> Option<String> {
     let heading = format!("name = \"{name}\"");
-    lock.split("[[package]]").find(|entry| entry.lines().any(|line| line == heading)).map(|entry| format!("[[package]]\n{}\n", entry.trim()))
+    lock.split("[[package]]")
+        .find(|entry| entry.lines().any(|line| line == heading))
+        .map(|entry| format!("[[package]]\n{}\n", entry.trim()))
 }

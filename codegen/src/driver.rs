@@ -5,7 +5,8 @@ use std::fmt;
 
 use nsv_spec::model::Model;
 
-use crate::casadi::{self, Provider};
+use crate::derive::Partials;
+use crate::derive::error::DeriveError;
 use crate::ir::Program;
 
 /// What a model compiles to.
@@ -20,8 +21,8 @@ pub struct Compiled {
 /// Why a checked model has no code.
 #[derive(Debug)]
 pub enum CompileError {
-    /// Partial derivatives could not be had.
-    Partials(casadi::Error),
+    /// The law could not be derived.
+    Derive(DeriveError),
     /// The phases are not linked into this build.
     NoPhases,
 }
@@ -29,8 +30,10 @@ pub enum CompileError {
 impl fmt::Display for CompileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            CompileError::Partials(error) => error.fmt(f),
-            CompileError::NoPhases => f.write_str("the phases behind the check are not linked into this build of nsv"),
+            CompileError::Derive(error) => error.fmt(f),
+            CompileError::NoPhases => {
+                f.write_str("the phases behind the check are not linked into this build of nsv")
+            }
         }
     }
 }
@@ -38,6 +41,6 @@ impl fmt::Display for CompileError {
 impl std::error::Error for CompileError {}
 
 /// Derives, optimises and emits.
-pub fn compile(_model: &Model, _partials: &mut Provider<'_>) -> Result<Compiled, CompileError> {
+pub fn compile(_model: &Model, _partials: &mut dyn Partials) -> Result<Compiled, CompileError> {
     Err(CompileError::NoPhases)
 }

@@ -24,7 +24,10 @@ pub fn seal(body: &str) -> String {
 
 /// Compares the first line of a file with the rest.
 pub fn inspect(text: &str) -> Seal {
-    match text.strip_prefix(MARK).map(|rest| rest.split_once('\n').unwrap_or((rest, ""))) {
+    match text
+        .strip_prefix(MARK)
+        .map(|rest| rest.split_once('\n').unwrap_or((rest, "")))
+    {
         Some((recorded, body)) if recorded == hash(body) => Seal::Intact,
         Some(_) => Seal::Broken,
         None => Seal::Missing,

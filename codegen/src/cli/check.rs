@@ -45,8 +45,12 @@ struct Checked<'a> {
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let checked: Vec<Checked<'_>> = args.specs.iter().map(|path| check(path)).collect();
     match args.format {
-        Format::Json => output::json(&json!({ "specs": checked.iter().map(document).collect::<Vec<_>>() }))?,
-        format => checked.iter().try_for_each(|one| tell(one, format, args.verbose))?,
+        Format::Json => {
+            output::json(&json!({ "specs": checked.iter().map(document).collect::<Vec<_>>() }))?
+        }
+        format => checked
+            .iter()
+            .try_for_each(|one| tell(one, format, args.verbose))?,
     }
     match checked.iter().all(|one| one.model.is_some()) {
         true => Ok(()),
@@ -57,10 +61,21 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
 fn check(path: &Path) -> Checked<'_> {
     match nsv_spec::load(path) {
         Ok((model, warnings)) => {
-            let faults = Diagnostics { sources: model.sources.clone(), items: warnings };
-            Checked { path, model: Some(model), faults }
+            let faults = Diagnostics {
+                sources: model.sources.clone(),
+                items: warnings,
+            };
+            Checked {
+                path,
+                model: Some(model),
+                faults,
+            }
         }
-        Err(faults) => Checked { path, model: None, faults },
+        Err(faults) => Checked {
+            path,
+            model: None,
+            faults,
+        },
     }
 }
 
@@ -71,13 +86,25 @@ fn tell(checked: &Checked<'_>, format: Format, verbose: bool) -> Result<(), Fail
     }
     let path = checked.path.display();
     let Some(model) = &checked.model else {
-        let errors = checked.faults.items.iter().filter(|item| item.severity == nsv_spec::diagnostic::Severity::Error).count();
-        note(format_args!("{path}: {errors} {}", if errors == 1 { "error" } else { "errors" }));
+        let errors = checked
+            .faults
+            .items
+            .iter()
+            .filter(|item| item.severity == nsv_spec::diagnostic::Severity::Error)
+            .count();
+        note(format_args!(
+            "{path}: {errors} {}",
+            if errors == 1 { "error" } else { "errors" }
+        ));
         return Ok(());
     };
     note(format_args!("{path}: ok, {}", size(model)));
     if verbose {
-        let lines: String = model.defaults.iter().map(|line| format!("{line}\n")).collect();
+        let lines: String = model
+            .defaults
+            .iter()
+            .map(|line| format!("{line}\n"))
+            .collect();
         output::data(&lines)?;
     }
     Ok(())
@@ -86,7 +113,11 @@ fn tell(checked: &Checked<'_>, format: Format, verbose: bool) -> Result<(), Fail
 fn size(model: &Model) -> String {
     let (blocks, inputs) = (model.blocks.len(), model.inputs.len());
     let plural = |count| if count == 1 { "" } else { "s" };
-    format!("{blocks} block{} of {inputs} channel{}", plural(blocks), plural(inputs))
+    format!(
+        "{blocks} block{} of {inputs} channel{}",
+        plural(blocks),
+        plural(inputs)
+    )
 }
 
 fn document(checked: &Checked<'_>) -> Value {

@@ -16,10 +16,21 @@ pub(crate) struct Finished {
 
 /// Runs `command` without input; `on_line` sees each line of its standard output as it comes.
 pub(crate) fn run(command: &mut Command, mut on_line: impl FnMut(&str)) -> io::Result<Finished> {
-    command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    command
+        .stdin(Stdio::null())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
     let mut tended = Tended::spawn(command)?;
-    let stdout = tended.child.stdout.take().expect("invariant: standard output is piped");
-    let mut stderr = tended.child.stderr.take().expect("invariant: standard error is piped");
+    let stdout = tended
+        .child
+        .stdout
+        .take()
+        .expect("invariant: standard output is piped");
+    let mut stderr = tended
+        .child
+        .stderr
+        .take()
+        .expect("invariant: standard error is piped");
     // Both pipes are drained at once, else a program that fills one while we read the other would wait for ever.
     let complaints = std::thread::spawn(move || {
         let mut bytes = Vec::new();
@@ -30,7 +41,10 @@ pub(crate) fn run(command: &mut Command, mut on_line: impl FnMut(&str)) -> io::R
         on_line(&String::from_utf8_lossy(&line?));
     }
     let status = tended.child.wait()?;
-    Ok(Finished { status, stderr: complaints.join().unwrap_or_default() })
+    Ok(Finished {
+        status,
+        stderr: complaints.join().unwrap_or_default(),
+    })
 }
 
 /// Standard output of a short program; `None` if it cannot be started or fails.
@@ -40,7 +54,8 @@ pub(crate) fn answer(command: &mut Command) -> Option<String> {
     finished.status.success().then_some(text)
 }
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
+#[cfg(unix)]
 mod tests {
     use super::*;
 
@@ -48,13 +63,28 @@ mod tests {
     fn both_streams_are_read() {
         let mut lines = Vec::new();
         let script = "i=0; while [ $i -lt 3000 ]; do echo line $i; echo complaint $i >&2; i=$((i+1)); done; exit 7";
-        let finished = run(Command::new("sh").args(["-c", script]), |line| lines.push(line.to_owned())).unwrap();
-        assert_eq!((lines.len(), finished.stderr.lines().count(), finished.status.code()), (3000, 3000, Some(7)));
+        let finished = run(Command::new("sh").args(["-c", script]), |line| {
+            lines.push(line.to_owned())
+        })
+        .unwrap();
+        assert_eq!(
+            (
+                lines.len(),
+                finished.stderr.lines().count(),
+                finished.status.code()
+            ),
+            (3000, 3000, Some(7))
+        );
     }
 
     #[test]
     fn a_missing_program_is_an_error() {
-        assert_eq!(run(&mut Command::new("/no/such/program"), |_| {}).unwrap_err().kind(), io::ErrorKind::NotFound);
+        assert_eq!(
+            run(&mut Command::new("/no/such/program"), |_| {})
+                .unwrap_err()
+                .kind(),
+            io::ErrorKind::NotFound
+        );
         assert_eq!(answer(Command::new("sh").args(["-c", "exit 1"])), None);
     }
 }

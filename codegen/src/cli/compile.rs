@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use nsv_codegen::casadi::{Mode, Provider, Settings};
+use nsv_codegen::derive::error::DeriveError;
 use nsv_codegen::driver::{CompileError, Compiled, compile as compile_model};
 use nsv_spec::diagnostic::Diagnostics;
 use nsv_spec::model::Model;
@@ -15,7 +16,10 @@ use super::render::human;
 pub(crate) fn load(path: &Path) -> Result<Model, Failure> {
     match nsv_spec::load(path) {
         Ok((model, warnings)) => {
-            show(&Diagnostics { sources: model.sources.clone(), items: warnings });
+            show(&Diagnostics {
+                sources: model.sources.clone(),
+                items: warnings,
+            });
             Ok(model)
         }
         Err(faults) => {
@@ -50,10 +54,15 @@ pub(crate) fn compile(spec: &Path, model: &Model, partials: Partials) -> Result<
         Partials::Stored => Mode::Offline,
         Partials::Cached | Partials::Committed => Mode::Provision,
     };
-    let mut provider = Provider::new(Settings::from_environment(exports(spec), mode), |text| note(text));
-    let compiled = compile_model(model, &mut provider).map_err(|error| Failure::new(exit(&error), &error))?;
+    let mut provider = Provider::new(Settings::from_environment(exports(spec), mode), |text| {
+        note(text)
+    });
+    let compiled =
+        compile_model(model, &mut provider).map_err(|error| Failure::new(exit(&error), &error))?;
     if partials == Partials::Committed {
-        provider.commit().map_err(|error| Failure::new(Exit::Environment, error))?;
+        provider
+            .commit()
+            .map_err(|error| Failure::new(Exit::Environment, error))?;
     }
     Ok(compiled)
 }
@@ -63,9 +72,12 @@ fn exports(spec: &Path) -> PathBuf {
     spec.with_file_name("partials")
 }
 
-/// A model that has no law is the specification's fault; derivatives that cannot be had are not.
+/// A law that cannot be derived is the specification's fault; derivatives that cannot be had are not.
 fn exit(error: &CompileError) -> Exit {
     match error {
-        CompileError::Partials(_) | CompileError::NoPhases => Exit::Environment,
+        CompileError::Derive(DeriveError::NetworkOrder) => Exit::Spec,
+        CompileError::Derive(DeriveError::Partials(_)) | CompileError::NoPhases => {
+            Exit::Environment
+        }
     }
 }

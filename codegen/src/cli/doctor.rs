@@ -36,14 +36,24 @@ pub(crate) fn run(_args: &Args) -> Result<(), Failure> {
     let mut findings = Vec::new();
     match Cache::open() {
         Ok(cache) => {
-            findings.push(good("cache", format!("{}, {}", cache.root().display(), kept(&cache.simulators()))));
+            findings.push(good(
+                "cache",
+                format!(
+                    "{}, {} built simulators",
+                    cache.root().display(),
+                    cache.built()
+                ),
+            ));
             findings.extend(toolchain(&cache));
         }
         Err(failure) => findings.push(failed("cache", failure)),
     }
     findings.push(python());
     output::data(&findings.iter().map(line).collect::<String>())?;
-    match findings.iter().any(|finding| finding.state == State::Missing) {
+    match findings
+        .iter()
+        .any(|finding| finding.state == State::Missing)
+    {
         true => Err(Failure::Reported(Exit::Environment)),
         false => Ok(()),
     }
@@ -55,12 +65,21 @@ fn line(finding: &Finding) -> String {
         State::Optional => "note   ",
         State::Missing => "MISSING",
     };
-    let remedy = finding.remedy.as_ref().map(|remedy| format!("{:21}{remedy}\n", "")).unwrap_or_default();
+    let remedy = finding
+        .remedy
+        .as_ref()
+        .map(|remedy| format!("{:21}{remedy}\n", ""))
+        .unwrap_or_default();
     format!("{mark}  {:10}  {}\n{remedy}", finding.what, finding.found)
 }
 
 fn good(what: &'static str, found: impl Into<String>) -> Finding {
-    Finding { state: State::Good, what, found: found.into(), remedy: None }
+    Finding {
+        state: State::Good,
+        what,
+        found: found.into(),
+        remedy: None,
+    }
 }
 
 fn failed(what: &'static str, failure: Failure) -> Finding {
@@ -68,7 +87,12 @@ fn failed(what: &'static str, failure: Failure) -> Finding {
         Failure::Message { message, help, .. } => (message, help),
         other => (format!("{other:?}"), None),
     };
-    Finding { state: State::Missing, what, found, remedy }
+    Finding {
+        state: State::Missing,
+        what,
+        found,
+        remedy,
+    }
 }
 
 /// rustc with a linker, cargo, and the one package that runners need.
@@ -79,18 +103,32 @@ fn toolchain(cache: &Cache) -> Vec<Finding> {
     };
     let scratch = match Scratch::new_in(&cache.simulators()) {
         Ok(scratch) => scratch,
-        Err(error) => return vec![failed("cache", Failure::io("write in", &cache.simulators(), &error))],
+        Err(error) => {
+            return vec![failed(
+                "cache",
+                Failure::io("write in", &cache.simulators(), &error),
+            )];
+        }
     };
-    vec![linker(&toolchain, scratch.path()), cargo(&toolchain, scratch.path())]
+    vec![
+        linker(&toolchain, scratch.path()),
+        cargo(&toolchain, scratch.path()),
+    ]
 }
 
 /// Links an empty program: rustc alone does not make one.
 fn linker(toolchain: &Toolchain, folder: &Path) -> Finding {
     let source = folder.join("empty.rs");
-    let linked = std::fs::write(&source, "fn main() {}\n").ok().and_then(|()| {
-        let mut command = toolchain.rustc(folder);
-        child::run(command.arg(&source).arg("-o").arg(folder.join("empty")), |_| {}).ok()
-    });
+    let linked = std::fs::write(&source, "fn main() {}\n")
+        .ok()
+        .and_then(|()| {
+            let mut command = toolchain.rustc(folder);
+            child::run(
+                command.arg(&source).arg("-o").arg(folder.join("empty")),
+                |_| {},
+            )
+            .ok()
+        });
     match linked {
         Some(finished) if finished.status.success() => good("rustc", toolchain.name()),
         finished => Finding {
@@ -98,7 +136,9 @@ fn linker(toolchain: &Toolchain, folder: &Path) -> Finding {
             what: "rustc",
             found: format!("{} cannot link a program", toolchain.name()),
             remedy: Some(match finished {
-                Some(finished) if !finished.stderr.contains("linker `cc` not found") => finished.stderr.trim().replace('\n', " "),
+                Some(finished) if !finished.stderr.contains("linker `cc` not found") => {
+                    finished.stderr.trim().replace('\n', " ")
+                }
                 _ => "install a C linker, such as the package gcc or build-essential".to_owned(),
             }),
         },
@@ -110,12 +150,21 @@ fn cargo(toolchain: &Toolchain, folder: &Path) -> Finding {
     let version = child::answer(toolchain.cargo(folder).arg("--version"));
     let Some(version) = version else {
         let found = format!("cannot run `{}`", toolchain.cargo_program());
-        return Finding { state: State::Missing, what: "cargo", found, remedy: Some(super::runner::INSTALL.to_owned()) };
+        return Finding {
+            state: State::Missing,
+            what: "cargo",
+            found,
+            remedy: Some(super::runner::INSTALL.to_owned()),
+        };
     };
     let package = Package::new(&[("mod.rs".to_owned(), String::new())].into());
     let mut command = toolchain.cargo(folder);
     command.args(["metadata", "--offline", "--locked", "--format-version", "1"]);
-    match package.write(folder).ok().and_then(|()| child::answer(&mut command)) {
+    match package
+        .write(folder)
+        .ok()
+        .and_then(|()| child::answer(&mut command))
+    {
         Some(_) => good("cargo", version.trim()),
         None => Finding {
             state: State::Missing,
@@ -129,9 +178,15 @@ fn cargo(toolchain: &Toolchain, folder: &Path) -> Finding {
 /// CasADi, which takes derivatives that are not stored yet.
 fn python() -> Finding {
     let settings = Settings::from_environment("specs/partials", Mode::Offline);
-    let optional = |found: String, remedy: String| Finding { state: State::Optional, what: "casadi", found, remedy: Some(remedy) };
+    let optional = |found: String, remedy: String| Finding {
+        state: State::Optional,
+        what: "casadi",
+        found,
+        remedy: Some(remedy),
+    };
     let Some(python) = settings.installed_python() else {
-        let base = child::answer(std::process::Command::new(&settings.base_python).arg("--version"));
+        let base =
+            child::answer(std::process::Command::new(&settings.base_python).arg("--version"));
         return match base {
             Some(version) => optional(
                 "not installed; derivatives of specifications with committed partials need none".to_owned(),
@@ -144,16 +199,18 @@ fn python() -> Finding {
         };
     };
     match versions(&python, settings.timeout) {
-        Ok(found) => good("casadi", format!("{} in {} (Python {})", found.casadi, python.display(), found.python)),
-        Err(error) => optional(error.to_string(), "specifications with committed partials work without it".to_owned()),
-    }
-}
-
-/// How many built simulators the cache holds.
-fn kept(simulators: &Path) -> String {
-    let count = std::fs::read_dir(simulators).map_or(0, |entries| entries.flatten().filter(|entry| entry.path().join("simulator").is_file()).count());
-    match count {
-        1 => "1 built simulator".to_owned(),
-        count => format!("{count} built simulators"),
+        Ok(found) => good(
+            "casadi",
+            format!(
+                "{} in {} (Python {})",
+                found.casadi,
+                python.display(),
+                found.python
+            ),
+        ),
+        Err(error) => optional(
+            error.to_string(),
+            "specifications with committed partials work without it".to_owned(),
+        ),
     }
 }

@@ -29,20 +29,33 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let model = load(&args.spec)?;
     let given = read(&args.at)?;
     let program = compile(&args.spec, &model, Partials::Cached)?.eval;
-    let values = inputs(&program, &given, &parameters(&model)).map_err(|faults| rejected(&args.at, &faults))?;
-    let outputs = eval(&program, &values).map_err(|error| Failure::new(Exit::Usage, format_args!("cannot evaluate: {error}")))?;
+    let values = inputs(&program, &given, &parameters(&model))
+        .map_err(|faults| rejected(&args.at, &faults))?;
+    let outputs = eval(&program, &values)
+        .map_err(|error| Failure::new(Exit::Usage, format_args!("cannot evaluate: {error}")))?;
     output::json(&document(&program, &outputs))
 }
 
 fn read(path: &Path) -> Result<Map<String, Value>, Failure> {
     let text = std::fs::read_to_string(path).map_err(|error| Failure::io("read", path, &error))?;
-    serde_json::from_str(&text).map_err(|error| Failure::new(Exit::Usage, format_args!("`{}` is not a JSON object: {error}", path.display())))
+    serde_json::from_str(&text).map_err(|error| {
+        Failure::new(
+            Exit::Usage,
+            format_args!("`{}` is not a JSON object: {error}", path.display()),
+        )
+    })
 }
 
 /// Values that need not be given: the parameters of the specification.
 fn parameters(model: &Model) -> Values {
     let pairs = model.parameters.iter().flat_map(|parameter| {
-        [(format!("params.{}", parameter.name), vec![parameter.design_value]), (format!("plant.{}", parameter.name), vec![parameter.value])]
+        [
+            (
+                format!("params.{}", parameter.name),
+                vec![parameter.design_value],
+            ),
+            (format!("plant.{}", parameter.name), vec![parameter.value]),
+        ]
     });
     pairs.collect()
 }
@@ -60,17 +73,39 @@ fn rejected(path: &Path, faults: &Faults) -> Failure {
     let kinds = [
         ("missing", list(&faults.missing)),
         ("unknown", list(&faults.unknown)),
-        ("wrong", list(&faults.misshapen)),
+        ("misshapen", list(&faults.misshapen)),
     ];
-    let lines: String = kinds.iter().filter(|(_, names)| !names.is_empty()).map(|(kind, names)| format!("\n  {kind}: {names}")).collect();
-    Failure::new(Exit::Usage, format_args!("`{}` does not give the inputs of the law{lines}", path.display()))
+    let lines: String = kinds
+        .iter()
+        .filter(|(_, names)| !names.is_empty())
+        .map(|(kind, names)| format!("\n  {kind}: {names}"))
+        .collect();
+    Failure::new(
+        Exit::Usage,
+        format_args!(
+            "`{}` does not give the inputs of the law{lines}",
+            path.display()
+        ),
+    )
 }
 
 /// The inputs of `program` from the values given, and from `defaults` where none is.
-fn inputs(program: &Program, given: &Map<String, Value>, defaults: &Values) -> Result<Values, Faults> {
+fn inputs(
+    program: &Program,
+    given: &Map<String, Value>,
+    defaults: &Values,
+) -> Result<Values, Faults> {
     let (mut values, mut faults) = (Values::new(), Faults::default());
-    let known: BTreeSet<&str> = program.inputs.iter().map(|input| input.name.as_str()).collect();
-    faults.unknown = given.keys().filter(|name| !known.contains(name.as_str())).cloned().collect();
+    let known: BTreeSet<&str> = program
+        .inputs
+        .iter()
+        .map(|input| input.name.as_str())
+        .collect();
+    faults.unknown = given
+        .keys()
+        .filter(|name| !known.contains(name.as_str()))
+        .cloned()
+        .collect();
     for input in &program.inputs {
         let wanted = format!("{} ({})", input.name, describe(input.shape));
         match (given.get(&input.name), defaults.get(&input.name)) {
@@ -82,7 +117,11 @@ fn inputs(program: &Program, given: &Map<String, Value>, defaults: &Values) -> R
             (None, None) => faults.missing.push(wanted),
         }
     }
-    if faults == Faults::default() { Ok(values) } else { Err(faults) }
+    if faults == Faults::default() {
+        Ok(values)
+    } else {
+        Err(faults)
+    }
 }
 
 fn describe(shape: Shape) -> String {
@@ -95,12 +134,20 @@ fn describe(shape: Shape) -> String {
 
 /// Row-major entries of a JSON value of that shape.
 fn entries(value: &Value, shape: Shape) -> Option<Vec<f64>> {
-    let list = |value: &Value, length: usize| -> Option<Vec<Value>> { value.as_array().filter(|items| items.len() == length).cloned() };
+    let list = |value: &Value, length: usize| -> Option<Vec<Value>> {
+        value
+            .as_array()
+            .filter(|items| items.len() == length)
+            .cloned()
+    };
     match shape {
         Shape::Scalar => Some(vec![value.as_f64()?]),
         Shape::Vector(n) => list(value, n)?.iter().map(Value::as_f64).collect(),
         Shape::Matrix(r, c) => {
-            let rows = list(value, r)?.iter().map(|row| entries(row, Shape::Vector(c))).collect::<Option<Vec<_>>>()?;
+            let rows = list(value, r)?
+                .iter()
+                .map(|row| entries(row, Shape::Vector(c)))
+                .collect::<Option<Vec<_>>>()?;
             Some(rows.concat())
         }
     }
@@ -116,7 +163,11 @@ fn document(program: &Program, outputs: &Values) -> BTreeMap<String, Value> {
             Type::Real(Shape::Vector(_)) => Value::from(data.clone()),
             Type::Real(shape @ Shape::Matrix(_, columns)) => {
                 debug_assert_eq!(data.len(), size(shape));
-                Value::from(data.chunks(columns).map(|row| Value::from(row.to_vec())).collect::<Vec<_>>())
+                Value::from(
+                    data.chunks(columns)
+                        .map(|row| Value::from(row.to_vec()))
+                        .collect::<Vec<_>>(),
+                )
             }
         };
         Some((name.clone(), value))
@@ -132,14 +183,28 @@ mod tests {
     use super::*;
 
     fn program() -> Program {
-        let input = |name: &str, shape| Input { name: name.into(), shape };
-        let inputs = vec![input("t", Shape::Scalar), input("x1", Shape::Vector(2)), input("W1", Shape::Matrix(3, 2)), input("params.m", Shape::Scalar)];
-        let mut program = Program { name: "eval".into(), inputs, ..Program::default() };
+        let input = |name: &str, shape| Input {
+            name: name.into(),
+            shape,
+        };
+        let inputs = vec![
+            input("t", Shape::Scalar),
+            input("x1", Shape::Vector(2)),
+            input("W1", Shape::Matrix(3, 2)),
+            input("params.m", Shape::Scalar),
+        ];
+        let mut program = Program {
+            name: "eval".into(),
+            inputs,
+            ..Program::default()
+        };
         let (t, x) = (program.push(Op::Input(0)), program.push(Op::Input(1)));
         let (w, m) = (program.push(Op::Input(2)), program.push(Op::Input(3)));
         let y = program.push(Op::MatMul(w, x));
         let late = program.push(Op::Compare(nsv_codegen::ir::Comparison::Gt, t, m));
-        program.outputs = [("y", y), ("late", late), ("W", w), ("t", t)].map(|(name, id)| (name.to_owned(), id)).into();
+        program.outputs = [("y", y), ("late", late), ("W", w), ("t", t)]
+            .map(|(name, id)| (name.to_owned(), id))
+            .into();
         program
     }
 
@@ -165,7 +230,14 @@ mod tests {
     fn every_fault_is_in_one_error() {
         let given = given(json!({"x1": [1, 2, 3], "x9": 0, "params.m": "heavy"}));
         let faults = inputs(&program(), &given, &defaults()).unwrap_err();
-        let Failure::Message { exit: Exit::Usage, message, .. } = rejected(Path::new("at.json"), &faults) else { panic!() };
+        let Failure::Message {
+            exit: Exit::Usage,
+            message,
+            ..
+        } = rejected(Path::new("at.json"), &faults)
+        else {
+            panic!()
+        };
         insta::assert_snapshot!(message);
     }
 }

@@ -40,18 +40,29 @@ pub(crate) enum Failure {
 impl Failure {
     /// A failure with one message.
     pub(crate) fn new(exit: Exit, message: impl fmt::Display) -> Failure {
-        Failure::Message { exit, message: message.to_string(), help: None }
+        Failure::Message {
+            exit,
+            message: message.to_string(),
+            help: None,
+        }
     }
 
     /// A file that cannot be read or written.
     pub(crate) fn io(action: &str, path: &Path, error: &io::Error) -> Failure {
-        Failure::new(Exit::Environment, format_args!("cannot {action} `{}`: {}", path.display(), reason(error)))
+        Failure::new(
+            Exit::Environment,
+            format_args!("cannot {action} `{}`: {}", path.display(), reason(error)),
+        )
     }
 
     /// The same with a way out.
     pub(crate) fn with_help(self, text: impl fmt::Display) -> Failure {
         match self {
-            Failure::Message { exit, message, .. } => Failure::Message { exit, message, help: Some(text.to_string()) },
+            Failure::Message { exit, message, .. } => Failure::Message {
+                exit,
+                message,
+                help: Some(text.to_string()),
+            },
             other => other,
         }
     }
@@ -60,7 +71,11 @@ impl Failure {
     pub(crate) fn report(self) -> ExitCode {
         match self {
             Failure::Reported(exit) => ExitCode::from(exit as u8),
-            Failure::Message { exit, message, help } => {
+            Failure::Message {
+                exit,
+                message,
+                help,
+            } => {
                 note(format_args!("error: {message}"));
                 if let Some(help) = help {
                     note(format_args!("  = help: {help}"));

@@ -14,10 +14,16 @@ pub(crate) fn replace(texts: &[(PathBuf, &str)], removed: &[PathBuf]) -> Result<
     shielded(|| {
         let staged: Vec<(TempPath, &PathBuf)> = texts
             .iter()
-            .map(|(path, text)| stage(path, text).map(|staged| (staged, path)).map_err(|error| Failure::io("write", path, &error)))
+            .map(|(path, text)| {
+                stage(path, text)
+                    .map(|staged| (staged, path))
+                    .map_err(|error| Failure::io("write", path, &error))
+            })
             .collect::<Result<_, _>>()?;
         for (staged, path) in staged {
-            staged.persist(path).map_err(|error| Failure::io("write", path, &error.error))?;
+            staged
+                .persist(path)
+                .map_err(|error| Failure::io("write", path, &error.error))?;
         }
         for path in removed {
             std::fs::remove_file(path).map_err(|error| Failure::io("remove", path, &error))?;
@@ -49,7 +55,10 @@ fn builder() -> tempfile::Builder<'static, 'static> {
 }
 
 /// Writes one file of any size through `write`; nothing is at `path` before all of it is.
-pub(crate) fn write<E: std::fmt::Display>(path: &Path, write: impl FnOnce(&mut BufWriter<File>) -> Result<(), E>) -> Result<(), Failure> {
+pub(crate) fn write<E: std::fmt::Display>(
+    path: &Path,
+    write: impl FnOnce(&mut BufWriter<File>) -> Result<(), E>,
+) -> Result<(), Failure> {
     let failed = |error: &io::Error| Failure::io("write", path, error);
     if path.is_dir() {
         return Err(failed(&io::ErrorKind::IsADirectory.into()));
@@ -57,14 +66,21 @@ pub(crate) fn write<E: std::fmt::Display>(path: &Path, write: impl FnOnce(&mut B
     let scratch = Scratch::new_in(folder_of(path)).map_err(|error| failed(&error))?;
     let staged = scratch.path().join("staged");
     let mut file = BufWriter::new(File::create(&staged).map_err(|error| failed(&error))?);
-    write(&mut file).map_err(|error| Failure::new(Exit::Environment, format_args!("cannot write `{}`: {error}", path.display())))?;
+    write(&mut file).map_err(|error| {
+        Failure::new(
+            Exit::Environment,
+            format_args!("cannot write `{}`: {error}", path.display()),
+        )
+    })?;
     file.flush().map_err(|error| failed(&error))?;
     drop(file);
     std::fs::rename(&staged, path).map_err(|error| failed(&error))
 }
 
 fn folder_of(path: &Path) -> &Path {
-    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
+    path.parent()
+        .filter(|parent| !parent.as_os_str().is_empty())
+        .unwrap_or(Path::new("."))
 }
 
 #[cfg(test)]
@@ -72,8 +88,10 @@ mod tests {
     use super::*;
 
     fn names(folder: &Path) -> Vec<String> {
-        let mut names: Vec<String> =
-            std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned()).collect();
+        let mut names: Vec<String> = std::fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
+            .collect();
         names.sort();
         names
     }
@@ -83,7 +101,11 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let at = |name: &str| folder.path().join(name);
         std::fs::write(at("old.rs"), "old").unwrap();
-        replace(&[(at("a.rs"), "a"), (at("deep/b.rs"), "b")], &[at("old.rs")]).unwrap();
+        replace(
+            &[(at("a.rs"), "a"), (at("deep/b.rs"), "b")],
+            &[at("old.rs")],
+        )
+        .unwrap();
         assert_eq!(names(folder.path()), ["a.rs", "deep"]);
         assert_eq!(std::fs::read_to_string(at("deep/b.rs")).unwrap(), "b");
     }

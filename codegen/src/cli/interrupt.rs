@@ -16,7 +16,10 @@ struct Live {
     scratch: BTreeSet<PathBuf>,
 }
 
-static LIVE: Mutex<Live> = Mutex::new(Live { children: BTreeSet::new(), scratch: BTreeSet::new() });
+static LIVE: Mutex<Live> = Mutex::new(Live {
+    children: BTreeSet::new(),
+    scratch: BTreeSet::new(),
+});
 
 fn live() -> MutexGuard<'static, Live> {
     LIVE.lock().unwrap_or_else(PoisonError::into_inner)
@@ -76,7 +79,10 @@ impl Drop for Tended {
 
 #[cfg(unix)]
 fn end(child: u32) {
-    if let Some(group) = i32::try_from(child).ok().and_then(rustix::process::Pid::from_raw) {
+    if let Some(group) = i32::try_from(child)
+        .ok()
+        .and_then(rustix::process::Pid::from_raw)
+    {
         let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
     }
 }
@@ -95,7 +101,10 @@ impl Scratch {
     /// A new folder inside `parent`, which exists.
     pub(crate) fn new_in(parent: &Path) -> io::Result<Scratch> {
         let mut live = live();
-        let folder = tempfile::Builder::new().prefix(".nsv-").tempdir_in(parent)?.keep();
+        let folder = tempfile::Builder::new()
+            .prefix(".nsv-")
+            .tempdir_in(parent)?
+            .keep();
         live.scratch.insert(folder.clone());
         Ok(Scratch { folder })
     }

@@ -24,7 +24,12 @@ use clap::{Parser, Subcommand};
 
 /// Compiles a specification of a control problem to specialised Rust: controller, observers, plant simulator, Lyapunov monitor.
 #[derive(Parser)]
-#[command(name = "nsv", version, max_term_width = 100, arg_required_else_help = true)]
+#[command(
+    name = "nsv",
+    version,
+    max_term_width = 100,
+    arg_required_else_help = true
+)]
 struct Cli {
     #[command(subcommand)]
     verb: Verb,

@@ -8,16 +8,22 @@ use super::failure::{Exit, Failure, reason};
 /// Writes data. A reader that went away ends the verb quietly.
 pub(crate) fn data(text: &str) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
-    let written = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush());
+    let written = stdout
+        .write_all(text.as_bytes())
+        .and_then(|()| stdout.flush());
     written.map_err(|error| match error.kind() {
         io::ErrorKind::BrokenPipe => Failure::BrokenPipe,
-        _ => Failure::new(Exit::Environment, format_args!("cannot write to standard output: {}", reason(&error))),
+        _ => Failure::new(
+            Exit::Environment,
+            format_args!("cannot write to standard output: {}", reason(&error)),
+        ),
     })
 }
 
 /// Writes a JSON document for programs.
 pub(crate) fn json(document: &impl serde::Serialize) -> Result<(), Failure> {
-    let text = serde_json::to_string_pretty(document).expect("invariant: documents have string keys");
+    let text =
+        serde_json::to_string_pretty(document).expect("invariant: documents have string keys");
     data(&(text + "\n"))
 }
 

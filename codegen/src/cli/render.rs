@@ -6,9 +6,16 @@ use serde::Serialize;
 
 /// Pictures of the faults in their sources, and a last line that counts them.
 pub(crate) fn human(diagnostics: &Diagnostics, colour: bool) -> String {
-    let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
+    let renderer = if colour {
+        Renderer::styled()
+    } else {
+        Renderer::plain()
+    };
     let sources = &diagnostics.sources;
-    let pictures = diagnostics.items.iter().map(|item| renderer.render(&[group(sources, item)]) + "\n\n");
+    let pictures = diagnostics
+        .items
+        .iter()
+        .map(|item| renderer.render(&[group(sources, item)]) + "\n\n");
     pictures.collect()
 }
 
@@ -25,7 +32,11 @@ fn group<'a>(sources: &'a SourceMap, item: &'a Diagnostic) -> Group<'a> {
             let span = within(&source.text, span);
             kind.span(span).label(label)
         });
-        group = group.element(Snippet::source(&*source.text).path(source.name.as_str()).annotations(places));
+        group = group.element(
+            Snippet::source(&*source.text)
+                .path(source.name.as_str())
+                .annotations(places),
+        );
     }
     match &item.help {
         Some(help) => group.element(Level::HELP.message(help.as_str())),
@@ -38,7 +49,13 @@ type Place<'a> = (Span, Option<&'a str>, AnnotationKind);
 /// The places of a diagnostic by file, the primary one's file first.
 fn by_file(item: &Diagnostic) -> Vec<(FileId, Vec<Place<'_>>)> {
     let primary = item.span.map(|span| (span, None, AnnotationKind::Primary));
-    let related = item.related.iter().map(|related| (related.span, Some(related.label.as_str()), AnnotationKind::Context));
+    let related = item.related.iter().map(|related| {
+        (
+            related.span,
+            Some(related.label.as_str()),
+            AnnotationKind::Context,
+        )
+    });
     let mut files: Vec<(FileId, Vec<Place<'_>>)> = Vec::new();
     for place in primary.into_iter().chain(related) {
         match files.iter_mut().find(|(file, _)| *file == place.0.file) {
@@ -94,9 +111,26 @@ struct Position {
 pub(crate) fn records<'a>(diagnostics: &'a Diagnostics) -> Vec<Record<'a>> {
     let place = |span| place(&diagnostics.sources, span);
     let record = |item: &'a Diagnostic| {
-        let Diagnostic { code, severity, span, message, help, related } = item;
-        let related = related.iter().map(|other| RelatedRecord { label: &other.label, place: place(other.span) });
-        Record { code, severity: severity.to_string(), message, help: help.as_deref(), place: span.map(place), related: related.collect() }
+        let Diagnostic {
+            code,
+            severity,
+            span,
+            message,
+            help,
+            related,
+        } = item;
+        let related = related.iter().map(|other| RelatedRecord {
+            label: &other.label,
+            place: place(other.span),
+        });
+        Record {
+            code,
+            severity: severity.to_string(),
+            message,
+            help: help.as_deref(),
+            place: span.map(place),
+            related: related.collect(),
+        }
     };
     diagnostics.items.iter().map(record).collect()
 }
@@ -104,7 +138,11 @@ pub(crate) fn records<'a>(diagnostics: &'a Diagnostics) -> Vec<Record<'a>> {
 fn place(sources: &SourceMap, span: Span) -> PlaceRecord<'_> {
     let source = sources.source(span.file);
     let range = within(&source.text, span);
-    PlaceRecord { file: &source.name, start: position(&source.text, range.start), end: position(&source.text, range.end) }
+    PlaceRecord {
+        file: &source.name,
+        start: position(&source.text, range.start),
+        end: position(&source.text, range.end),
+    }
 }
 
 fn position(text: &str, byte: usize) -> Position {
@@ -131,12 +169,30 @@ mod tests {
         let at = |file, start, end| Span { file, start, end };
         let mass = u32::try_from(text.find("mass").unwrap()).unwrap();
         let title = u32::try_from(text.find("title").unwrap()).unwrap();
-        let twice = Diagnostic::error("E0102", at(spec, mass, mass + 4), "`mass` is declared twice")
-            .with_related(at(model, 0, 4), "first declared here")
-            .with_help("remove one of them");
-        let odd = Diagnostic::warning("W0001", at(spec, title + 7, title + 20), "title is not plain");
-        let lost = Diagnostic { span: None, ..Diagnostic::error("E0001", at(spec, 0, 0), "cannot read `x.yaml`: no such file") };
-        Diagnostics { sources, items: vec![twice, odd, lost] }
+        let twice = Diagnostic::error(
+            "E0102",
+            at(spec, mass, mass + 4),
+            "`mass` is declared twice",
+        )
+        .with_related(at(model, 0, 4), "first declared here")
+        .with_help("remove one of them");
+        let odd = Diagnostic::warning(
+            "W0001",
+            at(spec, title + 7, title + 20),
+            "title is not plain",
+        );
+        let lost = Diagnostic {
+            span: None,
+            ..Diagnostic::error(
+                "E0001",
+                at(spec, 0, 0),
+                "cannot read `x.yaml`: no such file",
+            )
+        };
+        Diagnostics {
+            sources,
+            items: vec![twice, odd, lost],
+        }
     }
 
     #[test]
@@ -153,7 +209,11 @@ mod tests {
     #[test]
     fn a_span_outside_the_text_is_cut() {
         let mut diagnostics = diagnostics();
-        diagnostics.items[0].span = Some(Span { file: FileId(1), start: 5, end: 4000 });
+        diagnostics.items[0].span = Some(Span {
+            file: FileId(1),
+            start: 5,
+            end: 4000,
+        });
         assert!(human(&diagnostics, false).contains("declared twice"));
         assert!(serde_json::to_string(&records(&diagnostics)).is_ok());
     }

@@ -21,13 +21,18 @@ pub(crate) fn escape(text: &str) -> String {
 
 /// A unit such as `kN*m` or `deg/s^2`, escaped and typeset.
 pub(crate) fn unit(text: &str) -> String {
-    escape(text).replace("^2", "&sup2;").replace("^3", "&sup3;").replace('*', "&middot;")
+    escape(text)
+        .replace("^2", "&sup2;")
+        .replace("^3", "&sup3;")
+        .replace('*', "&middot;")
 }
 
 /// A number as [`short`] writes it, its power of ten typeset.
 pub(crate) fn number(value: f64) -> String {
     match short(value).split_once('e') {
-        Some((mantissa, power)) if value.is_finite() => format!("{mantissa}&middot;10<sup>{power}</sup>"),
+        Some((mantissa, power)) if value.is_finite() => {
+            format!("{mantissa}&middot;10<sup>{power}</sup>")
+        }
         _ => short(value),
     }
 }
@@ -43,7 +48,10 @@ mod tests {
 
     #[test]
     fn markup_is_escaped() {
-        assert_eq!(escape("<b a=\"1\" c='2'>&\n"), "&lt;b a=&quot;1&quot; c=&#39;2&#39;&gt;&amp; ");
+        assert_eq!(
+            escape("<b a=\"1\" c='2'>&\n"),
+            "&lt;b a=&quot;1&quot; c=&#39;2&#39;&gt;&amp; "
+        );
         assert_eq!(unit("kN*m/s^2<"), "kN&middot;m/s&sup2;&lt;");
     }
 

@@ -18,8 +18,9 @@ mod table;
 pub(crate) use outcome::{Outcome, Quantiles};
 pub(crate) use page::page;
 pub(crate) use plant::Plant;
+#[cfg(test)]
+pub(crate) use plant::{Block, Channel, Input};
 pub(crate) use table::Table;
-
 
 /// What the page is made from.
 pub(crate) struct Report<'a> {

@@ -14,7 +14,11 @@ pub(crate) fn short(value: f64) -> String {
     }
     let decimals = usize::try_from(3 - exponent).unwrap_or(0);
     let text = format!("{value:.decimals$}");
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
 }
 
 /// A fraction as a percentage.
@@ -25,7 +29,12 @@ pub(crate) fn percent(fraction: f64) -> String {
 /// A count with its thousands apart.
 pub(crate) fn count(value: u64) -> String {
     let digits = value.to_string();
-    let groups: Vec<&str> = digits.as_bytes().rchunks(3).rev().filter_map(|group| std::str::from_utf8(group).ok()).collect();
+    let groups: Vec<&str> = digits
+        .as_bytes()
+        .rchunks(3)
+        .rev()
+        .filter_map(|group| std::str::from_utf8(group).ok())
+        .collect();
     groups.join(" ")
 }
 
@@ -35,7 +44,14 @@ mod tests {
 
     #[test]
     fn numbers_are_short() {
-        for (value, text) in [(0.0, "0"), (0.477_123, "0.4771"), (12.5, "12.5"), (20000.0, "20000"), (1.5e7, "1.50e7"), (f64::NAN, "not finite")] {
+        for (value, text) in [
+            (0.0, "0"),
+            (0.477_123, "0.4771"),
+            (12.5, "12.5"),
+            (20000.0, "20000"),
+            (1.5e7, "1.50e7"),
+            (f64::NAN, "not finite"),
+        ] {
             assert_eq!(short(value), text);
         }
         assert_eq!(percent(0.032), "3.2 %");

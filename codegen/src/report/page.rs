@@ -21,14 +21,27 @@ pub(crate) fn page(report: &Report<'_>) -> String {
          <meta name=\"generator\" content=\"nsv {}\">\n<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n",
         env!("CARGO_PKG_VERSION")
     );
-    let _ = writeln!(out, "<header>\n<p class=\"kicker\">Closed-loop simulation</p>\n<h1>{title}</h1>");
+    let _ = writeln!(
+        out,
+        "<header>\n<p class=\"kicker\">Closed-loop simulation</p>\n<h1>{title}</h1>"
+    );
     let _ = writeln!(out, "{}\n</header>", facts(report));
-    let _ = writeln!(out, "<p class=\"verdict {class}\">{sentence}</p>\n{}", table(report));
+    let _ = writeln!(
+        out,
+        "<p class=\"verdict {class}\">{sentence}</p>\n{}",
+        table(report)
+    );
     let shown = match report.outcome.runs {
         1 => String::new(),
-        runs => format!("Figures 1 to 8 show run {} of {runs}. ", report.trajectory_run),
+        runs => format!(
+            "Figures 1 to 8 show run {} of {runs}. ",
+            report.trajectory_run
+        ),
     };
-    let _ = writeln!(out, "<p class=\"note\">{shown}Figures are numbered as in the paper; one whose signals this problem lacks is left out.</p>");
+    let _ = writeln!(
+        out,
+        "<p class=\"note\">{shown}Figures are numbered as in the paper; one whose signals this problem lacks is left out.</p>"
+    );
     for figure in figures(report) {
         out.push_str(&section(&figure));
     }
@@ -39,22 +52,42 @@ pub(crate) fn page(report: &Report<'_>) -> String {
 fn facts(report: &Report<'_>) -> String {
     let plant = report.plant;
     let pairs = [
-        ("specification", format!("<code>{}</code>", escape(&plant.name))),
-        ("SHA-256", format!("<code class=\"hash\">{}</code>", escape(&plant.hash))),
+        (
+            "specification",
+            format!("<code>{}</code>", escape(&plant.name)),
+        ),
+        (
+            "SHA-256",
+            format!("<code class=\"hash\">{}</code>", escape(&plant.hash)),
+        ),
         ("seed", report.seed.to_string()),
         ("runs", report.outcome.runs.to_string()),
         ("horizon", format!("{}&nbsp;s", number(report.horizon_s))),
-        ("command", format!("<code>{}</code>", escape(report.command))),
+        (
+            "command",
+            format!("<code>{}</code>", escape(report.command)),
+        ),
     ];
     let items = pairs.map(|(name, value)| format!("<div><dt>{name}</dt><dd>{value}</dd></div>"));
     format!("<dl>{}</dl>", items.concat())
 }
 
 fn section(figure: &Figure) -> String {
-    let Figure { number, title, caption, plots } = figure;
+    let Figure {
+        number,
+        title,
+        caption,
+        paired,
+        plots,
+    } = figure;
+    let class = if !paired && plots.len().is_multiple_of(3) {
+        "plots three"
+    } else {
+        "plots"
+    };
     let pictures: String = plots.iter().map(|plot| svg(plot) + "\n").collect();
     format!(
-        "<figure id=\"figure-{number}\">\n<h2><span>Figure {number}</span> {title}</h2>\n<div class=\"plots\">\n{pictures}</div>\n\
+        "<figure id=\"figure-{number}\">\n<h2><span>Figure {number}</span> {title}</h2>\n<div class=\"{class}\">\n{pictures}</div>\n\
          <figcaption>{}</figcaption>\n</figure>\n",
         escape(caption)
     )
@@ -90,7 +123,11 @@ mod tests {
         let body = &page[page.find("<body>").unwrap()..];
         let mut text = String::new();
         for (i, piece) in body.split("<svg").enumerate() {
-            let rest = if i == 0 { piece } else { piece.split_once("</svg>").unwrap().1 };
+            let rest = if i == 0 {
+                piece
+            } else {
+                piece.split_once("</svg>").unwrap().1
+            };
             text.push_str(if i == 0 { "" } else { "(picture)" });
             text.push_str(rest);
         }
@@ -99,7 +136,10 @@ mod tests {
 
     #[test]
     fn the_same_data_give_the_same_bytes() {
-        assert_eq!(page(&Sample::full().report()), page(&Sample::full().report()));
+        assert_eq!(
+            page(&Sample::full().report()),
+            page(&Sample::full().report())
+        );
     }
 
     /// Writes the page for the eye: `NSV_REPORT_SAMPLE=/tmp/sample.html cargo test -p nsv-codegen sample_page`.

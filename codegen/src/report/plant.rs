@@ -50,10 +50,18 @@ pub(crate) struct Input {
 
 impl From<&Model> for Plant {
     fn from(model: &Model) -> Plant {
-        let channel = |name: &String, (unit, factor): &(String, f64)| Channel { name: name.clone(), unit: unit.clone(), factor: *factor };
+        let channel = |name: &String, (unit, factor): &(String, f64)| Channel {
+            name: name.clone(),
+            unit: unit.clone(),
+            factor: *factor,
+        };
         let blocks = model.blocks.iter().map(|block| Block {
             name: block.name.clone(),
-            channels: block.states.iter().map(|state| channel(&state.name, &state.display)).collect(),
+            channels: block
+                .states
+                .iter()
+                .map(|state| channel(&state.name, &state.display))
+                .collect(),
             exosystem: matches!(block.disturbance, Disturbance::Exosystem(_)),
         });
         let inputs = model.inputs.iter();
@@ -62,7 +70,12 @@ impl From<&Model> for Plant {
             title: model.title.clone(),
             hash: model.hash.clone(),
             blocks: blocks.collect(),
-            inputs: inputs.map(|input| Input { channel: channel(&input.name, &input.display), limit: input.limit }).collect(),
+            inputs: inputs
+                .map(|input| Input {
+                    channel: channel(&input.name, &input.display),
+                    limit: input.limit,
+                })
+                .collect(),
         }
     }
 }
@@ -73,13 +86,20 @@ impl Channel {
         let unit = match self.unit.rsplit_once("/s") {
             _ if self.unit.is_empty() || self.unit == "1" => "1/s".to_owned(),
             Some((stem, "")) => format!("{stem}/s^2"),
-            Some((stem, power)) => match power.strip_prefix('^').and_then(|digits| digits.parse::<u32>().ok()) {
+            Some((stem, power)) => match power
+                .strip_prefix('^')
+                .and_then(|digits| digits.parse::<u32>().ok())
+            {
                 Some(n) => format!("{stem}/s^{}", n + 1),
                 None => format!("({})/s", self.unit),
             },
             None => format!("{}/s", self.unit),
         };
-        Channel { name: self.name.clone(), unit, factor: self.factor }
+        Channel {
+            name: self.name.clone(),
+            unit,
+            factor: self.factor,
+        }
     }
 }
 
@@ -89,8 +109,18 @@ mod tests {
 
     #[test]
     fn rates_have_one_more_per_second() {
-        for (unit, rate) in [("deg", "deg/s"), ("deg/s", "deg/s^2"), ("m/s^2", "m/s^3"), ("", "1/s"), ("m/sr", "(m/sr)/s")] {
-            let channel = Channel { name: "x".into(), unit: unit.into(), factor: 1.0 };
+        for (unit, rate) in [
+            ("deg", "deg/s"),
+            ("deg/s", "deg/s^2"),
+            ("m/s^2", "m/s^3"),
+            ("", "1/s"),
+            ("m/sr", "(m/sr)/s"),
+        ] {
+            let channel = Channel {
+                name: "x".into(),
+                unit: unit.into(),
+                factor: 1.0,
+            };
             assert_eq!(channel.rate().unit, rate);
         }
     }

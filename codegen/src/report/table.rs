@@ -38,16 +38,27 @@ impl Table {
     #[cfg(test)]
     pub(crate) fn new(columns: Vec<(String, Vec<f64>)>) -> Table {
         let rows = columns.first().map_or(0, |(_, values)| values.len());
-        assert!(columns.iter().all(|(_, values)| values.len() == rows), "invariant: columns of one length");
+        assert!(
+            columns.iter().all(|(_, values)| values.len() == rows),
+            "invariant: columns of one length"
+        );
         Table { columns, rows }
     }
 
     /// Reads `{"columns": [..], "rows": n}`, a line feed, and n x columns `f64` in little-endian byte order, row by row.
     pub(crate) fn parse(bytes: &[u8]) -> Result<Table, TableError> {
-        let end = bytes.iter().position(|&byte| byte == b'\n').ok_or(TableError::Header)?;
-        let header: Header = serde_json::from_slice(&bytes[..end]).map_err(|_| TableError::Header)?;
+        let end = bytes
+            .iter()
+            .position(|&byte| byte == b'\n')
+            .ok_or(TableError::Header)?;
+        let header: Header =
+            serde_json::from_slice(&bytes[..end]).map_err(|_| TableError::Header)?;
         let (data, width) = (&bytes[end + 1..], header.columns.len());
-        let expected = header.rows.checked_mul(width).and_then(|count| count.checked_mul(8)).ok_or(TableError::Length)?;
+        let expected = header
+            .rows
+            .checked_mul(width)
+            .and_then(|count| count.checked_mul(8))
+            .ok_or(TableError::Length)?;
         if data.len() != expected {
             return Err(TableError::Length);
         }
@@ -56,8 +67,13 @@ impl Table {
             f64::from_le_bytes(data[at..at + 8].try_into().expect("invariant: eight bytes"))
         };
         let columns = header.columns.into_iter().enumerate();
-        let columns = columns.map(|(c, name)| (name, (0..header.rows).map(|r| entry(r, c)).collect())).collect();
-        Ok(Table { columns, rows: header.rows })
+        let columns = columns
+            .map(|(c, name)| (name, (0..header.rows).map(|r| entry(r, c)).collect()))
+            .collect();
+        Ok(Table {
+            columns,
+            rows: header.rows,
+        })
     }
 
     /// Number of rows.
@@ -72,7 +88,10 @@ impl Table {
 
     /// The column of that name.
     pub(crate) fn column(&self, name: &str) -> Option<&[f64]> {
-        self.columns.iter().find(|(other, _)| other == name).map(|(_, values)| values.as_slice())
+        self.columns
+            .iter()
+            .find(|(other, _)| other == name)
+            .map(|(_, values)| values.as_slice())
     }
 }
 
@@ -88,7 +107,10 @@ mod tests {
 
     #[test]
     fn rows_are_read_into_columns() {
-        let bytes = encoded(r#"{"columns": ["t", "y"], "rows": 2}"#, &[0.0, 1.5, 0.1, f64::NEG_INFINITY]);
+        let bytes = encoded(
+            r#"{"columns": ["t", "y"], "rows": 2}"#,
+            &[0.0, 1.5, 0.1, f64::NEG_INFINITY],
+        );
         let table = Table::parse(&bytes).unwrap();
         assert_eq!(table.rows(), 2);
         assert_eq!(table.column("t"), Some(&[0.0, 0.1][..]));
@@ -102,6 +124,9 @@ mod tests {
         assert_eq!(Table::parse(&bytes), Err(TableError::Length));
         assert_eq!(Table::parse(b"no header"), Err(TableError::Header));
         assert_eq!(Table::parse(b"{}\n"), Err(TableError::Header));
-        assert_eq!(Table::parse(b"{\"columns\": [\"t\"], \"rows\": 4611686018427387904}\n"), Err(TableError::Length));
+        assert_eq!(
+            Table::parse(b"{\"columns\": [\"t\"], \"rows\": 4611686018427387904}\n"),
+            Err(TableError::Length)
+        );
     }
 }

@@ -1,9 +1,12 @@
 //! Where built runners are kept.
 
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
+use nsv_codegen::casadi::{Mode, Settings};
+
 use crate::cli::failure::{Exit, Failure};
+
+const REMEDY: &str = "set NSV_CACHE_DIR to a folder that you may write";
 
 /// The cache folder.
 #[derive(Clone, Debug)]
@@ -12,12 +15,14 @@ pub(crate) struct Cache {
 }
 
 impl Cache {
-    /// `$NSV_CACHE_DIR`, else `$XDG_CACHE_HOME/nsv`, else `$HOME/.cache/nsv`; made if it is not there.
+    /// The folder that the partial derivatives are cached in too; made if it is not there.
     pub(crate) fn open() -> Result<Cache, Failure> {
-        let root = root(|name| std::env::var_os(name)).ok_or_else(|| {
-            Failure::new(Exit::Environment, "no place for built simulators").with_help("set NSV_CACHE_DIR to a folder that you may write")
+        let root = Settings::from_environment("", Mode::Offline).cache;
+        let root = root.ok_or_else(|| {
+            Failure::new(Exit::Environment, "no place for built simulators").with_help(REMEDY)
         })?;
-        Cache::at(root)
+        // Cargo runs elsewhere: a relative folder would be another one there.
+        Cache::at(std::path::absolute(&root).unwrap_or(root))
     }
 
     /// The cache in that folder.
@@ -25,7 +30,7 @@ impl Cache {
         let cache = Cache { root };
         for folder in [cache.simulators(), cache.logs()] {
             std::fs::create_dir_all(&folder)
-                .map_err(|error| Failure::io("create", &folder, &error).with_help("set NSV_CACHE_DIR to a folder that you may write"))?;
+                .map_err(|error| Failure::io("create", &folder, &error).with_help(REMEDY))?;
         }
         Ok(cache)
     }
@@ -44,28 +49,23 @@ impl Cache {
     pub(crate) fn logs(&self) -> PathBuf {
         self.root.join("logs")
     }
-}
 
-fn root(variable: impl Fn(&str) -> Option<OsString>) -> Option<PathBuf> {
-    let set = |name: &str| variable(name).filter(|value| !value.is_empty()).map(PathBuf::from);
-    // A relative XDG path is to be ignored, says the standard.
-    let xdg = set("XDG_CACHE_HOME").filter(|path| path.is_absolute()).map(|path| path.join("nsv"));
-    let home = || set("HOME").or_else(|| set("USERPROFILE")).map(|path| path.join(".cache/nsv"));
-    let chosen = set("NSV_CACHE_DIR").map(|path| std::path::absolute(&path).unwrap_or(path));
-    chosen.or(xdg).or_else(home)
-}
+    /// The program of a key, built or not.
+    pub(crate) fn program(&self, key: &str) -> PathBuf {
+        self.simulators()
+            .join(key)
+            .join(format!("simulator{}", std::env::consts::EXE_SUFFIX))
+    }
 
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn our_variable_wins_then_xdg_then_home() {
-        let root = |pairs: &[(&str, &str)]| {
-            let pairs = pairs.to_vec();
-            super::root(move |name| pairs.iter().find(|(other, _)| *other == name).map(|(_, value)| value.into()))
-        };
-        assert_eq!(root(&[("NSV_CACHE_DIR", "/a"), ("XDG_CACHE_HOME", "/b"), ("HOME", "/c")]), Some("/a".into()));
-        assert_eq!(root(&[("NSV_CACHE_DIR", ""), ("XDG_CACHE_HOME", "/b"), ("HOME", "/c")]), Some("/b/nsv".into()));
-        assert_eq!(root(&[("XDG_CACHE_HOME", "b"), ("HOME", "/c")]), Some("/c/.cache/nsv".into()));
-        assert_eq!(root(&[]), None);
+    /// Number of built runners.
+    pub(crate) fn built(&self) -> usize {
+        let built =
+            |entry: std::fs::DirEntry| self.program(&entry.file_name().to_string_lossy()).is_file();
+        std::fs::read_dir(self.simulators()).map_or(0, |entries| {
+            entries
+                .flatten()
+                .filter_map(|entry| built(entry).then_some(()))
+                .count()
+        })
     }
 }

@@ -50,7 +50,9 @@ pub(crate) struct Package {
 impl Package {
     /// The runner of generated code, given by path inside its module's folder.
     pub(crate) fn new(generated: &BTreeMap<String, String>) -> Package {
-        let runtime = embedded::RUNTIME.iter().map(|&(path, text)| (path, text.to_owned()));
+        let runtime = embedded::RUNTIME
+            .iter()
+            .map(|&(path, text)| (path, text.to_owned()));
         Package::with_runtime(generated, runtime, manifest_of_runtime())
     }
 
@@ -59,19 +61,28 @@ impl Package {
         runtime: impl Iterator<Item = (&'a str, String)>,
         manifest_of_runtime: String,
     ) -> Package {
-        let mut files: BTreeMap<String, String> = runtime.map(|(path, text)| (format!("runtime/src/{path}"), text)).collect();
+        let mut files: BTreeMap<String, String> = runtime
+            .map(|(path, text)| (format!("runtime/src/{path}"), text))
+            .collect();
         files.insert("runtime/Cargo.toml".into(), manifest_of_runtime);
         files.insert("Cargo.toml".into(), MANIFEST.into());
         files.insert("Cargo.lock".into(), lock());
         files.insert("src/main.rs".into(), MAIN.into());
-        files.extend(generated.iter().map(|(path, text)| (format!("src/spec/{path}"), text.clone())));
+        files.extend(
+            generated
+                .iter()
+                .map(|(path, text)| (format!("src/spec/{path}"), text.clone())),
+        );
         Package { files }
     }
 
     /// Hash of every file and of the toolchain that will build them, hex.
     pub(crate) fn key(&self, toolchain: &str) -> String {
         let mut hash = Sha256::new();
-        let pairs = self.files.iter().map(|(path, text)| (path.as_str(), text.as_str()));
+        let pairs = self
+            .files
+            .iter()
+            .map(|(path, text)| (path.as_str(), text.as_str()));
         for (path, text) in pairs.chain([("rustc", toolchain)]) {
             // Lengths first, so that no two different sets run together to the same bytes.
             hash.update((path.len() as u64).to_le_bytes());
@@ -117,8 +128,11 @@ fn lock() -> String {
 }
 
 fn libm_version() -> &'static str {
-    let line = embedded::LIBM.lines().find_map(|line| line.strip_prefix("version = \""));
-    line.and_then(|rest| rest.strip_suffix('"')).expect("invariant: a locked package has a version")
+    let line = embedded::LIBM
+        .lines()
+        .find_map(|line| line.strip_prefix("version = \""));
+    line.and_then(|rest| rest.strip_suffix('"'))
+        .expect("invariant: a locked package has a version")
 }
 
 #[cfg(test)]
@@ -131,13 +145,22 @@ pub(super) mod tests {
                        pub trait ClosedLoop { const NAME: &'static str; }\n";
         let runner = "use std::process::ExitCode;\npub fn main<L: crate::ClosedLoop>() -> ExitCode {\n\
                       std::println!(\"{} {}\", L::NAME, libm::sqrt(4.0));\nExitCode::SUCCESS\n}\n";
-        let generated = [("mod.rs".to_owned(), "pub mod simulator;\n".to_owned()), ("simulator.rs".to_owned(), spec.to_owned())];
-        let runtime = [("lib.rs", runtime.to_owned()), ("runner/mod.rs", runner.to_owned())];
-        Package::with_runtime(&generated.into(), runtime.into_iter(), manifest_of_runtime())
+        let generated = [
+            ("mod.rs".to_owned(), "pub mod simulator;\n".to_owned()),
+            ("simulator.rs".to_owned(), spec.to_owned()),
+        ];
+        let runtime = [
+            ("lib.rs", runtime.to_owned()),
+            ("runner/mod.rs", runner.to_owned()),
+        ];
+        Package::with_runtime(
+            &generated.into(),
+            runtime.into_iter(),
+            manifest_of_runtime(),
+        )
     }
 
-    pub(crate) const SPEC: &str =
-        "pub struct Simulator;\nimpl nsv_runtime::ClosedLoop for Simulator { const NAME: &'static str = \"fake\"; }\n";
+    pub(crate) const SPEC: &str = "pub struct Simulator;\nimpl nsv_runtime::ClosedLoop for Simulator { const NAME: &'static str = \"fake\"; }\n";
 
     #[test]
     fn every_source_of_the_runtime_is_embedded() {
@@ -145,26 +168,47 @@ pub(super) mod tests {
         let lib = std::fs::read_to_string(root.join("lib.rs")).unwrap();
         assert!(embedded::RUNTIME.contains(&("lib.rs", lib.as_str())));
         for (path, text) in embedded::RUNTIME {
-            assert_eq!(*text, std::fs::read_to_string(root.join(path)).unwrap(), "{path}");
+            assert_eq!(
+                *text,
+                std::fs::read_to_string(root.join(path)).unwrap(),
+                "{path}"
+            );
         }
     }
 
     #[test]
     fn the_manifest_says_what_the_runtime_says() {
-        let original = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../runtime/Cargo.toml")).unwrap();
+        let original = std::fs::read_to_string(
+            Path::new(env!("CARGO_MANIFEST_DIR")).join("../runtime/Cargo.toml"),
+        )
+        .unwrap();
         let section = |text: &str, name: &str| -> Vec<String> {
             let after = text.split(&format!("[{name}]")).nth(1).unwrap_or_default();
-            let lines = after.lines().skip(1).take_while(|line| !line.starts_with('['));
-            lines.filter(|line| !line.is_empty()).map(|line| line.split(['.', ' ', '=']).next().unwrap().to_owned()).collect()
+            let lines = after
+                .lines()
+                .skip(1)
+                .take_while(|line| !line.starts_with('['));
+            lines
+                .filter(|line| !line.is_empty())
+                .map(|line| line.split(['.', ' ', '=']).next().unwrap().to_owned())
+                .collect()
         };
         for name in ["features", "dependencies"] {
-            assert_eq!(section(&manifest_of_runtime(), name), section(&original, name), "[{name}]");
+            assert_eq!(
+                section(&manifest_of_runtime(), name),
+                section(&original, name),
+                "[{name}]"
+            );
         }
     }
 
     #[test]
     fn the_lock_pins_libm() {
-        assert!(lock().contains("name = \"libm\"") && lock().contains("checksum = "), "{}", lock());
+        assert!(
+            lock().contains("name = \"libm\"") && lock().contains("checksum = "),
+            "{}",
+            lock()
+        );
         assert!(manifest_of_runtime().contains(&format!("libm = \"={}\"", libm_version())));
     }
 
@@ -173,7 +217,10 @@ pub(super) mod tests {
         let package = fake(SPEC);
         assert_eq!(package.key("rustc 1"), fake(SPEC).key("rustc 1"));
         assert_ne!(package.key("rustc 1"), package.key("rustc 2"));
-        assert_ne!(package.key("rustc 1"), fake("pub struct Simulator;").key("rustc 1"));
+        assert_ne!(
+            package.key("rustc 1"),
+            fake("pub struct Simulator;").key("rustc 1")
+        );
         assert_eq!(package.key("").len(), 64);
     }
 }

@@ -71,7 +71,11 @@ pub(crate) fn simulate(
     let mut command = Command::new(program);
     command.args(arguments(campaign));
     if let (Some(run), Some(path)) = (recordings.trajectory_run, &trajectory) {
-        command.arg("--trajectory").arg(path).arg("--trajectory-run").arg(run.to_string());
+        command
+            .arg("--trajectory")
+            .arg(path)
+            .arg("--trajectory-run")
+            .arg(run.to_string());
     }
     if let Some(path) = &band {
         command.arg("--band").arg(path);
@@ -82,20 +86,41 @@ pub(crate) fn simulate(
         Ok(Line::Result(result)) => outcome = Some(result),
         Err(_) => strange = Some(line.to_owned()),
     });
-    let finished = finished.map_err(|error| Failure::new(Exit::Environment, format_args!("cannot run the simulator: {}", reason(&error))))?;
+    let finished = finished.map_err(|error| {
+        Failure::new(
+            Exit::Environment,
+            format_args!("cannot run the simulator: {}", reason(&error)),
+        )
+    })?;
     if !finished.status.success() {
-        return Err(ended(&format!("ended with {}", finished.status), &finished.stderr));
+        return Err(ended(
+            &format!("ended with {}", finished.status),
+            &finished.stderr,
+        ));
     }
     let outcome = match (outcome, strange) {
         (Some(outcome), None) => outcome,
         (_, Some(line)) => return Err(ended(&format!("said `{line}`"), &finished.stderr)),
         (None, None) => return Err(ended("gave no result", &finished.stderr)),
     };
-    Ok(Replay { outcome, trajectory: trajectory.map(read).transpose()?, band: band.map(read).transpose()? })
+    Ok(Replay {
+        outcome,
+        trajectory: trajectory.map(read).transpose()?,
+        band: band.map(read).transpose()?,
+    })
 }
 
 fn arguments(campaign: &Campaign) -> Vec<String> {
-    let Campaign { seed, first_run, runs, horizon_s, settle_s, threads, noise, dispersion } = *campaign;
+    let Campaign {
+        seed,
+        first_run,
+        runs,
+        horizon_s,
+        settle_s,
+        threads,
+        noise,
+        dispersion,
+    } = *campaign;
     let threads = match threads {
         0 => std::thread::available_parallelism().map_or(1, usize::from),
         threads => threads,
@@ -109,22 +134,42 @@ fn arguments(campaign: &Campaign) -> Vec<String> {
         ("--threads", threads.to_string()),
     ];
     let switches = [("--no-noise", !noise), ("--no-dispersion", !dispersion)];
-    let switches = switches.into_iter().filter(|(_, given)| *given).map(|(name, _)| name.to_owned());
-    pairs.into_iter().flat_map(|(name, value)| [name.to_owned(), value]).chain(switches).collect()
+    let switches = switches
+        .into_iter()
+        .filter(|(_, given)| *given)
+        .map(|(name, _)| name.to_owned());
+    pairs
+        .into_iter()
+        .flat_map(|(name, value)| [name.to_owned(), value])
+        .chain(switches)
+        .collect()
 }
 
 fn read(path: PathBuf) -> Result<Table, Failure> {
     let bytes = std::fs::read(&path).map_err(|error| Failure::io("read", &path, &error))?;
-    Table::parse(&bytes).map_err(|error| Failure::new(Exit::Environment, format_args!("cannot read `{}`: {error}", path.display())))
+    Table::parse(&bytes).map_err(|error| {
+        Failure::new(
+            Exit::Environment,
+            format_args!("cannot read `{}`: {error}", path.display()),
+        )
+    })
 }
 
 fn ended(how: &str, stderr: &str) -> Failure {
     let stderr = stderr.trim_end();
-    let words = if stderr.is_empty() { String::new() } else { format!("\n  {}", stderr.replace('\n', "\n  ")) };
-    Failure::new(Exit::Environment, format_args!("the simulator {how}{words}"))
+    let words = if stderr.is_empty() {
+        String::new()
+    } else {
+        format!("\n  {}", stderr.replace('\n', "\n  "))
+    };
+    Failure::new(
+        Exit::Environment,
+        format_args!("the simulator {how}{words}"),
+    )
 }
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
+#[cfg(unix)]
 pub(in crate::cli) mod tests {
     use super::*;
 
@@ -139,34 +184,58 @@ pub(in crate::cli) mod tests {
     pub(in crate::cli) fn script(folder: &Path, body: &str) -> PathBuf {
         let path = folder.join("runner");
         let writer = r#"printf '#!/bin/sh\n%s\n' "$1" > "$2" && chmod +x "$2""#;
-        let status = Command::new("sh").args(["-c", writer, "sh", body]).arg(&path).status().unwrap();
+        let status = Command::new("sh")
+            .args(["-c", writer, "sh", body])
+            .arg(&path)
+            .status()
+            .unwrap();
         assert!(status.success());
         path
     }
 
-    const CAMPAIGN: Campaign =
-        Campaign { seed: 7, first_run: 3, runs: 2, horizon_s: 20.0, settle_s: 4.5, threads: 2, noise: false, dispersion: true };
+    const CAMPAIGN: Campaign = Campaign {
+        seed: 7,
+        first_run: 3,
+        runs: 2,
+        horizon_s: 20.0,
+        settle_s: 4.5,
+        threads: 2,
+        noise: false,
+        dispersion: true,
+    };
 
     fn play(body: &str, recordings: Recordings) -> (Result<Replay, Failure>, Vec<u64>) {
         let folder = tempfile::tempdir().unwrap();
         let mut progress = Vec::new();
         let program = script(folder.path(), body);
-        let replay = simulate(&program, &CAMPAIGN, recordings, folder.path(), |done| progress.push(done));
+        let replay = simulate(&program, &CAMPAIGN, recordings, folder.path(), |done| {
+            progress.push(done)
+        });
         (replay, progress)
     }
 
     fn message(result: Result<Replay, Failure>) -> String {
         match result {
-            Err(Failure::Message { exit: Exit::Environment, message, .. }) => message,
+            Err(Failure::Message {
+                exit: Exit::Environment,
+                message,
+                ..
+            }) => message,
             other => panic!("{other:?}"),
         }
     }
 
     #[test]
     fn progress_and_statistics_are_read() {
-        let (replay, progress) = play(&format!("echo '{{\"progress\": 1}}'\necho '{RESULT}'"), Recordings::default());
+        let (replay, progress) = play(
+            &format!("echo '{{\"progress\": 1}}'\necho '{RESULT}'"),
+            Recordings::default(),
+        );
         let outcome = replay.unwrap().outcome;
-        assert_eq!((outcome.runs, outcome.violated, progress), (2, Some(0.5), vec![1]));
+        assert_eq!(
+            (outcome.runs, outcome.violated, progress),
+            (2, Some(0.5), vec![1])
+        );
     }
 
     #[test]
@@ -179,7 +248,13 @@ pub(in crate::cli) mod tests {
             --band) printf '{{"columns": ["t"], "rows": 0}}\n' > "$2";;
             esac; shift; done; echo '{RESULT}'"#
         );
-        let (replay, _) = play(&body, Recordings { trajectory_run: Some(4), band: true });
+        let (replay, _) = play(
+            &body,
+            Recordings {
+                trajectory_run: Some(4),
+                band: true,
+            },
+        );
         let replay = replay.unwrap();
         assert_eq!(replay.trajectory.unwrap().column("t"), Some(&[1.0][..]));
         assert_eq!(replay.band.unwrap().rows(), 0);
@@ -188,17 +263,31 @@ pub(in crate::cli) mod tests {
     #[test]
     fn arguments_are_those_of_the_protocol() {
         let arguments = arguments(&CAMPAIGN).join(" ");
-        assert_eq!(arguments, "--seed 7 --runs 2 --first-run 3 --horizon 20.0 --settle 4.5 --threads 2 --no-noise");
+        assert_eq!(
+            arguments,
+            "--seed 7 --runs 2 --first-run 3 --horizon 20.0 --settle 4.5 --threads 2 --no-noise"
+        );
     }
 
     #[test]
     fn a_runner_that_fails_is_quoted() {
         let (failed, _) = play("echo out of range >&2; exit 3", Recordings::default());
         let text = message(failed);
-        assert!(text.contains("exit status: 3") && text.contains("\n  out of range"), "{text}");
-        assert!(message(play("echo nonsense", Recordings::default()).0).contains("said `nonsense`"));
+        assert!(
+            text.contains("exit status: 3") && text.contains("\n  out of range"),
+            "{text}"
+        );
+        assert!(
+            message(play("echo nonsense", Recordings::default()).0).contains("said `nonsense`")
+        );
         assert!(message(play("true", Recordings::default()).0).contains("gave no result"));
-        let (cut, _) = play(&format!("echo '{RESULT}'"), Recordings { trajectory_run: Some(0), band: false });
+        let (cut, _) = play(
+            &format!("echo '{RESULT}'"),
+            Recordings {
+                trajectory_run: Some(0),
+                band: false,
+            },
+        );
         assert!(message(cut).contains("trajectory"));
     }
 }

@@ -22,24 +22,38 @@ pub(crate) struct Toolchain {
 impl Toolchain {
     /// `$CARGO` and `$RUSTC`, else those in the path, asked in `folder`, where a toolchain file would apply to the build too.
     pub(crate) fn find(folder: &Path) -> Result<Toolchain, Failure> {
-        let program = |variable: &str, name: &str| std::env::var_os(variable).filter(|value| !value.is_empty()).unwrap_or_else(|| name.into());
+        let program = |variable: &str, name: &str| {
+            std::env::var_os(variable)
+                .filter(|value| !value.is_empty())
+                .unwrap_or_else(|| name.into())
+        };
         let (cargo, rustc) = (program("CARGO", "cargo"), program("RUSTC", "rustc"));
         let version = child::answer(Command::new(&rustc).arg("-vV").current_dir(folder));
-        let missing = || Failure::new(Exit::Environment, format_args!("cannot run `{} -vV`", rustc.to_string_lossy())).with_help(INSTALL);
-        Ok(Toolchain { version: version.ok_or_else(missing)?, cargo, rustc })
+        let missing = || {
+            Failure::new(
+                Exit::Environment,
+                format_args!("cannot run `{} -vV`", rustc.to_string_lossy()),
+            )
+            .with_help(INSTALL)
+        };
+        Ok(Toolchain {
+            version: version.ok_or_else(missing)?,
+            cargo,
+            rustc,
+        })
     }
 
     /// A cargo command in `folder`, without the settings of the surroundings that would change what is built.
     pub(crate) fn cargo(&self, folder: &Path) -> Command {
         let mut command = Command::new(&self.cargo);
-        command.current_dir(folder).env("CARGO_TARGET_DIR", folder.join("target"));
+        command
+            .current_dir(folder)
+            .env("CARGO_TARGET_DIR", folder.join("target"))
+            .env("RUSTC", &self.rustc);
         for (name, _) in std::env::vars_os() {
             let name = name.to_string_lossy();
-            let changes_code = ["RUSTFLAGS", "CARGO_ENCODED_RUSTFLAGS", "RUSTC_BOOTSTRAP"].contains(&&*name)
-                || name.starts_with("CARGO_PROFILE_")
-                || name.starts_with("CARGO_BUILD_")
-                || (name.starts_with("CARGO_TARGET_") && name != "CARGO_TARGET_DIR");
-            if changes_code {
+            let changes_code = name.ends_with("RUSTFLAGS") || name.starts_with("CARGO_PROFILE_");
+            if changes_code || name == "CARGO_BUILD_TARGET" {
                 command.env_remove(&*name);
             }
         }
@@ -65,6 +79,10 @@ impl Toolchain {
 
     #[cfg(test)]
     pub(crate) fn with_cargo(cargo: &str) -> Toolchain {
-        Toolchain { cargo: cargo.into(), rustc: "rustc".into(), version: "test".into() }
+        Toolchain {
+            cargo: cargo.into(),
+            rustc: "rustc".into(),
+            version: "test".into(),
+        }
     }
 }

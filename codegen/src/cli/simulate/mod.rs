@@ -4,16 +4,16 @@ mod progress;
 mod summary;
 mod trajectory;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use nsv_spec::model::Model;
 
 use super::compile::{Partials, compile, load};
 use super::failure::{Exit, Failure};
+use super::files;
 use super::interrupt::Scratch;
 use super::output::{self, note};
 use super::runner::{self, Cache, Campaign, Package, Recordings, Replay};
-use super::files;
 use crate::report::{Plant, Report, page};
 use progress::Progress;
 
@@ -30,7 +30,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     runs: Option<u64>,
     /// Length of a run, s; default: the scenario's
-    #[arg(long, value_name = "T", value_parser = seconds)]
+    #[arg(long, value_name = "T", allow_negative_numbers = true, value_parser = seconds)]
     horizon: Option<f64>,
     /// Write the signals of one run in SI units, as CSV or Parquet by the name's ending
     #[arg(long, value_name = "FILE.csv|.parquet", value_parser = recording)]
@@ -64,8 +64,14 @@ enum Format {
 }
 
 fn seconds(text: &str) -> Result<f64, String> {
-    let value: f64 = text.parse().map_err(|_| "expected a number of seconds".to_owned())?;
-    if value.is_finite() && value > 0.0 { Ok(value) } else { Err("expected a positive number of seconds".to_owned()) }
+    let value: f64 = text
+        .parse()
+        .map_err(|_| "expected a number of seconds".to_owned())?;
+    if value.is_finite() && value > 0.0 {
+        Ok(value)
+    } else {
+        Err("expected a positive number of seconds".to_owned())
+    }
 }
 
 fn recording(text: &str) -> Result<PathBuf, String> {
@@ -81,11 +87,14 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let model = load(&args.spec)?;
     let (campaign, shown) = campaign(args, &model)?;
     let compiled = compile(&args.spec, &model, Partials::Cached)?;
-    let progress = Progress::new();
-    let program = runner::prepare(&Cache::open()?, &Package::new(&compiled.files), || progress.building())?;
     let plant = Plant::from(&model);
-    let replay = fly(&program, &campaign, shown, args, &progress)?;
-    progress.done();
+    let replay = fly(
+        &Cache::open()?,
+        &Package::new(&compiled.files),
+        &campaign,
+        shown,
+        args,
+    )?;
     record(args, &plant, &campaign, shown, &replay)?;
     match args.format {
         Format::Human => output::data(&summary::table(&plant, &campaign, &replay.outcome)),
@@ -102,7 +111,10 @@ fn campaign(args: &Args, model: &Model) -> Result<(Campaign, u64), Failure> {
     };
     let shown = args.run.unwrap_or(first_run);
     if shown - first_run >= runs {
-        return Err(Failure::new(Exit::Usage, format_args!("there is no run {shown}, the {runs} runs are counted from 0")));
+        return Err(Failure::new(
+            Exit::Usage,
+            format_args!("there is no run {shown}, the {runs} runs are counted from 0"),
+        ));
     }
     let campaign = Campaign {
         seed: args.seed.unwrap_or(scenario.seed),
@@ -116,23 +128,47 @@ fn campaign(args: &Args, model: &Model) -> Result<(Campaign, u64), Failure> {
     };
     if campaign.settle_s >= campaign.horizon_s {
         let (settle, horizon) = (campaign.settle_s, campaign.horizon_s);
-        note(format_args!("warning: no tracking errors, since they count after {settle} s and a run lasts {horizon} s"));
+        note(format_args!(
+            "warning: no tracking errors, since they count after {settle} s and a run lasts {horizon} s"
+        ));
     }
     Ok((campaign, shown))
 }
 
-fn fly(program: &Path, campaign: &Campaign, shown: u64, args: &Args, progress: &Progress) -> Result<Replay, Failure> {
+/// Builds the simulator and runs the campaign.
+fn fly(
+    cache: &Cache,
+    package: &Package,
+    campaign: &Campaign,
+    shown: u64,
+    args: &Args,
+) -> Result<Replay, Failure> {
+    let progress = Progress::new();
+    let program = runner::prepare(cache, package, || progress.building())?;
     let recordings = Recordings {
         trajectory_run: (args.out.is_some() || args.report.is_some()).then_some(shown),
         band: args.report.is_some() && campaign.runs > 1,
     };
-    let scratch = Scratch::new().map_err(|error| Failure::io("write in", &std::env::temp_dir(), &error))?;
-    runner::simulate(program, campaign, recordings, scratch.path(), |done| progress.runs(done, campaign.runs))
+    let scratch =
+        Scratch::new().map_err(|error| Failure::io("write in", &std::env::temp_dir(), &error))?;
+    let replay = runner::simulate(&program, campaign, recordings, scratch.path(), |done| {
+        progress.runs(done, campaign.runs)
+    });
+    progress.done();
+    replay
 }
 
 /// Writes the files that were asked for.
-fn record(args: &Args, plant: &Plant, campaign: &Campaign, shown: u64, replay: &Replay) -> Result<(), Failure> {
-    let Some(trajectory) = &replay.trajectory else { return Ok(()) };
+fn record(
+    args: &Args,
+    plant: &Plant,
+    campaign: &Campaign,
+    shown: u64,
+    replay: &Replay,
+) -> Result<(), Failure> {
+    let Some(trajectory) = &replay.trajectory else {
+        return Ok(());
+    };
     if let Some(path) = &args.out {
         let origin = [
             ("nsv.spec", plant.name.clone()),
@@ -145,7 +181,11 @@ fn record(args: &Args, plant: &Plant, campaign: &Campaign, shown: u64, replay: &
     if let Some(path) = &args.report {
         let text = page(&Report {
             plant,
-            command: &command(std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned())),
+            command: &command(
+                std::env::args_os()
+                    .skip(1)
+                    .map(|word| word.to_string_lossy().into_owned()),
+            ),
             seed: campaign.seed,
             horizon_s: campaign.horizon_s,
             settle_s: campaign.settle_s,
@@ -161,19 +201,146 @@ fn record(args: &Args, plant: &Plant, campaign: &Campaign, shown: u64, replay: &
 
 /// The command as it would be typed into a shell.
 fn command(words: impl Iterator<Item = String>) -> String {
-    let plain = |word: &str| !word.is_empty() && word.chars().all(|c| c.is_ascii_alphanumeric() || "-_./=+:,@%".contains(c));
-    let quoted = words.map(|word| if plain(&word) { word } else { format!("'{}'", word.replace('\'', r"'\''")) });
-    std::iter::once("nsv".to_owned()).chain(quoted).collect::<Vec<_>>().join(" ")
+    let plain = |word: &str| {
+        !word.is_empty()
+            && word
+                .chars()
+                .all(|c| c.is_ascii_alphanumeric() || "-_./=+:,@%".contains(c))
+    };
+    let quoted = words.map(|word| {
+        if plain(&word) {
+            word
+        } else {
+            format!("'{}'", word.replace('\'', r"'\''"))
+        }
+    });
+    std::iter::once("nsv".to_owned())
+        .chain(quoted)
+        .collect::<Vec<_>>()
+        .join(" ")
 }
 
 #[cfg(test)]
 mod tests {
+    use clap::Parser as _;
+
     use super::*;
+    use crate::report::{Block, Channel, Input};
+
+    #[derive(clap::Parser)]
+    struct Line {
+        #[command(flatten)]
+        args: Args,
+    }
+
+    fn plant() -> Plant {
+        let channel = |name: &str| Channel {
+            name: name.into(),
+            unit: "m".into(),
+            factor: 1.0,
+        };
+        let block = Block {
+            name: "body".into(),
+            channels: vec![channel("y")],
+            exosystem: false,
+        };
+        let input = Input {
+            channel: channel("u"),
+            limit: 2.0,
+        };
+        Plant {
+            name: "fixture".into(),
+            title: "Fixture".into(),
+            hash: "0".repeat(64),
+            blocks: vec![block],
+            inputs: vec![input],
+        }
+    }
+
+    #[test]
+    fn code_is_built_flown_and_recorded() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name).to_string_lossy().into_owned();
+        let words = [
+            "simulate",
+            "x.yaml",
+            "--out",
+            &at("run.csv"),
+            "--report",
+            &at("run.html"),
+        ];
+        let args = Line::parse_from(words).args;
+        let generated = [
+            ("mod.rs".to_owned(), "pub mod simulator;\n".to_owned()),
+            (
+                "simulator.rs".to_owned(),
+                include_str!("../../../tests/fixtures/simulator.rs").to_owned(),
+            ),
+        ];
+        let package = Package::new(&generated.into());
+        let cache = Cache::at(folder.path().join("cache")).unwrap();
+        let fly = |threads| {
+            let campaign = Campaign {
+                seed: 3,
+                first_run: 0,
+                runs: 40,
+                horizon_s: 5.0,
+                settle_s: 1.0,
+                threads,
+                noise: true,
+                dispersion: true,
+            };
+            (
+                campaign,
+                fly(&cache, &package, &campaign, 2, &args).unwrap(),
+            )
+        };
+        let (campaign, replay) = fly(2);
+        assert_eq!(
+            (
+                replay.outcome.runs,
+                replay.outcome.samples,
+                replay.outcome.nonfinite
+            ),
+            (40, 40 * 501, 0)
+        );
+        let rms = replay.outcome.rms_tracking["y"].unwrap();
+        assert!(
+            (0.15..0.35).contains(&rms),
+            "first-order lag of a sine by a gain of 4 leaves about 1/4/sqrt(2): {rms}"
+        );
+        assert!(replay.outcome.ratio.unwrap().max.unwrap() > 0.0);
+
+        record(&args, &plant(), &campaign, 2, &replay).unwrap();
+        let csv = std::fs::read_to_string(at("run.csv")).unwrap();
+        assert!(
+            csv.starts_with("t,x1.y,y_r.y,e1.y,k1,ratio1,d1.y,u_sat.u\n0.0,1.0,0.0,1.0,"),
+            "{}",
+            &csv[..80]
+        );
+        let page = std::fs::read_to_string(at("run.html")).unwrap();
+        for number in [5, 6, 7, 9] {
+            assert!(
+                page.contains(&format!("id=\"figure-{number}\"")),
+                "figure {number}"
+            );
+        }
+
+        let (_, alone) = fly(1);
+        assert_eq!(alone.trajectory, replay.trajectory);
+        assert_eq!(
+            (alone.outcome.ratio, alone.outcome.rms_tracking),
+            (replay.outcome.ratio, replay.outcome.rms_tracking)
+        );
+    }
 
     #[test]
     fn the_command_can_be_pasted() {
         let words = ["simulate", "a b.yaml", "--report", "it's.html", ""].map(str::to_owned);
-        assert_eq!(command(words.into_iter()), r"nsv simulate 'a b.yaml' --report 'it'\''s.html' ''");
+        assert_eq!(
+            command(words.into_iter()),
+            r"nsv simulate 'a b.yaml' --report 'it'\''s.html' ''"
+        );
     }
 
     #[test]

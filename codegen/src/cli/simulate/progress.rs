@@ -18,13 +18,18 @@ pub(super) struct Progress {
 impl Progress {
     /// Nothing to see yet.
     pub(super) fn new() -> Progress {
-        Progress { bar: ProgressBar::hidden(), since: Instant::now(), interactive: interactive() }
+        Progress {
+            bar: ProgressBar::hidden(),
+            since: Instant::now(),
+            interactive: interactive(),
+        }
     }
 
     /// The simulator is being built.
     pub(super) fn building(&self) {
         self.bar.set_style(style("{spinner} {msg}"));
-        self.bar.set_message("building the simulator (once for each version of the code)");
+        self.bar
+            .set_message("building the simulator (once for each version of the code)");
         self.show();
         self.bar.enable_steady_tick(Duration::from_millis(120));
     }

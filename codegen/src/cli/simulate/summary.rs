@@ -35,9 +35,21 @@ impl Serialize for ByName<'_> {
 }
 
 /// The statistics for programs, SI.
-pub(super) fn document<'a>(plant: &'a Plant, campaign: &Campaign, outcome: &'a Outcome) -> Document<'a> {
-    let outputs = plant.blocks.first().map_or(&[][..], |block| &block.channels);
-    let rms = outputs.iter().map(|channel| (channel.name.as_str(), outcome.rms_tracking.get(&channel.name).copied().flatten()));
+pub(super) fn document<'a>(
+    plant: &'a Plant,
+    campaign: &Campaign,
+    outcome: &'a Outcome,
+) -> Document<'a> {
+    let outputs = plant
+        .blocks
+        .first()
+        .map_or(&[][..], |block| &block.channels);
+    let rms = outputs.iter().map(|channel| {
+        (
+            channel.name.as_str(),
+            outcome.rms_tracking.get(&channel.name).copied().flatten(),
+        )
+    });
     let inputs = plant.inputs.iter().map(|input| input.channel.name.as_str());
     Document {
         spec: &plant.name,
@@ -48,7 +60,16 @@ pub(super) fn document<'a>(plant: &'a Plant, campaign: &Campaign, outcome: &'a O
         violated_interval95: outcome.violated_interval95,
         ratio: outcome.ratio,
         rms_tracking: ByName(rms.collect()),
-        saturated_fraction: ByName(inputs.map(|name| (name, outcome.saturated_fraction.get(name).copied().flatten())).collect()),
+        saturated_fraction: ByName(
+            inputs
+                .map(|name| {
+                    (
+                        name,
+                        outcome.saturated_fraction.get(name).copied().flatten(),
+                    )
+                })
+                .collect(),
+        ),
         nonfinite: outcome.nonfinite,
         wall_s: outcome.wall_s,
         steps_per_s: outcome.steps_per_s,
@@ -58,26 +79,71 @@ pub(super) fn document<'a>(plant: &'a Plant, campaign: &Campaign, outcome: &'a O
 /// The statistics for people, in display units.
 pub(super) fn table(plant: &Plant, campaign: &Campaign, outcome: &Outcome) -> String {
     let mut rows = vec![("specification", format!("{} ({})", plant.title, plant.name))];
-    rows.push(("campaign", format!("{}, horizon {} s, seed {}", runs(campaign), short(campaign.horizon_s), campaign.seed)));
+    rows.push((
+        "campaign",
+        format!(
+            "{}, horizon {} s, seed {}",
+            runs(campaign),
+            short(campaign.horizon_s),
+            campaign.seed
+        ),
+    ));
     rows.push(("constraint", constraint(outcome)));
     if let Some(ratio) = &outcome.ratio {
         rows.push(("error / bound", quantiles(ratio, outcome.runs)));
     }
-    let outputs = plant.blocks.first().map_or(&[][..], |block| &block.channels);
+    let outputs = plant
+        .blocks
+        .first()
+        .map_or(&[][..], |block| &block.channels);
     let rms = outputs.iter().filter_map(|channel| {
-        let rms = outcome.rms_tracking.get(&channel.name)?.map_or("-".to_owned(), |rms| short(rms / channel.factor));
-        Some(format!("{} {rms} {}", channel.name, channel.unit).trim_end().to_owned())
+        let rms = outcome
+            .rms_tracking
+            .get(&channel.name)?
+            .map_or("-".to_owned(), |rms| short(rms / channel.factor));
+        Some(
+            format!("{} {rms} {}", channel.name, channel.unit)
+                .trim_end()
+                .to_owned(),
+        )
     });
-    rows.push(("rms tracking", format!("{}  (after {} s)", rms.collect::<Vec<_>>().join(", "), short(campaign.settle_s))));
+    rows.push((
+        "rms tracking",
+        format!(
+            "{}  (after {} s)",
+            rms.collect::<Vec<_>>().join(", "),
+            short(campaign.settle_s)
+        ),
+    ));
     let saturated = plant.inputs.iter().filter_map(|input| {
-        let fraction = outcome.saturated_fraction.get(&input.channel.name)?.map_or("-".to_owned(), percent);
+        let fraction = outcome
+            .saturated_fraction
+            .get(&input.channel.name)?
+            .map_or("-".to_owned(), percent);
         Some(format!("{} {fraction}", input.channel.name))
     });
-    rows.push(("at the limit", format!("{}  (of the time)", saturated.collect::<Vec<_>>().join(", "))));
+    rows.push((
+        "at the limit",
+        format!(
+            "{}  (of the time)",
+            saturated.collect::<Vec<_>>().join(", ")
+        ),
+    ));
     if outcome.nonfinite > 0 {
-        rows.push(("lost", format!("{} runs ended with a non-finite state", count(outcome.nonfinite))));
+        rows.push((
+            "lost",
+            format!(
+                "{} runs ended with a non-finite state",
+                count(outcome.nonfinite)
+            ),
+        ));
     }
-    let speed = format!("{} control steps in {} s, {} per second", count(outcome.samples), short(outcome.wall_s), count(outcome.steps_per_s as u64));
+    let speed = format!(
+        "{} control steps in {} s, {} per second",
+        count(outcome.samples),
+        short(outcome.wall_s),
+        count(outcome.steps_per_s as u64)
+    );
     rows.push(("speed", speed));
     let mut text = String::new();
     for (name, value) in rows {
@@ -101,7 +167,9 @@ fn runs(campaign: &Campaign) -> String {
 
 fn constraint(outcome: &Outcome) -> String {
     let interval = match outcome.violated_interval95 {
-        Some([low, high]) if outcome.runs > 1 => format!(" (95 % interval {} to {})", percent(low), percent(high)),
+        Some([low, high]) if outcome.runs > 1 => {
+            format!(" (95 % interval {} to {})", percent(low), percent(high))
+        }
         _ => String::new(),
     };
     match (outcome.violated, outcome.runs) {
@@ -118,8 +186,14 @@ fn quantiles(ratio: &Quantiles, runs: u64) -> String {
     match runs {
         1 => format!("{} at its largest", shown(ratio.max)),
         _ => {
-            let all = [("median", ratio.median), ("90 %", ratio.p90), ("99 %", ratio.p99), ("max", ratio.max)];
-            all.map(|(name, quantile)| format!("{name} {}", shown(quantile))).join(", ")
+            let all = [
+                ("median", ratio.median),
+                ("90 %", ratio.p90),
+                ("99 %", ratio.p99),
+                ("max", ratio.max),
+            ];
+            all.map(|(name, quantile)| format!("{name} {}", shown(quantile)))
+                .join(", ")
         }
     }
 }
@@ -129,8 +203,16 @@ mod tests {
     use super::*;
     use crate::report::sample::Sample;
 
-    const CAMPAIGN: Campaign =
-        Campaign { seed: 1, first_run: 0, runs: 500, horizon_s: 20.0, settle_s: 4.5, threads: 0, noise: true, dispersion: true };
+    const CAMPAIGN: Campaign = Campaign {
+        seed: 1,
+        first_run: 0,
+        runs: 500,
+        horizon_s: 20.0,
+        settle_s: 4.5,
+        threads: 0,
+        noise: true,
+        dispersion: true,
+    };
 
     #[test]
     fn a_campaign_as_a_table() {
@@ -141,14 +223,21 @@ mod tests {
     #[test]
     fn one_run_as_a_table() {
         let sample = Sample::plain();
-        let campaign = Campaign { runs: 1, first_run: 7, noise: false, ..CAMPAIGN };
+        let campaign = Campaign {
+            runs: 1,
+            first_run: 7,
+            noise: false,
+            ..CAMPAIGN
+        };
         insta::assert_snapshot!(table(&sample.plant, &campaign, &sample.outcome));
     }
 
     #[test]
     fn a_campaign_as_json() {
         let sample = Sample::full();
-        let text = serde_json::to_string_pretty(&document(&sample.plant, &CAMPAIGN, &sample.outcome)).unwrap();
+        let text =
+            serde_json::to_string_pretty(&document(&sample.plant, &CAMPAIGN, &sample.outcome))
+                .unwrap();
         insta::assert_snapshot!(text);
     }
 }

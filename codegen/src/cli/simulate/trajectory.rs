@@ -40,7 +40,10 @@ pub(super) fn write(path: &Path, table: &Table, origin: &[(&str, String)]) -> Re
     match Kind::of(path) {
         Some(Kind::Csv) => files::write(path, |file| write_csv(file, table)),
         Some(Kind::Parquet) => files::write(path, |file| write_parquet(file, table, origin)),
-        None => Err(Failure::new(Exit::Usage, format_args!("`{}` ends neither in .csv nor in .parquet", path.display()))),
+        None => Err(Failure::new(
+            Exit::Usage,
+            format_args!("`{}` ends neither in .csv nor in .parquet", path.display()),
+        )),
     }
 }
 
@@ -49,24 +52,44 @@ fn write_csv(file: &mut BufWriter<File>, table: &Table) -> Result<(), csv::Error
     let mut writer = csv::Writer::from_writer(file);
     writer.write_record(table.columns().iter().map(|(name, _)| name))?;
     for row in 0..table.rows() {
-        writer.write_record(table.columns().iter().map(|(_, values)| format!("{:?}", values[row])))?;
+        writer.write_record(
+            table
+                .columns()
+                .iter()
+                .map(|(_, values)| format!("{:?}", values[row])),
+        )?;
     }
     Ok(writer.flush()?)
 }
 
-fn write_parquet<W: Write + Send>(file: W, table: &Table, origin: &[(&str, String)]) -> Result<(), ParquetError> {
+fn write_parquet<W: Write + Send>(
+    file: W,
+    table: &Table,
+    origin: &[(&str, String)],
+) -> Result<(), ParquetError> {
     let fields = table.columns().iter().map(|(name, _)| {
-        let field = Type::primitive_type_builder(name, Physical::DOUBLE).with_repetition(Repetition::REQUIRED);
+        let field = Type::primitive_type_builder(name, Physical::DOUBLE)
+            .with_repetition(Repetition::REQUIRED);
         field.build().map(Arc::new)
     });
-    let schema = Type::group_type_builder("trajectory").with_fields(fields.collect::<Result<_, _>>()?).build()?;
-    let pairs = origin.iter().map(|(key, value)| KeyValue::new((*key).to_owned(), value.clone()));
-    let properties = WriterProperties::builder().set_key_value_metadata(Some(pairs.collect())).build();
+    let schema = Type::group_type_builder("trajectory")
+        .with_fields(fields.collect::<Result<_, _>>()?)
+        .build()?;
+    let pairs = origin
+        .iter()
+        .map(|(key, value)| KeyValue::new((*key).to_owned(), value.clone()));
+    let properties = WriterProperties::builder()
+        .set_key_value_metadata(Some(pairs.collect()))
+        .build();
     let mut writer = SerializedFileWriter::new(file, Arc::new(schema), Arc::new(properties))?;
     let mut group = writer.next_row_group()?;
     for (_, values) in table.columns() {
-        let mut column = group.next_column()?.expect("invariant: the schema has a column for each signal");
-        column.typed::<DoubleType>().write_batch(values, None, None)?;
+        let mut column = group
+            .next_column()?
+            .expect("invariant: the schema has a column for each signal");
+        column
+            .typed::<DoubleType>()
+            .write_batch(values, None, None)?;
         column.close()?;
     }
     group.close()?;
@@ -94,24 +117,49 @@ mod tests {
         let path = folder.path().join("run.csv");
         write(&path, &table(), &[]).unwrap();
         let text = std::fs::read_to_string(path).unwrap();
-        assert_eq!(text, "t,x1.alpha\n0.0,0.3333333333333333\n0.002,-1e-300\n0.004,NaN\n");
+        assert_eq!(
+            text,
+            "t,x1.alpha\n0.0,0.3333333333333333\n0.002,-1e-300\n0.004,NaN\n"
+        );
     }
 
     #[test]
     fn parquet_keeps_every_bit_and_its_origin() {
         let folder = tempfile::tempdir().unwrap();
-        let (path, again) = (folder.path().join("run.parquet"), folder.path().join("again.parquet"));
+        let (path, again) = (
+            folder.path().join("run.parquet"),
+            folder.path().join("again.parquet"),
+        );
         let origin = [("nsv.seed", "7".to_owned())];
         write(&path, &table(), &origin).unwrap();
         write(&again, &table(), &origin).unwrap();
-        assert_eq!(std::fs::read(&path).unwrap(), std::fs::read(&again).unwrap());
+        assert_eq!(
+            std::fs::read(&path).unwrap(),
+            std::fs::read(&again).unwrap()
+        );
         let reader = SerializedFileReader::new(File::open(path).unwrap()).unwrap();
         let metadata = reader.metadata().file_metadata();
         assert_eq!(metadata.num_rows(), 3);
-        let seed = metadata.key_value_metadata().unwrap().iter().find(|pair| pair.key == "nsv.seed");
+        let seed = metadata
+            .key_value_metadata()
+            .unwrap()
+            .iter()
+            .find(|pair| pair.key == "nsv.seed");
         assert_eq!(seed.and_then(|pair| pair.value.as_deref()), Some("7"));
-        let rows: Vec<f64> = reader.get_row_iter(None).unwrap().map(|row| row.unwrap().get_double(1).unwrap()).collect();
-        assert_eq!(rows.iter().map(|x| x.to_bits()).collect::<Vec<_>>(), table().column("x1.alpha").unwrap().iter().map(|x| x.to_bits()).collect::<Vec<_>>());
+        let rows: Vec<f64> = reader
+            .get_row_iter(None)
+            .unwrap()
+            .map(|row| row.unwrap().get_double(1).unwrap())
+            .collect();
+        assert_eq!(
+            rows.iter().map(|x| x.to_bits()).collect::<Vec<_>>(),
+            table()
+                .column("x1.alpha")
+                .unwrap()
+                .iter()
+                .map(|x| x.to_bits())
+                .collect::<Vec<_>>()
+        );
     }
 
     #[test]

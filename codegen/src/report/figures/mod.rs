@@ -19,6 +19,8 @@ pub(super) struct Figure {
     pub title: &'static str,
     /// What is seen, in words.
     pub caption: String,
+    /// Whether plots belong together two by two.
+    pub paired: bool,
     /// Small multiples.
     pub plots: Vec<Plot>,
 }
@@ -41,16 +43,32 @@ pub(super) fn figures(report: &Report<'_>) -> Vec<Figure> {
 
 /// A column in the unit of `channel`.
 fn shown(table: &Table, name: &str, channel: &Channel) -> Option<Vec<f64>> {
-    Some(table.column(name)?.iter().map(|value| value / channel.factor).collect())
+    Some(
+        table
+            .column(name)?
+            .iter()
+            .map(|value| value / channel.factor)
+            .collect(),
+    )
 }
 
 fn line(label: &str, ink: Ink, y: Vec<f64>) -> Mark {
-    Mark::Line { label: label.to_owned(), ink, y }
+    Mark::Line {
+        label: label.to_owned(),
+        ink,
+        y,
+    }
 }
 
 fn plot(table: &Table, title: String, unit: &str, marks: Vec<Mark>) -> Option<Plot> {
     let t = table.column("t")?.to_vec();
-    (!marks.is_empty()).then(|| Plot { title, unit: unit.to_owned(), log: false, t, marks })
+    (!marks.is_empty()).then(|| Plot {
+        title,
+        unit: unit.to_owned(),
+        log: false,
+        t,
+        marks,
+    })
 }
 
 /// `a`, `a and b`, `a, b and c`.
@@ -71,9 +89,21 @@ mod tests {
     #[test]
     fn a_plain_problem_has_fewer_figures() {
         let full = sample::Sample::full();
-        assert_eq!(figures(&full.report()).iter().map(|f| f.number).collect::<Vec<_>>(), [1, 3, 4, 5, 6, 7, 8, 9]);
+        assert_eq!(
+            figures(&full.report())
+                .iter()
+                .map(|f| f.number)
+                .collect::<Vec<_>>(),
+            [1, 3, 4, 5, 6, 7, 8, 9]
+        );
         let plain = sample::Sample::plain();
-        assert_eq!(figures(&plain.report()).iter().map(|f| f.number).collect::<Vec<_>>(), [5, 7]);
+        assert_eq!(
+            figures(&plain.report())
+                .iter()
+                .map(|f| f.number)
+                .collect::<Vec<_>>(),
+            [5, 7]
+        );
     }
 
     #[test]

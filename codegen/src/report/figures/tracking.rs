@@ -10,9 +10,23 @@ pub(super) fn figure(report: &Report<'_>) -> Option<Figure> {
         let y = shown(table, &format!("x1.{}", channel.name), channel)?;
         let reference = shown(table, &format!("y_r.{}", channel.name), channel);
         let reference = reference.map(|reference| line("reference", Ink::Reference, reference));
-        let marks = [line(&channel.name, Ink::Actual, y)].into_iter().chain(reference).collect();
-        plot(table, format!("{}: tracking of {}", output.name, channel.name), &channel.unit, marks)
+        let marks = [line(&channel.name, Ink::Actual, y)]
+            .into_iter()
+            .chain(reference)
+            .collect();
+        plot(
+            table,
+            format!("{}: tracking of {}", output.name, channel.name),
+            &channel.unit,
+            marks,
+        )
     });
     let caption = "Each output and the reference that it is to follow.".to_owned();
-    Some(Figure { number: 5, title: "Tracking", caption, plots: plots.collect() })
+    Some(Figure {
+        number: 5,
+        title: "Tracking",
+        caption,
+        paired: false,
+        plots: plots.collect(),
+    })
 }

@@ -56,6 +56,8 @@ pub(crate) enum Ink {
     Reference,
     /// What the controller believes.
     Estimate,
+    /// The difference of two quantities.
+    Difference,
     /// A bound.
     Limit,
     /// The wide band of a campaign.
@@ -73,6 +75,7 @@ impl Ink {
             Ink::Actual => "actual".to_owned(),
             Ink::Reference => "reference".to_owned(),
             Ink::Estimate => "estimate".to_owned(),
+            Ink::Difference => "difference".to_owned(),
             Ink::Limit => "limit".to_owned(),
             Ink::Outer => "outer".to_owned(),
             Ink::Inner => "inner".to_owned(),

@@ -23,10 +23,18 @@ const SWATCH: f64 = 26.0;
 pub(crate) fn svg(plot: &Plot) -> String {
     let legend = legend_rows(plot);
     let top = TITLE + LEGEND_ROW * legend.len() as f64 + 8.0;
-    let frame = Frame { x: time(&plot.t), y: ordinate(plot), top };
+    let frame = Frame {
+        x: time(&plot.t),
+        y: ordinate(plot),
+        top,
+    };
     let title = escape(&plot.title);
-    let mut out = format!(r#"<svg viewBox="0 0 {WIDTH} {HEIGHT}" role="img" aria-label="{title}">"#);
-    let _ = write!(out, r#"<text class="title" x="{LEFT}" y="14">{title}</text>"#);
+    let mut out =
+        format!(r#"<svg viewBox="0 0 {WIDTH} {HEIGHT}" role="img" aria-label="{title}">"#);
+    let _ = write!(
+        out,
+        r#"<text class="title" x="{LEFT}" y="14">{title}</text>"#
+    );
     axes(&mut out, plot, &frame);
     for mark in &plot.marks {
         draw(&mut out, plot, &frame, mark);
@@ -55,7 +63,11 @@ impl Frame {
     }
 
     fn points(&self, plot: &Plot, y: &[f64]) -> Vec<Point> {
-        plot.t.iter().zip(y).map(|(&t, &y)| (self.px(t), self.py(coordinate(plot, y)))).collect()
+        plot.t
+            .iter()
+            .zip(y)
+            .map(|(&t, &y)| (self.px(t), self.py(coordinate(plot, y))))
+            .collect()
     }
 }
 
@@ -64,23 +76,56 @@ fn axes(out: &mut String, plot: &Plot, frame: &Frame) {
     let ticks = ordinate_ticks(plot, frame);
     for (value, label) in &ticks.marks {
         let y = frame.py(*value);
-        let class = if *value == 0.0 && !plot.log { "grid zero" } else { "grid" };
-        let _ = write!(out, r#"<path class="{class}" d="M{LEFT} {}H{}"/>"#, px(y), px(WIDTH - RIGHT));
-        let _ = write!(out, r#"<text class="tick" text-anchor="end" x="{}" y="{}">{label}</text>"#, px(LEFT - 5.0), px(y + 3.5));
+        let class = if *value == 0.0 && !plot.log {
+            "grid zero"
+        } else {
+            "grid"
+        };
+        let _ = write!(
+            out,
+            r#"<path class="{class}" d="M{LEFT} {}H{}"/>"#,
+            px(y),
+            px(WIDTH - RIGHT)
+        );
+        let _ = write!(
+            out,
+            r#"<text class="tick" text-anchor="end" x="{}" y="{}">{label}</text>"#,
+            px(LEFT - 5.0),
+            px(y + 3.5)
+        );
     }
     let times = linear(frame.x.low, frame.x.high, 6);
     for (value, label) in &times.marks {
         let x = frame.px(*value);
-        let _ = write!(out, r#"<path class="grid" d="M{} {}V{}"/>"#, px(x), px(frame.top), px(bottom));
-        let _ = write!(out, r#"<text class="tick" text-anchor="middle" x="{}" y="{}">{label}</text>"#, px(x), px(bottom + 14.0));
+        let _ = write!(
+            out,
+            r#"<path class="grid" d="M{} {}V{}"/>"#,
+            px(x),
+            px(frame.top),
+            px(bottom)
+        );
+        let _ = write!(
+            out,
+            r#"<text class="tick" text-anchor="middle" x="{}" y="{}">{label}</text>"#,
+            px(x),
+            px(bottom + 14.0)
+        );
     }
     let middle = LEFT + 0.5 * (WIDTH - LEFT - RIGHT);
     let time = scaled("time", "s", times.exponent);
-    let _ = write!(out, r#"<text class="axis" text-anchor="middle" x="{}" y="{}">{time}</text>"#, px(middle), px(HEIGHT - 6.0));
+    let _ = write!(
+        out,
+        r#"<text class="axis" text-anchor="middle" x="{}" y="{}">{time}</text>"#,
+        px(middle),
+        px(HEIGHT - 6.0)
+    );
     let (x, y) = (12.0, 0.5 * (frame.top + bottom));
     let label = scaled("", &plot.unit, ticks.exponent);
     let (x, y) = (px(x), px(y));
-    let _ = write!(out, r#"<text class="axis" text-anchor="middle" x="{x}" y="{y}" transform="rotate(-90 {x} {y})">{label}</text>"#);
+    let _ = write!(
+        out,
+        r#"<text class="axis" text-anchor="middle" x="{x}" y="{y}" transform="rotate(-90 {x} {y})">{label}</text>"#
+    );
 }
 
 fn ordinate_ticks(plot: &Plot, frame: &Frame) -> Ticks {
@@ -94,13 +139,17 @@ fn ordinate_ticks(plot: &Plot, frame: &Frame) -> Ticks {
 fn scaled(name: &str, unit_text: &str, exponent: i32) -> String {
     let power = match exponent {
         0 => String::new(),
-        power => format!(r#"10<tspan dy="-4" font-size="8">{power}</tspan><tspan dy="4">&#8201;</tspan>"#),
+        power => format!(
+            r#"10<tspan dy="-4" font-size="8">{power}</tspan><tspan dy="4">&#8201;</tspan>"#
+        ),
     };
     match (name, unit_text) {
         (name, "" | "1") if power.is_empty() => name.to_owned(),
         (name, "" | "1") => format!("{name} ({power})"),
         ("", text) if power.is_empty() => unit(text),
-        (name, text) => format!("{name} ({power}{})", unit(text)).trim_start().to_owned(),
+        (name, text) => format!("{name} ({power}{})", unit(text))
+            .trim_start()
+            .to_owned(),
     }
 }
 
@@ -108,16 +157,26 @@ fn draw(out: &mut String, plot: &Plot, frame: &Frame, mark: &Mark) {
     let class = mark.ink().class();
     match mark {
         Mark::Line { y, .. } => {
-            let data: String = curves(&frame.points(plot, y)).iter().map(|curve| path(curve)).collect();
+            let data: String = curves(&frame.points(plot, y))
+                .iter()
+                .map(|curve| path(curve))
+                .collect();
             let _ = write!(out, r#"<path class="line {class}" d="{data}"/>"#);
         }
         Mark::Band { low, high, .. } => {
             // A band is the outline of its upper edge and its lower edge backwards; both are simplified as one run each.
-            let (upper, mut lower) = (curves(&frame.points(plot, high)).concat(), curves(&frame.points(plot, low)).concat());
+            let (upper, mut lower) = (
+                curves(&frame.points(plot, high)).concat(),
+                curves(&frame.points(plot, low)).concat(),
+            );
             lower.reverse();
             let outline = [upper, lower].concat();
             if !outline.is_empty() {
-                let _ = write!(out, r#"<path class="band {class}" d="{}Z"/>"#, path(&outline));
+                let _ = write!(
+                    out,
+                    r#"<path class="band {class}" d="{}Z"/>"#,
+                    path(&outline)
+                );
             }
         }
     }
@@ -126,7 +185,13 @@ fn draw(out: &mut String, plot: &Plot, frame: &Frame, mark: &Mark) {
 fn path(curve: &[Point]) -> String {
     let mut out = String::new();
     for (i, (x, y)) in curve.iter().enumerate() {
-        let _ = write!(out, "{}{} {}", if i == 0 { 'M' } else { 'L' }, px(*x), px(*y));
+        let _ = write!(
+            out,
+            "{}{} {}",
+            if i == 0 { 'M' } else { 'L' },
+            px(*x),
+            px(*y)
+        );
     }
     if curve.len() == 1 {
         out.push_str("h0.1"); // a lone sample is a dot
@@ -156,7 +221,9 @@ fn legend_rows(plot: &Plot) -> Vec<Vec<Entry<'_>>> {
             rows.push(Vec::new());
             x = LEFT;
         }
-        rows.last_mut().expect("invariant: a row was opened").push((x, mark));
+        rows.last_mut()
+            .expect("invariant: a row was opened")
+            .push((x, mark));
         x += width;
     }
     rows
@@ -166,10 +233,26 @@ fn draw_legend(out: &mut String, entries: &[Entry<'_>], y: f64) {
     for (x, mark) in entries {
         let class = mark.ink().class();
         let _ = match mark {
-            Mark::Line { .. } => write!(out, r#"<path class="line {class}" d="M{} {}h20"/>"#, px(*x), px(y)),
-            Mark::Band { .. } => write!(out, r#"<path class="band {class}" d="M{} {}h20v8h-20Z"/>"#, px(*x), px(y - 4.0)),
+            Mark::Line { .. } => write!(
+                out,
+                r#"<path class="line {class}" d="M{} {}h20"/>"#,
+                px(*x),
+                px(y)
+            ),
+            Mark::Band { .. } => write!(
+                out,
+                r#"<path class="band {class}" d="M{} {}h20v8h-20Z"/>"#,
+                px(*x),
+                px(y - 4.0)
+            ),
         };
-        let _ = write!(out, r#"<text class="legend" x="{}" y="{}">{}</text>"#, px(x + SWATCH), px(y + 3.5), escape(mark.label()));
+        let _ = write!(
+            out,
+            r#"<text class="legend" x="{}" y="{}">{}</text>"#,
+            px(x + SWATCH),
+            px(y + 3.5),
+            escape(mark.label())
+        );
     }
 }
 
@@ -183,11 +266,30 @@ mod tests {
         let low = t.iter().map(|t| t - 1.0).collect();
         let high = t.iter().map(|t| t + 1.0).collect();
         let marks = vec![
-            Mark::Band { label: "5-95 %".into(), ink: Ink::Inner, low, high },
-            Mark::Line { label: "ramp <1>".into(), ink: Ink::Actual, y: t.clone() },
-            Mark::Line { label: String::new(), ink: Ink::Limit, y: vec![8.0; t.len()] },
+            Mark::Band {
+                label: "5-95 %".into(),
+                ink: Ink::Inner,
+                low,
+                high,
+            },
+            Mark::Line {
+                label: "ramp <1>".into(),
+                ink: Ink::Actual,
+                y: t.clone(),
+            },
+            Mark::Line {
+                label: String::new(),
+                ink: Ink::Limit,
+                y: vec![8.0; t.len()],
+            },
         ];
-        Plot { title: "a & b".into(), unit: "kN*m/s^2".into(), log: false, t, marks }
+        Plot {
+            title: "a & b".into(),
+            unit: "kN*m/s^2".into(),
+            log: false,
+            t,
+            marks,
+        }
     }
 
     #[test]
@@ -203,15 +305,27 @@ mod tests {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             f64::from(state)
         });
-        plot.marks = vec![Mark::Line { label: String::new(), ink: Ink::Actual, y: noise.collect() }];
+        plot.marks = vec![Mark::Line {
+            label: String::new(),
+            ink: Ink::Actual,
+            y: noise.collect(),
+        }];
         assert!(svg(&plot).len() < 40_000, "{}", svg(&plot).len());
     }
 
     #[test]
     fn no_coordinate_is_nan() {
         let mut plot = ramp();
-        plot.marks.push(Mark::Line { label: "n".into(), ink: Ink::Estimate, y: vec![f64::NAN; plot.t.len()] });
-        plot.marks.push(Mark::Line { label: "i".into(), ink: Ink::Estimate, y: vec![f64::INFINITY; plot.t.len()] });
+        plot.marks.push(Mark::Line {
+            label: "n".into(),
+            ink: Ink::Estimate,
+            y: vec![f64::NAN; plot.t.len()],
+        });
+        plot.marks.push(Mark::Line {
+            label: "i".into(),
+            ink: Ink::Estimate,
+            y: vec![f64::INFINITY; plot.t.len()],
+        });
         for log in [false, true] {
             plot.log = log;
             let text = svg(&plot);
