@@ -1,3 +1,6 @@
 //! The nsv compiler.
 pub mod casadi;
+pub mod derive;
 pub mod ir;
+pub mod lower;
+pub mod opt;

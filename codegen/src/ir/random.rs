@@ -159,7 +159,6 @@ impl Generator {
         self.program.instructions.push(super::Instruction { op, ..instruction });
     }
 
-    #[expect(clippy::too_many_lines, reason = "a flat match over all operations")]
     fn operation(&mut self) -> Option<Op> {
         Some(match self.random.below(28) {
             0 | 1 => Op::Apply(Function::Neg, self.real()?),
@@ -212,16 +211,18 @@ impl Generator {
         })
     }
 
-    /// A value of a type that is accepted, most likely a recent one.
+    /// A value of a type that is accepted, if one is found in a few draws, most likely a recent one.
     fn value(&mut self, accept: impl Fn(Type) -> bool) -> Option<ValueId> {
-        let count = self.program.instructions.len();
-        let candidates = (0..40).map(|_| {
+        for _ in 0..40 {
+            let count = self.program.instructions.len();
             let reach = if self.random.below(2) == 0 { count } else { count.min(16) };
             let index = count - 1 - self.random.below(reach);
-            ValueId(u32::try_from(index).expect("invariant: fewer than 2^32 instructions"))
-        });
-        let found = candidates.collect::<Vec<ValueId>>().into_iter().find(|&id| accept(self.program.ty(id)));
-        found
+            let id = ValueId(u32::try_from(index).expect("invariant: fewer than 2^32 instructions"));
+            if accept(self.program.ty(id)) {
+                return Some(id);
+            }
+        }
+        None
     }
 
     fn real(&mut self) -> Option<ValueId> {

@@ -8,7 +8,9 @@ mod scalar;
 
 use std::fmt::{self, Display, Formatter};
 
+pub(crate) use linear::SWEEPS;
 pub(crate) use operation::Tables;
+pub(crate) use scalar::comparison;
 
 use super::build::size;
 use super::{Op, Program, Type, ValueId, Values};

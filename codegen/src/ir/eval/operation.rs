@@ -22,7 +22,6 @@ impl Tables {
     }
 
     /// Writes the entries of `op` to `out`; `value` gives those of its operands.
-    #[expect(clippy::too_many_lines, reason = "a flat match over all operations")]
     pub(crate) fn apply<'a>(&self, program: &Program, op: &Op, value: impl Fn(ValueId) -> &'a [f64], out: &mut [f64]) {
         let first = |id: ValueId| value(id)[0];
         let holds = |id: ValueId| first(id) != 0.0;
