@@ -33,7 +33,10 @@ impl Base {
     /// A text of `length` bytes that the file holds verbatim from byte `start`.
     pub fn exact(file: FileId, start: u32, length: usize) -> Self {
         let end = start.saturating_add(u32::try_from(length).unwrap_or(u32::MAX));
-        Self { span: Span { file, start, end }, exact: true }
+        Self {
+            span: Span { file, start, end },
+            exact: true,
+        }
     }
 
     /// A text that the file holds in some encoded form within `span`.
@@ -50,7 +53,11 @@ impl Base {
             let offset = u32::try_from(offset).unwrap_or(u32::MAX);
             self.span.start.saturating_add(offset).min(self.span.end)
         };
-        Span { file: self.span.file, start: place(range.start), end: place(range.end) }
+        Span {
+            file: self.span.file,
+            start: place(range.start),
+            end: place(range.end),
+        }
     }
 }
 
@@ -108,7 +115,14 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// An error at a place.
     pub fn error(code: &'static str, span: Span, message: impl Into<String>) -> Self {
-        Self { code, severity: Severity::Error, span: Some(span), message: message.into(), help: None, related: Vec::new() }
+        Self {
+            code,
+            severity: Severity::Error,
+            span: Some(span),
+            message: message.into(),
+            help: None,
+            related: Vec::new(),
+        }
     }
 
     /// A warning at a place.
@@ -124,7 +138,10 @@ impl Diagnostic {
 
     /// The same with a further place.
     pub fn with_related(mut self, span: Span, label: impl Into<String>) -> Self {
-        self.related.push(Related { span, label: label.into() });
+        self.related.push(Related {
+            span,
+            label: label.into(),
+        });
         self
     }
 }
@@ -195,5 +212,13 @@ impl Diagnostics {
             }
         }
         text
+    }
+}
+
+/// A piece of source text between backquotes for a message, cut after 48 characters.
+pub(crate) fn quoted(text: &str) -> String {
+    match text.char_indices().nth(48) {
+        Some((cut, _)) => format!("`{}..`", &text[..cut]),
+        None => format!("`{text}`"),
     }
 }

@@ -2,7 +2,10 @@
 
 /// The candidate with the smallest edit distance to `name`, ignoring case, if it is near enough to be meant: one slip in
 /// three characters. The first of equals.
-pub(crate) fn nearest<S: AsRef<str>>(name: &str, candidates: impl IntoIterator<Item = S>) -> Option<String> {
+pub(crate) fn nearest<S: AsRef<str>>(
+    name: &str,
+    candidates: impl IntoIterator<Item = S>,
+) -> Option<String> {
     let mut best: Option<(usize, String)> = None;
     for candidate in candidates {
         let candidate = candidate.as_ref();

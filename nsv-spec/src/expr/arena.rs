@@ -71,21 +71,47 @@ pub struct Bits(pub u64);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[expect(missing_docs, reason = "each is the function of that name")]
 pub enum Function {
-    Neg, Abs, Sign, Sqrt, Exp, Ln, Sin, Cos, Tan, Asin, Acos, Atan, Sinh, Cosh, Tanh,
+    Neg,
+    Abs,
+    Sign,
+    Sqrt,
+    Exp,
+    Ln,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Sinh,
+    Cosh,
+    Tanh,
 }
 
 /// Operators of two arguments; elementwise, a scalar operand is broadcast.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[expect(missing_docs, reason = "each is the operator of that name")]
 pub enum Operator {
-    Add, Sub, Mul, Div, Pow, Min, Max, Atan2,
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Pow,
+    Min,
+    Max,
+    Atan2,
 }
 
 /// Comparisons of scalars.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[expect(missing_docs, reason = "each is the comparison of that name")]
 pub enum Comparison {
-    Lt, Le, Gt, Ge, Eq, Ne,
+    Lt,
+    Le,
+    Gt,
+    Ge,
+    Eq,
+    Ne,
 }
 
 /// One expression node; operands are earlier nodes.
@@ -140,6 +166,34 @@ pub enum Node {
     Polynomial(PolynomialId, Vec<ExprId>),
 }
 
+impl Node {
+    /// Operands, in order.
+    pub fn operands(&self) -> Vec<ExprId> {
+        match self {
+            Node::Number(_)
+            | Node::Constant(_)
+            | Node::Parameter(_)
+            | Node::State { .. }
+            | Node::Time
+            | Node::Definition(_) => Vec::new(),
+            Node::Apply(_, a)
+            | Node::PowInt(a, _)
+            | Node::Not(a)
+            | Node::Element(a, _, _)
+            | Node::Transpose(a) => vec![*a],
+            Node::Binary(_, a, b)
+            | Node::Compare(_, a, b)
+            | Node::And(a, b)
+            | Node::Or(a, b)
+            | Node::MatMul(a, b)
+            | Node::Dot(a, b)
+            | Node::Cross(a, b) => vec![*a, *b],
+            Node::If(a, b, c) => vec![*a, *b, *c],
+            Node::Array(items) | Node::Polynomial(_, items) => items.clone(),
+        }
+    }
+}
+
 /// Type of an expression: a truth value, or real entries in row-major order, each with its own physical dimension
 /// ([`Dimension::ANY`] for an entry that is 0 by its form).
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -158,19 +212,27 @@ pub enum Type {
 impl Type {
     /// A scalar of that dimension.
     pub fn scalar(dimension: Dimension) -> Self {
-        Type::Real { shape: Shape::Scalar, dimensions: vec![dimension] }
+        Type::Real {
+            shape: Shape::Scalar,
+            dimensions: vec![dimension],
+        }
     }
 
     /// An array whose entries all have one dimension.
     pub fn uniform(shape: Shape, dimension: Dimension) -> Self {
-        Type::Real { shape, dimensions: vec![dimension; shape.entries()] }
+        Type::Real {
+            shape,
+            dimensions: vec![dimension; shape.entries()],
+        }
     }
 
     /// The dimension that all entries share, [`Dimension::ANY`] if all are 0; `None` if they differ or for a truth value.
     pub fn dimension(&self) -> Option<Dimension> {
         match self {
             Type::Bool => None,
-            Type::Real { dimensions, .. } => dimensions.iter().try_fold(Dimension::ANY, |all, &one| all.agree(one)),
+            Type::Real { dimensions, .. } => dimensions
+                .iter()
+                .try_fold(Dimension::ANY, |all, &one| all.agree(one)),
         }
     }
 }
@@ -220,7 +282,9 @@ impl Arena {
         if let Some(&id) = self.index.get(&key) {
             return id;
         }
-        let id = ExprId(u32::try_from(self.nodes.len()).expect("invariant: fewer than 2^32 expressions"));
+        let id = ExprId(
+            u32::try_from(self.nodes.len()).expect("invariant: fewer than 2^32 expressions"),
+        );
         self.nodes.push(key.0.clone());
         self.types.push(key.1.clone());
         self.index.insert(key, id);

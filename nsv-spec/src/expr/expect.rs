@@ -1,6 +1,7 @@
 //! Checks that an expression has the shape and dimensions that its place asks for.
 
 use super::arena::{Arena, ExprId, Shape, Type};
+use super::typing::{in_entry, shown};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::unit::Dimension;
 
@@ -16,15 +17,28 @@ pub struct Expected<'a> {
 }
 
 /// Checks the expression `id`, written at `span`, and reports every entry of a wrong dimension.
-pub fn expect(arena: &Arena, id: ExprId, span: Span, expected: &Expected<'_>) -> Result<(), Vec<Diagnostic>> {
+pub fn expect(
+    arena: &Arena,
+    id: ExprId,
+    span: Span,
+    expected: &Expected<'_>,
+) -> Result<(), Vec<Diagnostic>> {
     let what = expected.what;
     let Type::Real { shape, dimensions } = arena.ty(id) else {
         let message = format!("{what} is a truth value, expected {}", expected.shape);
-        return Err(vec![Diagnostic::error("E0502", span, message).with_help("choose numbers with `if(condition, a, b)`")]);
+        return Err(vec![
+            Diagnostic::error("E0502", span, message)
+                .with_help("choose numbers with `if(condition, a, b)`"),
+        ]);
     };
     if *shape != expected.shape {
-        let message = format!("shape mismatch: {what} is {shape}, expected {}", expected.shape);
-        return Err(vec![Diagnostic::error("E0504", span, message).with_help(shape_help(expected.shape))]);
+        let message = format!(
+            "shape mismatch: {what} is {shape}, expected {}",
+            expected.shape
+        );
+        return Err(vec![
+            Diagnostic::error("E0504", span, message).with_help(shape_help(expected.shape)),
+        ]);
     }
     let wanted = expected.dimensions.iter().cycle();
     let faults: Vec<_> = dimensions
@@ -33,20 +47,19 @@ pub fn expect(arena: &Arena, id: ExprId, span: Span, expected: &Expected<'_>) ->
         .enumerate()
         .filter(|(_, (found, wanted))| found.agree(**wanted).is_none())
         .map(|(entry, (&found, &wanted))| {
-            let place = place(*shape, entry);
-            let message = format!("unit mismatch: {place}{what} is in {found}, expected {wanted}");
+            let place = in_entry(*shape, entry);
+            let message = format!(
+                "unit mismatch{place}: {what} is {}, expected {}",
+                shown(found),
+                shown(wanted)
+            );
             Diagnostic::error("E0407", span, message).with_help(dimension_help(found, wanted))
         })
         .collect();
-    if faults.is_empty() { Ok(()) } else { Err(faults) }
-}
-
-/// `entry 2 of `, or nothing for a scalar.
-pub(super) fn place(shape: Shape, entry: usize) -> String {
-    match shape {
-        Shape::Scalar => String::new(),
-        Shape::Vector(_) => format!("entry {} of ", entry + 1),
-        Shape::Matrix(_, cols) => format!("entry ({}, {}) of ", entry / cols + 1, entry % cols + 1),
+    if faults.is_empty() {
+        Ok(())
+    } else {
+        Err(faults)
     }
 }
 
@@ -60,8 +73,11 @@ fn shape_help(shape: Shape) -> String {
 
 fn dimension_help(found: Dimension, wanted: Dimension) -> String {
     match wanted.checked_div(found) {
+        Some(_) if wanted == Dimension::ONE => {
+            format!("divide it by a quantity in {found}, such as `/(1 {found})`")
+        }
         Some(factor) if found == Dimension::ONE => format!("give it its unit, as in `1 {factor}`"),
         Some(factor) => format!("a factor in {factor} is missing"),
-        None => format!("its unit must be that of {wanted}"),
+        None => format!("write it in units of {}", shown(wanted)),
     }
 }

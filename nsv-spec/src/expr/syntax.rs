@@ -103,7 +103,9 @@ impl Expr {
 
     /// The whole expression.
     pub fn root(&self) -> &Node {
-        self.nodes.last().expect("invariant: the parser makes at least one node")
+        self.nodes
+            .last()
+            .expect("invariant: the parser makes at least one node")
     }
 
     /// Place of the whole expression.
@@ -114,10 +116,22 @@ impl Expr {
     /// SI value and unit of an expression that is but one number with or without a minus.
     pub fn as_literal(&self) -> Option<(f64, Option<&Unit>)> {
         match self.nodes.as_slice() {
-            [Node { kind: Kind::Number(literal), .. }] => Some((literal.value, literal.unit.as_ref())),
-            [Node { kind: Kind::Number(literal), .. }, Node { kind: Kind::Negate(_), .. }] => {
-                Some((-literal.value, literal.unit.as_ref()))
-            }
+            [
+                Node {
+                    kind: Kind::Number(literal),
+                    ..
+                },
+            ] => Some((literal.value, literal.unit.as_ref())),
+            [
+                Node {
+                    kind: Kind::Number(literal),
+                    ..
+                },
+                Node {
+                    kind: Kind::Negate(_),
+                    ..
+                },
+            ] => Some((0.0 - literal.value, literal.unit.as_ref())),
             _ => None,
         }
     }

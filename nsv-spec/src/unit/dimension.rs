@@ -18,11 +18,15 @@ impl Dimension {
 
     /// The dimension of a literal 0, which is zero metres as well as zero seconds: it agrees with every dimension, and
     /// products with it keep it. The arithmetic never reaches an exponent of `i8::MIN` otherwise.
-    pub const ANY: Self = Self { halves: [i8::MIN; 7] };
+    pub const ANY: Self = Self {
+        halves: [i8::MIN; 7],
+    };
 
     /// Dimension with whole exponents of kg, m, s and A.
     pub const fn new(mass: i8, length: i8, time: i8, current: i8) -> Self {
-        Self { halves: [2 * mass, 2 * length, 2 * time, 2 * current, 0, 0, 0] }
+        Self {
+            halves: [2 * mass, 2 * length, 2 * time, 2 * current, 0, 0, 0],
+        }
     }
 
     /// The base unit of that index in the order of [`Dimension::halves`].
@@ -80,7 +84,9 @@ impl Dimension {
             return Some(self);
         }
         let even = self.halves.iter().all(|half| half % 2 == 0);
-        even.then(|| Self { halves: self.halves.map(|half| half / 2) })
+        even.then(|| Self {
+            halves: self.halves.map(|half| half / 2),
+        })
     }
 
     fn combine(self, other: Self, rule: fn(i8, i8) -> Option<i8>) -> Option<Self> {
@@ -103,8 +109,13 @@ impl fmt::Display for Dimension {
         }
         let factors = |sign: i16| -> Vec<String> {
             let exponents = self.halves.iter().map(|&half| i16::from(half) * sign);
-            let present = SYMBOLS.iter().zip(exponents).filter(|(_, halves)| *halves > 0);
-            present.map(|(symbol, halves)| factor(symbol, halves)).collect()
+            let present = SYMBOLS
+                .iter()
+                .zip(exponents)
+                .filter(|(_, halves)| *halves > 0);
+            present
+                .map(|(symbol, halves)| factor(symbol, halves))
+                .collect()
         };
         let (above, below) = (factors(1), factors(-1));
         f.write_str(if above.is_empty() { "1" } else { "" })?;
@@ -138,10 +149,24 @@ mod tests {
         let root_time = Dimension::new(0, 0, 1, 0).checked_sqrt().unwrap();
         let density = Dimension::new(0, 1, 0, 0).checked_div(root_time).unwrap();
         let cubed = density.checked_powi(3).unwrap();
-        let printed = [Dimension::ONE, JOULE, Dimension::new(1, -1, -2, 0), Dimension::new(0, 0, -1, 0), density, cubed];
+        let printed = [
+            Dimension::ONE,
+            JOULE,
+            Dimension::new(1, -1, -2, 0),
+            Dimension::new(0, 0, -1, 0),
+            density,
+            cubed,
+        ];
         assert_eq!(
             printed.map(|dimension| dimension.to_string()),
-            ["1", "kg*m^2/s^2", "kg/(m*s^2)", "1/s", "m/sqrt(s)", "m^3/sqrt(s^3)"]
+            [
+                "1",
+                "kg*m^2/s^2",
+                "kg/(m*s^2)",
+                "1/s",
+                "m/sqrt(s)",
+                "m^3/sqrt(s^3)"
+            ]
         );
     }
 
@@ -152,9 +177,22 @@ mod tests {
         assert_eq!(Dimension::new(0, -60, 0, 0).checked_div(large), None);
         assert_eq!(JOULE.checked_powi(i32::MIN), None);
         assert_eq!(JOULE.checked_powi(-2), Some(Dimension::new(-2, -4, 4, 0)));
-        assert_eq!(Dimension { halves: [1, 0, 0, 0, 0, 0, 0] }.checked_sqrt(), None);
-        let lowest = Dimension { halves: [-127, 0, 0, 0, 0, 0, 0] };
-        assert_eq!(lowest.checked_mul(Dimension { halves: [-1, 0, 0, 0, 0, 0, 0] }), None);
+        assert_eq!(
+            Dimension {
+                halves: [1, 0, 0, 0, 0, 0, 0]
+            }
+            .checked_sqrt(),
+            None
+        );
+        let lowest = Dimension {
+            halves: [-127, 0, 0, 0, 0, 0, 0],
+        };
+        assert_eq!(
+            lowest.checked_mul(Dimension {
+                halves: [-1, 0, 0, 0, 0, 0, 0]
+            }),
+            None
+        );
     }
 
     #[test]

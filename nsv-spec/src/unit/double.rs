@@ -9,9 +9,15 @@ pub(super) struct Double {
 }
 
 impl Double {
-    pub(super) const ONE: Self = Self { high: 1.0, low: 0.0 };
+    pub(super) const ONE: Self = Self {
+        high: 1.0,
+        low: 0.0,
+    };
     /// pi to 107 bits.
-    pub(super) const PI: Self = Self { high: std::f64::consts::PI, low: 1.2246467991473532e-16 };
+    pub(super) const PI: Self = Self {
+        high: std::f64::consts::PI,
+        low: 1.2246467991473532e-16,
+    };
 
     /// An integer, exactly.
     pub(super) fn integer(value: u64) -> Self {
@@ -28,7 +34,10 @@ impl Double {
     pub(super) fn mul(self, other: Self) -> Self {
         let product = self.high * other.high;
         let rest = libm::fma(self.high, other.high, -product);
-        Self::renormalised(product, rest + (self.high * other.low + self.low * other.high))
+        Self::renormalised(
+            product,
+            rest + (self.high * other.low + self.low * other.high),
+        )
     }
 
     pub(super) fn div(self, other: Self) -> Self {
@@ -45,7 +54,11 @@ impl Double {
     /// Square root of a positive number: one Newton step from the root of the leading part.
     pub(super) fn sqrt(self) -> Self {
         let root = libm::sqrt(self.high);
-        let square = Self { high: root, low: 0.0 }.scale(root);
+        let square = Self {
+            high: root,
+            low: 0.0,
+        }
+        .scale(root);
         Self::renormalised(root, self.sub(square).high / (2.0 * root))
     }
 
@@ -57,11 +70,18 @@ impl Double {
                 power = power.mul(self);
             }
         }
-        if exponent < 0 { Self::ONE.div(power) } else { power }
+        if exponent < 0 {
+            Self::ONE.div(power)
+        } else {
+            power
+        }
     }
 
     fn scale(self, factor: f64) -> Self {
-        self.mul(Self { high: factor, low: 0.0 })
+        self.mul(Self {
+            high: factor,
+            low: 0.0,
+        })
     }
 
     fn sub(self, other: Self) -> Self {
@@ -74,7 +94,10 @@ impl Double {
     /// The same sum for `low` smaller than `high`.
     fn renormalised(high: f64, low: f64) -> Self {
         let sum = high + low;
-        Self { high: sum, low: low - (sum - high) }
+        Self {
+            high: sum,
+            low: low - (sum - high),
+        }
     }
 }
 
@@ -97,7 +120,10 @@ mod tests {
                 let quotient = Double::integer(numerator).div(Double::integer(denominator));
                 assert_eq!(quotient.high, numerator as f64 / denominator as f64);
                 let back = quotient.mul(Double::integer(denominator));
-                assert_eq!((back.high, back.low.abs() < 1e-27), (numerator as f64, true));
+                assert_eq!(
+                    (back.high, back.low.abs() < 1e-27),
+                    (numerator as f64, true)
+                );
             }
             let root = Double::integer(numerator).sqrt();
             assert_eq!(root.high, libm::sqrt(numerator as f64));

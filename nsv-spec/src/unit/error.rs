@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::diagnostic::{Base, Diagnostic};
+use crate::diagnostic::{Base, Diagnostic, quoted};
 
 /// What is wrong with a unit expression, and where in its text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,23 +35,37 @@ pub enum UnitFault {
 }
 
 impl UnitError {
+    /// The same fault of a unit that begins at byte `offset` of a longer text.
+    pub(crate) fn shifted(mut self, offset: usize) -> Self {
+        self.range = self.range.start + offset..self.range.end + offset;
+        self
+    }
+
     /// The fault as a diagnostic; `base` places the unit's text in its file.
     pub fn diagnostic(&self, base: &Base) -> Diagnostic {
         let span = base.span_of(self.range.clone());
         match &self.fault {
             UnitFault::Unknown { name, suggestion } => {
-                let fault = Diagnostic::error("E0401", span, format!("unknown unit `{name}`"));
+                let fault =
+                    Diagnostic::error("E0401", span, format!("unknown unit {}", quoted(name)));
                 match suggestion {
                     Some(unit) => fault.with_help(format!("did you mean `{unit}`?")),
-                    None => fault.with_help("units are SI symbols with their prefixes, joined by `*`, `/` and `^`"),
+                    None => fault.with_help(
+                        "units are SI symbols with their prefixes, joined by `*`, `/` and `^`",
+                    ),
                 }
             }
             UnitFault::Malformed { expected, found } => {
                 let message = format!("malformed unit: found {found}, expected {expected}");
-                Diagnostic::error("E0402", span, message).with_help("write units like `kN*m`, `rad/s`, `1/s` or `m/s^2`")
+                Diagnostic::error("E0402", span, message)
+                    .with_help("write units like `kN*m`, `rad/s`, `1/s` or `m/s^2`")
             }
-            UnitFault::Range => Diagnostic::error("E0402", span, "unit with a factor or an exponent out of range")
-                .with_help("exponents go up to 63 in steps of a half, factors up to about 1e300"),
+            UnitFault::Range => Diagnostic::error(
+                "E0402",
+                span,
+                "unit with a factor or an exponent out of range",
+            )
+            .with_help("exponents go up to 63 in steps of a half, factors up to about 1e300"),
         }
     }
 }

@@ -21,7 +21,13 @@ const MAX_NAME: usize = 64;
 /// A unit that fills `text` up to blanks around it.
 pub(super) fn whole(text: &str) -> Result<Unit, UnitError> {
     let start = text.len() - text.trim_start().len();
-    let mut scanner = Scanner { text: text.trim_end(), at: start, start, depth: 0, literal: false };
+    let mut scanner = Scanner {
+        text: text.trim_end(),
+        at: start,
+        start,
+        depth: 0,
+        literal: false,
+    };
     let size = scanner.product(true)?;
     if scanner.at < scanner.text.len() {
         return Err(scanner.malformed("`*`, `/` or `^`"));
@@ -31,9 +37,17 @@ pub(super) fn whole(text: &str) -> Result<Unit, UnitError> {
 
 /// The unit of a number literal at the start of `text` and the number of bytes it takes; `None` if no unit begins there.
 pub(crate) fn scan(text: &str) -> Result<Option<(Unit, usize)>, UnitError> {
-    let mut scanner = Scanner { text, at: 0, start: 0, depth: 0, literal: true };
+    let mut scanner = Scanner {
+        text,
+        at: 0,
+        start: 0,
+        depth: 0,
+        literal: true,
+    };
     let name = scanner.name();
-    if name.is_empty() && !text.starts_with("1/") || !name.is_empty() && name != "sqrt" && scanner.goes_on_as_quantity() {
+    if name.is_empty() && !text.starts_with("1/")
+        || !name.is_empty() && name != "sqrt" && scanner.goes_on_as_quantity()
+    {
         return Ok(None);
     }
     scanner.at = 0;
@@ -69,7 +83,11 @@ impl<'a> Scanner<'a> {
             let before = self.at;
             self.at += 1;
             let factor = self.factor(strict).and_then(|factor| {
-                if !strict && self.goes_on_as_quantity() { Err(self.malformed("a unit")) } else { Ok(factor) }
+                if !strict && self.goes_on_as_quantity() {
+                    Err(self.malformed("a unit"))
+                } else {
+                    Ok(factor)
+                }
             });
             match factor {
                 Ok(factor) if operator == b'*' => size = self.times(size, factor)?,
@@ -90,8 +108,14 @@ impl<'a> Scanner<'a> {
         match self.exponent() {
             Ok(None) => Ok(size),
             Ok(Some(exponent)) => {
-                let dimension = size.dimension.checked_powi(exponent).ok_or_else(|| self.out_of_range())?;
-                Ok(Size { dimension, scale: size.scale.powi(exponent) })
+                let dimension = size
+                    .dimension
+                    .checked_powi(exponent)
+                    .ok_or_else(|| self.out_of_range())?;
+                Ok(Size {
+                    dimension,
+                    scale: size.scale.powi(exponent),
+                })
             }
             Err(error) if strict => Err(error),
             Err(_) => {
@@ -108,7 +132,10 @@ impl<'a> Scanner<'a> {
         }
         if self.peek() == Some(b'1') {
             self.at += 1;
-            return Ok(Size { dimension: Dimension::ONE, scale: Double::ONE });
+            return Ok(Size {
+                dimension: Dimension::ONE,
+                scale: Double::ONE,
+            });
         }
         let name = self.name();
         if name.is_empty() {
@@ -116,16 +143,30 @@ impl<'a> Scanner<'a> {
         }
         if name == "sqrt" && self.peek() == Some(b'(') {
             let square = self.brackets()?;
-            let dimension = square.dimension.checked_sqrt().ok_or_else(|| self.out_of_range())?;
-            return Ok(Size { dimension, scale: square.scale.sqrt() });
+            let dimension = square
+                .dimension
+                .checked_sqrt()
+                .ok_or_else(|| self.out_of_range())?;
+            return Ok(Size {
+                dimension,
+                scale: square.scale.sqrt(),
+            });
         }
         let is_time = self.literal && name == "t" && start > 0;
         match table::find(name).filter(|_| !is_time) {
             Some((dimension, scale)) => Ok(Size { dimension, scale }),
             None => {
-                let suggestion = (name.len() <= MAX_NAME).then(|| table::suggest(name)).flatten();
-                let fault = UnitFault::Unknown { name: name.to_owned(), suggestion };
-                Err(UnitError { range: start..self.at, fault })
+                let suggestion = (name.len() <= MAX_NAME)
+                    .then(|| table::suggest(name))
+                    .flatten();
+                let fault = UnitFault::Unknown {
+                    name: name.to_owned(),
+                    suggestion,
+                };
+                Err(UnitError {
+                    range: start..self.at,
+                    fault,
+                })
             }
         }
     }
@@ -159,7 +200,9 @@ impl<'a> Scanner<'a> {
             self.at += 1;
         }
         let digits = &self.text[start..self.at];
-        let ends = !self.peek().is_some_and(|byte| byte == b'.' || byte == b'_' || byte.is_ascii_alphanumeric());
+        let ends = !self
+            .peek()
+            .is_some_and(|byte| byte == b'.' || byte == b'_' || byte.is_ascii_alphanumeric());
         match digits.parse() {
             Ok(exponent) if ends => Ok(Some(exponent)),
             Err(_) if digits.len() > 9 => Err(self.out_of_range()),
@@ -171,7 +214,11 @@ impl<'a> Scanner<'a> {
         let rest = &self.text[self.at..];
         let starts = rest.starts_with(|c: char| c == '_' || c.is_ascii_alphabetic());
         let other = |c: char| c != '_' && !c.is_ascii_alphanumeric();
-        let length = if starts { rest.find(other).unwrap_or(rest.len()) } else { 0 };
+        let length = if starts {
+            rest.find(other).unwrap_or(rest.len())
+        } else {
+            0
+        };
         self.at += length;
         &rest[..length]
     }
@@ -186,32 +233,58 @@ impl<'a> Scanner<'a> {
     }
 
     fn times(&self, left: Size, right: Size) -> Result<Size, UnitError> {
-        let dimension = left.dimension.checked_mul(right.dimension).ok_or_else(|| self.out_of_range())?;
-        Ok(Size { dimension, scale: left.scale.mul(right.scale) })
+        let dimension = left
+            .dimension
+            .checked_mul(right.dimension)
+            .ok_or_else(|| self.out_of_range())?;
+        Ok(Size {
+            dimension,
+            scale: left.scale.mul(right.scale),
+        })
     }
 
     fn over(&self, left: Size, right: Size) -> Result<Size, UnitError> {
-        let dimension = left.dimension.checked_div(right.dimension).ok_or_else(|| self.out_of_range())?;
-        Ok(Size { dimension, scale: left.scale.div(right.scale) })
+        let dimension = left
+            .dimension
+            .checked_div(right.dimension)
+            .ok_or_else(|| self.out_of_range())?;
+        Ok(Size {
+            dimension,
+            scale: left.scale.div(right.scale),
+        })
     }
 
     fn unit(&self, size: Size) -> Result<Unit, UnitError> {
-        let Size { dimension, scale: Double { high, low } } = size;
+        let Size {
+            dimension,
+            scale: Double { high, low },
+        } = size;
         // Near the ends of the range of f64 the second half of a `Double` underflows or becomes NaN.
         if !(1e-250..=1e250).contains(&high) {
             return Err(self.out_of_range());
         }
-        Ok(Unit { dimension, scale: high, text: self.text[self.start..self.at].to_owned(), low })
+        Ok(Unit {
+            dimension,
+            scale: high,
+            text: self.text[self.start..self.at].to_owned(),
+            low,
+        })
     }
 
     fn malformed(&self, expected: &'static str) -> UnitError {
         let next = self.text[self.at..].chars().next();
         let found = next.map_or_else(|| "the end".to_owned(), |c| format!("`{c}`"));
         let range = self.at..self.at + next.map_or(0, char::len_utf8);
-        UnitError { range, fault: UnitFault::Malformed { expected, found } }
+        UnitError {
+            range,
+            fault: UnitFault::Malformed { expected, found },
+        }
     }
 
     fn out_of_range(&self) -> UnitError {
-        UnitError { range: self.start..self.at, fault: UnitFault::Range }
+        UnitError {
+            range: self.start..self.at,
+            fault: UnitFault::Range,
+        }
     }
 }

@@ -28,20 +28,32 @@ impl Unit {
     /// SI value of the decimal number `digits` (such as `2.54e-2`) in this unit, rounded once.
     /// `None` if it is no finite number.
     pub fn si(&self, digits: &str) -> Option<f64> {
-        let scale = Double { high: self.scale, low: self.low };
+        let scale = Double {
+            high: self.scale,
+            low: self.low,
+        };
         let value = match decimal(digits) {
             Some(exact) => exact,
-            None => Double { high: digits.parse().ok()?, low: 0.0 },
+            None => Double {
+                high: digits.parse().ok()?,
+                low: 0.0,
+            },
         };
         let product = value.mul(scale).high;
         // The residual of an overflowing or very small product is meaningless, the plain product is not.
-        let product = if product.is_nan() { value.high * scale.high } else { product };
+        let product = if product.is_nan() {
+            value.high * scale.high
+        } else {
+            product
+        };
         product.is_finite().then_some(product)
     }
 
     /// Names of the simple units in [`Unit::text`], in order.
     pub(crate) fn symbols(&self) -> impl Iterator<Item = &str> {
-        self.text.split(|c: char| !c.is_ascii_alphabetic()).filter(|name| !name.is_empty())
+        self.text
+            .split(|c: char| !c.is_ascii_alphabetic())
+            .filter(|name| !name.is_empty())
     }
 }
 
@@ -57,7 +69,9 @@ fn decimal(text: &str) -> Option<Double> {
     let digits: u64 = format!("{whole}{fraction}").parse().ok()?;
     let exponent: i32 = exponent.parse().ok()?;
     let exponent = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
-    (-40..=40).contains(&exponent).then(|| Double::integer(digits).mul(Double::ten(exponent)))
+    (-40..=40)
+        .contains(&exponent)
+        .then(|| Double::integer(digits).mul(Double::ten(exponent)))
 }
 
 #[cfg(test)]

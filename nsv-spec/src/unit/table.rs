@@ -20,18 +20,44 @@ const fn si(name: &'static str, dimension: Dimension) -> Entry {
 }
 
 /// A unit of `numerator / denominator` SI units, which takes prefixes.
-const fn prefixed(name: &'static str, dimension: Dimension, numerator: u64, denominator: u64) -> Entry {
-    Entry { name, prefixed: true, dimension, numerator, denominator, pi: false }
+const fn prefixed(
+    name: &'static str,
+    dimension: Dimension,
+    numerator: u64,
+    denominator: u64,
+) -> Entry {
+    Entry {
+        name,
+        prefixed: true,
+        dimension,
+        numerator,
+        denominator,
+        pi: false,
+    }
 }
 
 /// A unit of `numerator / denominator` SI units, which takes no prefix.
 const fn of(name: &'static str, dimension: Dimension, numerator: u64, denominator: u64) -> Entry {
-    Entry { name, prefixed: false, dimension, numerator, denominator, pi: false }
+    Entry {
+        name,
+        prefixed: false,
+        dimension,
+        numerator,
+        denominator,
+        pi: false,
+    }
 }
 
 /// An angle or a rate of turn of `numerator / denominator` pi.
 const fn turn(name: &'static str, dimension: Dimension, numerator: u64, denominator: u64) -> Entry {
-    Entry { name, prefixed: false, dimension, numerator, denominator, pi: true }
+    Entry {
+        name,
+        prefixed: false,
+        dimension,
+        numerator,
+        denominator,
+        pi: true,
+    }
 }
 
 const ONE: Dimension = Dimension::ONE;
@@ -103,7 +129,11 @@ const TABLE: &[Entry] = &[
 impl Entry {
     fn size(&self) -> Double {
         let ratio = Double::integer(self.numerator).div(Double::integer(self.denominator));
-        if self.pi { ratio.mul(Double::PI) } else { ratio }
+        if self.pi {
+            ratio.mul(Double::PI)
+        } else {
+            ratio
+        }
     }
 }
 
@@ -183,7 +213,9 @@ pub(super) fn find(name: &str) -> Option<(Dimension, Double)> {
     }
     let with_prefix = |(prefix, exponent): &(&str, i32)| {
         let unit = name.strip_prefix(prefix)?;
-        let entry = TABLE.iter().find(|entry| entry.prefixed && entry.name == unit)?;
+        let entry = TABLE
+            .iter()
+            .find(|entry| entry.prefixed && entry.name == unit)?;
         Some((entry.dimension, entry.size().mul(Double::ten(*exponent))))
     };
     PREFIXES.iter().find_map(with_prefix)
@@ -199,14 +231,24 @@ pub(super) fn suggest(name: &str) -> Option<String> {
         return Some(format!("{letters}^{}", &name[letters.len()..]));
     }
     // `Nm` before `nm`: a product without its `*` is likelier than a slip.
-    let product = (1..name.len()).find(|&middle| find(&name[..middle]).is_some() && find(&name[middle..]).is_some());
+    let product = (1..name.len())
+        .find(|&middle| find(&name[..middle]).is_some() && find(&name[middle..]).is_some());
     if let Some(middle) = product {
         return Some(format!("{}*{}", &name[..middle], &name[middle..]));
     }
     let prefixed = PREFIXES.iter().flat_map(|(prefix, _)| {
-        TABLE.iter().filter(|entry| entry.prefixed).map(move |entry| format!("{prefix}{}", entry.name))
+        TABLE
+            .iter()
+            .filter(|entry| entry.prefixed)
+            .map(move |entry| format!("{prefix}{}", entry.name))
     });
-    nearest(name, TABLE.iter().map(|entry| entry.name.to_owned()).chain(prefixed))
+    nearest(
+        name,
+        TABLE
+            .iter()
+            .map(|entry| entry.name.to_owned())
+            .chain(prefixed),
+    )
 }
 
 /// Every name in the table, for tests.
