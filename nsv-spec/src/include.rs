@@ -91,19 +91,19 @@ struct Joiner<'a> {
 
 impl Joiner<'_> {
     fn join_all(mut self, mut tree: Node) -> Result<Node, Vec<Diagnostic>> {
-        let directory = self.root.clone().unwrap_or_default();
-        self.join(&mut tree, &directory);
+        self.join(&mut tree, Path::new(""));
         if self.faults.is_empty() { Ok(tree) } else { Err(self.faults) }
     }
 
-    /// Merges everything that `tree` includes into it, and removes its `include` key.
-    fn join(&mut self, tree: &mut Node, directory: &Path) {
+    /// Merges everything that `tree` includes into it, and removes its `include` key. `below` is the directory of the file,
+    /// relative to that of the specification.
+    fn join(&mut self, tree: &mut Node, below: &Path) {
         for (name, span) in self.take_list(tree) {
-            let Some(path) = self.resolve(&name, span, directory) else { continue };
-            let Some(mut fragment) = self.fragment(&name, &path, span) else { continue };
+            let Some(path) = self.resolve(&name, span, below) else { continue };
+            let name = below.join(&name);
+            let Some(mut fragment) = self.fragment(&name.display().to_string(), &path, span) else { continue };
             self.open.push(path);
-            let below = directory.join(&name).parent().map_or_else(|| directory.to_path_buf(), Path::to_path_buf);
-            self.join(&mut fragment, &below);
+            self.join(&mut fragment, name.parent().unwrap_or(below));
             self.open.pop();
             self.merge(tree, fragment, "");
         }
@@ -135,7 +135,7 @@ impl Joiner<'_> {
     }
 
     /// The canonical path of an included file, if it may be read.
-    fn resolve(&mut self, name: &str, span: Span, directory: &Path) -> Option<PathBuf> {
+    fn resolve(&mut self, name: &str, span: Span, below: &Path) -> Option<PathBuf> {
         const STAY: &str = "included files are named relative to the file that includes them and lie below the specification's directory";
         let Some(root) = self.root.clone() else {
             self.fault("E0020", span, "found an include in a specification that is not in a file", "save the specification to a file");
@@ -147,7 +147,7 @@ impl Joiner<'_> {
             self.fault("E0020", span, format!("path `{shown}` is not allowed: expected a relative path without `..`"), STAY);
             return None;
         }
-        let resolved = fs::canonicalize(directory.join(name)).and_then(|path| Ok((path, fs::canonicalize(&root)?)));
+        let resolved = fs::canonicalize(root.join(below).join(name)).and_then(|path| Ok((path, fs::canonicalize(&root)?)));
         let (path, root) = match resolved {
             Ok(found) => found,
             Err(error) => {
@@ -203,20 +203,24 @@ impl Joiner<'_> {
         self.check_fragment(tree, span)
     }
 
-    fn check_fragment(&mut self, tree: Node, span: Span) -> Option<Node> {
-        match &tree.kind {
+    /// A fragment without the sections that it must not have, which are reported.
+    fn check_fragment(&mut self, mut tree: Node, span: Span) -> Option<Node> {
+        match &mut tree.kind {
             Kind::Null => None,
             Kind::Map(entries) => {
-                for entry in entries.iter().filter(|entry| NOT_IN_FRAGMENTS.contains(&entry.key.text.as_str())) {
+                let misplaced = |entry: &Entry| NOT_IN_FRAGMENTS.contains(&entry.key.text.as_str());
+                for entry in entries.iter().filter(|entry| misplaced(entry)) {
                     let message = format!("found `{}` in an included file, expected it in the specification only", entry.key.text);
                     let fault = Diagnostic::error("E0024", entry.key.span, message).with_related(span, "included here");
                     self.faults.push(fault.with_help("move it to the specification"));
                 }
+                entries.retain(|entry| !misplaced(entry));
                 Some(tree)
             }
             _ => {
                 let message = format!("found {}, expected a map of sections", tree.describe());
-                self.faults.push(Diagnostic::error("E0024", tree.span, message).with_related(span, "included here"));
+                let fault = Diagnostic::error("E0024", tree.span, message).with_related(span, "included here");
+                self.faults.push(fault.with_help("write sections such as `constants:` and `definitions:`"));
                 None
             }
         }

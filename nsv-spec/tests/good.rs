@@ -98,7 +98,7 @@ fn a_kbar_below_its_bound_is_a_warning() {
     let text = std::fs::read_to_string("tests/good/pendulum.yaml").unwrap().replace("kbar: auto", "kbar: 0.5");
     let (_, warnings) = load_str("pendulum.yaml", &text).map_err(|faults| faults.short()).unwrap();
     assert_eq!((warnings.len(), warnings[0].code, warnings[0].severity), (1, "E0709", Severity::Warning));
-    assert_eq!(warnings[0].message, "kbar of block `position` is 0.5, below sup sqrt((k'/k)^2 + 1e-6) = 0.8571");
+    assert_eq!(warnings[0].message, "`kbar` of block `position` is 0.5, below sup sqrt((k'/k)^2 + 1e-6) = 0.8571");
 }
 
 #[test]

@@ -41,7 +41,7 @@ impl Context<'_> {
     /// kbar, computed or compared with its bound.
     pub(super) fn kbar(&mut self, written: &AutoCode, constraint: Option<ExprId>, block: &str, horizon: Option<f64>) -> Option<f64> {
         let given = match written {
-            AutoCode::Code(code) => Some(self.positive_gain(code, &format!("kbar of block `{block}`"), PER_SECOND)?),
+            AutoCode::Code(code) => Some(self.positive_gain(code, &format!("`kbar` of block `{block}`"), PER_SECOND)?),
             AutoCode::Auto(_) => None,
         };
         let rate = match constraint {
@@ -56,7 +56,7 @@ impl Context<'_> {
             return Some(kbar);
         };
         if let AutoCode::Code(code) = written && kbar < bound {
-            let message = format!("kbar of block `{block}` is {kbar}, below sup sqrt((k'/k)^2 + 1e-6) = {bound:.4}");
+            let message = format!("`kbar` of block `{block}` is {kbar}, below sup sqrt((k'/k)^2 + 1e-6) = {bound:.4}");
             let warning = Diagnostic::warning("E0709", code.base.span, message);
             self.warnings.push(warning.with_help("the theorem does not hold; write `kbar: auto` for the least value that it allows"));
         }

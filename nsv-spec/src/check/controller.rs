@@ -87,7 +87,7 @@ impl Context<'_> {
     ) -> Option<Block> {
         self.check_features(at, gains);
         let name = &self.spec.blocks[at].name;
-        let what = |key: &str| format!("{key} of block `{}`", name.value);
+        let what = |key: &str| format!("`{key}` of block `{}`", name.value);
         let own = &gains.value;
         let constraint = own.constraint.as_ref().map(|formula| (self.constraint(at, formula), formula.span()));
         let positive = match (constraint, horizon) {

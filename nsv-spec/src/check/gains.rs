@@ -77,7 +77,7 @@ impl Context<'_> {
 
     /// C of the anti-windup system (13): its symmetric part is positive definite, so that zeta decays.
     pub(super) fn anti_windup(&mut self, formula: &Formula, block: &str) -> Option<Matrix> {
-        let what = format!("C of block `{block}`");
+        let what = format!("`C` of block `{block}`");
         let c = self.square_gain(formula, &what)?;
         match linear::least_symmetric_eigenvalue(&c) {
             Some(least) if least > 0.0 => Some(c),
@@ -96,16 +96,16 @@ impl Context<'_> {
     /// The law of eps_hat (66).
     pub(super) fn error_bound(&mut self, at: usize, written: &spec::ErrorBound) -> Option<ErrorBound> {
         let block = &self.spec.blocks[at].name.value;
-        let rate = self.positive_gain(&written.iota, &format!("error_bound.iota of block `{block}`"), PER_SECOND);
+        let rate = self.positive_gain(&written.iota, &format!("`error_bound.iota` of block `{block}`"), PER_SECOND);
         let dimension = self.error_dimension(at);
-        let b = self.channel_gains(&written.b, &format!("error_bound.b of block `{block}`"), dimension);
+        let b = self.channel_gains(&written.b, &format!("`error_bound.b` of block `{block}`"), dimension);
         Some(ErrorBound { rate: rate?, b: b? })
     }
 
     /// The laws of sigma_hat (67) and phi (68).
     pub(super) fn noise_bound(&mut self, at: usize, written: &spec::NoiseBound) -> Option<NoiseBound> {
         let block = &self.spec.blocks[at].name.value;
-        let mut bare = |code: &Code, key: &str| self.positive_gain(code, &format!("noise_bound.{key} of block `{block}`"), Dimension::ONE);
+        let mut bare = |code: &Code, key: &str| self.positive_gain(code, &format!("`noise_bound.{key}` of block `{block}`"), Dimension::ONE);
         let tau = bare(&written.tau, "tau");
         let lambda = bare(&written.lambda, "lambda");
         let varsigma = bare(&written.varsigma, "varsigma");
@@ -118,9 +118,9 @@ impl Context<'_> {
                 Some(PhiFloor::Auto)
             }
         };
-        let kappa = format!("noise_bound.phi.kappa of block `{block}`");
+        let kappa = format!("`noise_bound.phi.kappa` of block `{block}`");
         let phi_kappa = self.positive_gain(&written.phi_kappa, &kappa, PER_SECOND);
-        let threshold = format!("noise_bound.phi.threshold of block `{block}`");
+        let threshold = format!("`noise_bound.phi.threshold` of block `{block}`");
         let dimension = self.error_dimension(at);
         let phi_threshold = self.positive_gain(&written.phi_threshold, &threshold, dimension);
         Some(NoiseBound {

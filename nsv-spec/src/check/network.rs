@@ -41,7 +41,7 @@ impl Context<'_> {
     pub(super) fn network(&mut self, at: usize, written: &Located<spec::Network>) -> Option<Network> {
         let block = &self.spec.blocks[at].name.value;
         let Located { value: network, span } = written;
-        let what = |key: &str| format!("network.{key} of block `{block}`");
+        let what = |key: &str| format!("`network.{key}` of block `{block}`");
         let basis = network.basis.map(|basis| basis.value).unwrap_or_else(|| {
             self.default(format!("controller.blocks.{block}.network.basis"), "pairwise", "the paper's");
             Basis::Pairwise
@@ -93,7 +93,7 @@ impl Context<'_> {
             self.default(format!("controller.blocks.{block}.network.scale"), "1", "inputs in SI");
             return Some(vec![1.0; inputs.len()]);
         };
-        let what = format!("network.scale of block `{block}`");
+        let what = format!("`network.scale` of block `{block}`");
         let numbers = self.numbers(formula)?;
         let (values, dimensions) = match numbers.shape {
             Shape::Scalar => (vec![numbers.values[0]; inputs.len()], vec![numbers.dimensions[0]; inputs.len()]),

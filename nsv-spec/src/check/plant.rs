@@ -205,13 +205,13 @@ impl Context<'_> {
         let m = self.bare_matrix(&written.m, "M");
         let l = self.bare_matrix(&written.l, "L");
         let n = written.n.as_ref().map(|formula| self.bare_matrix(formula, "N"));
-        let initial = written.initial.as_ref().map(|formula| self.bare_matrix(formula, "initial state"));
+        let initial = written.initial.as_ref().map(|formula| self.bare_matrix(formula, "initial"));
         let (m, l) = (m?, l?);
         let states = m.rows;
         let mut check = |found: &Matrix, (rows, cols): (usize, usize), what: &str, formula: &Formula| {
             let fits = (found.rows, found.cols) == (rows, cols);
             if !fits {
-                let message = format!("{what} of an exosystem is {} x {}, expected {rows} x {cols}", found.rows, found.cols);
+                let message = format!("`{what}` of an exosystem is {} x {}, expected {rows} x {cols}", found.rows, found.cols);
                 self.fault("E0503", formula.span(), message, "M is square, N has as many rows, L one row of as many entries");
             }
             fits
@@ -231,7 +231,7 @@ impl Context<'_> {
         let initial = match (initial, &written.initial) {
             (Some(initial), Some(formula)) => {
                 let initial = initial?;
-                fits &= check(&initial, (states, 1), "initial state", formula);
+                fits &= check(&initial, (states, 1), "initial", formula);
                 initial.data
             }
             _ => vec![0.0; states],
@@ -243,7 +243,7 @@ impl Context<'_> {
     fn bare_matrix(&mut self, formula: &Formula, what: &str) -> Option<Matrix> {
         let numbers = self.numbers(formula)?;
         if let Some(found) = numbers.dimensions.iter().find(|&&found| found != Dimension::ONE) {
-            self.fault("E0604", numbers.span, format!("unit mismatch: {what} has an entry in {found}, expected bare numbers in SI"), "remove the unit");
+            self.fault("E0604", numbers.span, format!("unit mismatch: `{what}` has an entry in {found}, expected bare numbers in SI"), "remove the unit");
             return None;
         }
         Some(numbers.matrix())
