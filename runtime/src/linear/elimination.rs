@@ -1,0 +1,105 @@
+//! Linear equations: adjugate over determinant up to three unknowns, else elimination with partial pivoting.
+
+#![expect(
+    clippy::needless_range_loop,
+    reason = "indices stand as in the formulas"
+)]
+
+use super::Vector;
+use crate::real::Real;
+
+/// `A^-1 b` by the definition in [`super::Matrix::solve`]. The size is known at compile time, so one arm remains.
+#[inline]
+pub(super) fn solve<T: Real, const N: usize>(a: [[T; N]; N], b: [T; N]) -> Vector<T, N> {
+    match N {
+        1 => Vector([b[0] / a[0][0]; N]),
+        2 => over_determinant(a, b, adjugate2(&a)),
+        3 => over_determinant(a, b, adjugate3(&a)),
+        _ => eliminate(a, b),
+    }
+}
+
+/// `x_i = adj_i . b / det`, the determinant by expansion along the first row of `A`.
+#[inline]
+fn over_determinant<T: Real, const N: usize>(
+    a: [[T; N]; N],
+    b: [T; N],
+    adjugate: [[T; N]; N],
+) -> Vector<T, N> {
+    let first_column = Vector(adjugate.map(|row| row[0]));
+    let determinant = Vector(a[0]).dot(first_column);
+    Vector(adjugate.map(|row| Vector(row).dot(Vector(b)) / determinant))
+}
+
+/// The signs stand on the entries: `a_00 a_11 + a_01 (-a_10)` has the bits of `a_00 a_11 - a_01 a_10`.
+#[inline]
+fn adjugate2<T: Real, const N: usize>(a: &[[T; N]; N]) -> [[T; N]; N] {
+    let mut adjugate = *a;
+    adjugate[0][0] = a[1][1];
+    adjugate[0][1] = -a[0][1];
+    adjugate[1][0] = -a[1][0];
+    adjugate[1][1] = a[0][0];
+    adjugate
+}
+
+/// Entry (i, j) is the 2 x 2 minor of `A` without row j and column i, rows and columns taken cyclically, which absorbs the signs:
+/// `a_pq a_rs - a_ps a_rq`. The two products stand in the order written out at [`super::Matrix::solve`].
+#[inline]
+fn adjugate3<T: Real, const N: usize>(a: &[[T; N]; N]) -> [[T; N]; N] {
+    let mut adjugate = *a;
+    for i in 0..N {
+        let (q, s) = ((i + 1) % N, (i + 2) % N);
+        for j in 0..N {
+            let (p, r) = ((j + 1) % N, (j + 2) % N);
+            adjugate[i][j] = a[p][q] * a[r][s] - a[p][s] * a[r][q];
+        }
+    }
+    adjugate
+}
+
+/// Forward elimination with row swaps by select, then back substitution.
+#[inline]
+fn eliminate<T: Real, const N: usize>(mut a: [[T; N]; N], mut b: [T; N]) -> Vector<T, N> {
+    for k in 0..N {
+        move_pivot_to(k, &mut a, &mut b);
+        for i in k + 1..N {
+            let l = a[i][k] / a[k][k];
+            for j in k + 1..N {
+                a[i][j] = a[i][j] - l * a[k][j];
+            }
+            b[i] = b[i] - l * b[k];
+        }
+    }
+    for i in (0..N).rev() {
+        let mut remainder = b[i];
+        for j in i + 1..N {
+            remainder = remainder - a[i][j] * b[j];
+        }
+        b[i] = remainder / a[i][i];
+    }
+    Vector(b)
+}
+
+/// Swaps row `k` with the row at or below it that has the first largest entry in column `k`. Lanes may choose different rows, so the row
+/// number is a value and every swap is masked.
+#[inline]
+fn move_pivot_to<T: Real, const N: usize>(k: usize, a: &mut [[T; N]; N], b: &mut [T; N]) {
+    let mut largest = a[k][k].abs();
+    let mut pivot = T::from_f64(k as f64);
+    for (i, row) in a.iter().enumerate().skip(k + 1) {
+        let magnitude = row[k].abs();
+        let larger = magnitude.gt(largest);
+        largest = T::select(larger, magnitude, largest);
+        pivot = T::select(larger, T::from_f64(i as f64), pivot);
+    }
+    for i in k + 1..N {
+        let chosen = pivot.eq(T::from_f64(i as f64));
+        for j in k..N {
+            (a[k][j], a[i][j]) = (
+                T::select(chosen, a[i][j], a[k][j]),
+                T::select(chosen, a[k][j], a[i][j]),
+            );
+        }
+        (b[k], b[i]) = (T::select(chosen, b[i], b[k]), T::select(chosen, b[k], b[i]));
+    }
+}

@@ -1,0 +1,230 @@
+//! Matrices, stored by rows.
+
+use core::array;
+use core::ops::{Add, Div, Index, IndexMut, Mul, Neg, Sub};
+
+use super::{Vector, elimination, singular, sum};
+use crate::real::{Mask, Real};
+
+/// `R` rows of `C` numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Matrix<T, const R: usize, const C: usize>(pub [[T; C]; R]);
+
+impl<T: Real, const R: usize, const C: usize> Matrix<T, R, C> {
+    /// The same number in every entry.
+    #[inline]
+    pub fn splat(value: T) -> Self {
+        Self([[value; C]; R])
+    }
+
+    /// Zeros.
+    #[inline]
+    pub fn zero() -> Self {
+        Self::splat(T::zero())
+    }
+
+    /// Entries from literals, by rows.
+    #[inline]
+    pub fn from_f64(rows: [[f64; C]; R]) -> Self {
+        Self(rows.map(|row| row.map(T::from_f64)))
+    }
+
+    /// `a` where the mask is true, else `b`.
+    #[inline]
+    pub fn select(mask: T::Mask, a: Self, b: Self) -> Self {
+        a.zip(b, |a, b| T::select(mask, a, b))
+    }
+
+    /// `f` of each entry.
+    #[inline]
+    pub fn map(self, f: impl Fn(T) -> T) -> Self {
+        Self(self.0.map(|row| row.map(&f)))
+    }
+
+    /// `f` of the entries at each place.
+    #[inline]
+    pub fn zip(self, other: Self, f: impl Fn(T, T) -> T) -> Self {
+        Self(array::from_fn(|i| {
+            array::from_fn(|j| f(self.0[i][j], other.0[i][j]))
+        }))
+    }
+
+    /// `a_ij s`.
+    #[inline]
+    pub fn scale(self, factor: T) -> Self {
+        self.map(|x| x * factor)
+    }
+
+    /// `a_ij + s`.
+    #[inline]
+    pub fn add_scalar(self, term: T) -> Self {
+        self.map(|x| x + term)
+    }
+
+    /// Elementwise product `a_ij b_ij`.
+    #[inline]
+    pub fn hadamard(self, other: Self) -> Self {
+        self.zip(other, |a, b| a * b)
+    }
+
+    /// Elementwise quotient `a_ij / b_ij`.
+    #[inline]
+    pub fn quotient(self, other: Self) -> Self {
+        self.zip(other, |a, b| a / b)
+    }
+
+    /// Rows and columns exchanged.
+    #[inline]
+    pub fn transpose(self) -> Matrix<T, C, R> {
+        Matrix(array::from_fn(|j| array::from_fn(|i| self.0[i][j])))
+    }
+
+    /// Column `j`.
+    #[inline]
+    pub fn column(&self, j: usize) -> Vector<T, R> {
+        Vector(array::from_fn(|i| self.0[i][j]))
+    }
+
+    /// Sum of the squares of all entries, row after row, left to right.
+    #[inline]
+    pub fn sum_squares(self) -> T {
+        let mut squares = self.0.iter().flatten().map(|&x| x * x);
+        let Some(first) = squares.next() else {
+            return T::zero();
+        };
+        squares.fold(first, |sum, square| sum + square)
+    }
+
+    /// Whether every entry is finite.
+    #[inline]
+    pub fn is_finite(self) -> T::Mask {
+        self.0
+            .iter()
+            .flatten()
+            .fold(T::Mask::splat(true), |all, x| all.and(x.is_finite()))
+    }
+
+    /// Unit right singular vector `v` of the largest singular value, so that `||A v||` is the spectral norm of `A`.
+    ///
+    /// 1. `S = A^T A`, `s_ij = a_0i a_0j + a_1i a_1j + ...` down the rows, for `i <= j`, mirrored; `V = I`.
+    /// 2. Eight sweeps of cyclic Jacobi, each `for p in 0..C, for q in p+1..C`:
+    ///    `theta = (s_qq - s_pp) / (s_pq + s_pq)`, `r = 1 / (|theta| + sqrt(theta theta + 1))`, `t = -r` if `theta < 0` else `r`, but 0 if
+    ///    `s_pq = 0`; `c = 1 / sqrt(t t + 1)`, `s = t c`, `d = t s_pq`; then `s_pp -= d`, `s_qq += d`, `s_pq = s_qp = 0`; for every `k`
+    ///    but p and q `(s_kp, s_kq) = (c s_kp - s s_kq, s s_kp + c s_kq)`, mirrored; and the same combination of the columns p and q of V.
+    /// 3. The column of V of the first largest `s_jj`, negated if its first entry of largest magnitude is negative.
+    ///
+    /// A zero matrix gives the first unit vector. Entries beyond about 1e77 overflow the rotation formulas.
+    #[inline]
+    pub fn singular_vector(self) -> Vector<T, C> {
+        singular::leading_right_vector(&self)
+    }
+}
+
+impl<T: Real, const N: usize> Matrix<T, N, N> {
+    /// `A^-1 b`. Not finite if `A` is singular.
+    ///
+    /// - `n = 1`: `b_0 / a_00`.
+    /// - `n = 2`: `det = a_00 a_11 - a_01 a_10`; `x_0 = (a_11 b_0 - a_01 b_1) / det`, `x_1 = (a_00 b_1 - a_10 b_0) / det`.
+    /// - `n = 3`: with the adjugate
+    ///
+    ///   ```text
+    ///   a_11 a_22 - a_12 a_21    a_02 a_21 - a_01 a_22    a_01 a_12 - a_02 a_11
+    ///   a_12 a_20 - a_10 a_22    a_00 a_22 - a_02 a_20    a_02 a_10 - a_00 a_12
+    ///   a_10 a_21 - a_11 a_20    a_01 a_20 - a_00 a_21    a_00 a_11 - a_01 a_10
+    ///   ```
+    ///
+    ///   `det = (a_00 adj_00 + a_01 adj_10) + a_02 adj_20` and `x_i = ((adj_i0 b_0 + adj_i1 b_1) + adj_i2 b_2) / det`.
+    /// - `n >= 4`: elimination with partial pivoting. For each `k`, row k and the row of the first largest `|a_ik|`, `i >= k`, are swapped;
+    ///   for each `i > k`, `l = a_ik / a_kk`, `a_ij = a_ij - l a_kj` for `j > k`, `b_i = b_i - l b_k`. Then from the last row up
+    ///   `x_i = (((b_i - a_i,i+1 x_i+1) - a_i,i+2 x_i+2) - ...) / a_ii`.
+    #[inline]
+    pub fn solve(self, b: Vector<T, N>) -> Vector<T, N> {
+        elimination::solve(self.0, b.0)
+    }
+}
+
+impl<T, const R: usize, const C: usize> Index<(usize, usize)> for Matrix<T, R, C> {
+    type Output = T;
+
+    #[inline]
+    fn index(&self, (i, j): (usize, usize)) -> &T {
+        &self.0[i][j]
+    }
+}
+
+impl<T, const R: usize, const C: usize> IndexMut<(usize, usize)> for Matrix<T, R, C> {
+    #[inline]
+    fn index_mut(&mut self, (i, j): (usize, usize)) -> &mut T {
+        &mut self.0[i][j]
+    }
+}
+
+impl<T: Real, const R: usize, const C: usize> Add for Matrix<T, R, C> {
+    type Output = Self;
+
+    #[inline]
+    fn add(self, other: Self) -> Self {
+        self.zip(other, |a, b| a + b)
+    }
+}
+
+impl<T: Real, const R: usize, const C: usize> Sub for Matrix<T, R, C> {
+    type Output = Self;
+
+    #[inline]
+    fn sub(self, other: Self) -> Self {
+        self.zip(other, |a, b| a - b)
+    }
+}
+
+impl<T: Real, const R: usize, const C: usize> Neg for Matrix<T, R, C> {
+    type Output = Self;
+
+    #[inline]
+    fn neg(self) -> Self {
+        self.map(|x| -x)
+    }
+}
+
+impl<T: Real, const R: usize, const C: usize> Mul<T> for Matrix<T, R, C> {
+    type Output = Self;
+
+    #[inline]
+    fn mul(self, factor: T) -> Self {
+        self.scale(factor)
+    }
+}
+
+impl<T: Real, const R: usize, const C: usize> Div<T> for Matrix<T, R, C> {
+    type Output = Self;
+
+    /// `a_ij / s`, a division for each entry.
+    #[inline]
+    fn div(self, divisor: T) -> Self {
+        self.map(|x| x / divisor)
+    }
+}
+
+impl<T: Real, const R: usize, const C: usize> Mul<Vector<T, C>> for Matrix<T, R, C> {
+    type Output = Vector<T, R>;
+
+    /// Entry i is row i times the vector, summed over columns left to right.
+    #[inline]
+    fn mul(self, vector: Vector<T, C>) -> Vector<T, R> {
+        Vector(self.0.map(|row| Vector(row).dot(vector)))
+    }
+}
+
+impl<T: Real, const R: usize, const K: usize, const C: usize> Mul<Matrix<T, K, C>>
+    for Matrix<T, R, K>
+{
+    type Output = Matrix<T, R, C>;
+
+    /// Entry (i, j) is `a_i0 b_0j + a_i1 b_1j + ...`, left to right.
+    #[inline]
+    fn mul(self, other: Matrix<T, K, C>) -> Matrix<T, R, C> {
+        Matrix(array::from_fn(|i| {
+            array::from_fn(|j| sum::<T, K>(|k| self.0[i][k] * other.0[k][j]))
+        }))
+    }
+}

@@ -1,0 +1,181 @@
+use std::ffi::OsString;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::string::{String, ToString};
+use std::vec::Vec;
+use std::{env, format, fs, process};
+
+use super::{Failure, run};
+use crate::mock::MockLoop;
+
+fn runner(arguments: &[&str], output: &mut impl Write) -> Result<(), Failure> {
+    run::<MockLoop<true>>(arguments.iter().map(OsString::from), output)
+}
+
+/// The text on standard output.
+fn text(arguments: &[&str]) -> String {
+    let mut output = Vec::new();
+    runner(arguments, &mut output).expect("the runner succeeds");
+    String::from_utf8(output).expect("output is text")
+}
+
+/// An empty directory of this test process.
+fn directory(name: &str) -> PathBuf {
+    let directory = env::temp_dir().join(format!("nsv-runner-{}-{name}", process::id()));
+    fs::create_dir_all(&directory).expect("a temporary directory can be made");
+    directory
+}
+
+/// Header and numbers of a table.
+fn table(path: &Path) -> (String, Vec<f64>) {
+    let bytes = fs::read(path).expect("the table was written");
+    let end = bytes
+        .iter()
+        .position(|&b| b == b'\n')
+        .expect("the header ends");
+    let number = |chunk: &[u8]| f64::from_le_bytes(chunk.try_into().expect("rows are whole"));
+    let numbers = bytes[end + 1..].chunks(8).map(number).collect();
+    (String::from_utf8_lossy(&bytes[..end]).into_owned(), numbers)
+}
+
+#[test]
+fn the_last_line_is_the_result() {
+    let output = text(&[
+        "--horizon",
+        "1",
+        "--runs",
+        "20",
+        "--settle",
+        "0.3",
+        "--threads",
+        "2",
+    ]);
+    let last = output.lines().last().expect("there is output");
+    assert!(
+        last.starts_with(r#"{"result": {"runs": 20, "samples": "#),
+        "{last}"
+    );
+    for field in [
+        "violated",
+        "violated_interval95",
+        "ratio",
+        "rms_tracking",
+        "saturated_fraction",
+        "nonfinite",
+        "wall_s",
+        "steps_per_s",
+    ] {
+        assert!(
+            last.contains(&format!("\"{field}\": ")),
+            "{field} in {last}"
+        );
+    }
+    assert!(last.ends_with("}}") && !last.contains("NaN") && !last.contains("inf"));
+    assert!(
+        output
+            .lines()
+            .rev()
+            .skip(1)
+            .all(|line| line.starts_with(r#"{"progress": "#))
+    );
+}
+
+#[test]
+fn trajectory_is_a_table_of_the_run() {
+    let directory = directory("trajectory");
+    let path = directory.join("run.bin");
+    text(&[
+        "--horizon",
+        "0.5",
+        "--no-dispersion",
+        "--trajectory",
+        &path.to_string_lossy(),
+        "--trajectory-run",
+        "3",
+    ]);
+    let (header, numbers) = table(&path);
+    assert_eq!(
+        header.trim_end(),
+        r#"{"columns": ["t", "x1.x", "e1.x", "ratio1", "u.u", "u_sat.u"], "rows": 51                  }"#
+    );
+    assert_eq!(numbers.len(), 51 * 6);
+    assert_eq!((numbers[0], numbers[1], numbers[50 * 6]), (0.0, 0.5, 0.5));
+    assert_eq!(
+        fs::read_dir(&directory).expect("it exists").count(),
+        1,
+        "the temporary file is gone"
+    );
+    fs::remove_dir_all(directory).expect("it can be removed");
+}
+
+#[test]
+fn band_is_a_table_over_time() {
+    let directory = directory("band");
+    let path = directory.join("band.bin");
+    text(&[
+        "--horizon",
+        "0.5",
+        "--runs",
+        "5",
+        "--no-dispersion",
+        "--band",
+        &path.to_string_lossy(),
+    ]);
+    let (header, numbers) = table(&path);
+    assert!(
+        header.contains(
+            r#""x1.x:min", "x1.x:p05", "x1.x:p50", "x1.x:p95", "x1.x:max", "x1.x:mean", "e1.x:min""#
+        ),
+        "{header}"
+    );
+    assert_eq!(numbers.len(), 51 * 25);
+    fs::remove_dir_all(directory).expect("it can be removed");
+}
+
+#[test]
+fn a_file_that_cannot_be_written_is_named() {
+    let directory = directory("missing");
+    let path = directory.join("no/such.bin");
+    let failure = runner(
+        &["--horizon", "0.1", "--trajectory", &path.to_string_lossy()],
+        &mut Vec::new(),
+    )
+    .expect_err("the folder does not exist");
+    assert_eq!(failure.exit_code(), 1);
+    assert!(format!("{failure}").contains("such.bin"));
+    assert_eq!(fs::read_dir(&directory).expect("it exists").count(), 0);
+    fs::remove_dir_all(directory).expect("it can be removed");
+}
+
+#[test]
+fn wrong_arguments_exit_with_two() {
+    let failure = runner(&["--runs", "x"], &mut Vec::new()).expect_err("x is not a number");
+    assert_eq!(failure.exit_code(), 2);
+    assert_eq!(
+        format!("{failure}"),
+        "`--runs` is `x`, expected a whole number of at least 1; --help lists the options"
+    );
+    assert!(text(&["--help"]).starts_with("Simulates mock."));
+}
+
+/// A reader that went away.
+struct Closed;
+
+impl Write for Closed {
+    fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+        Err(io::ErrorKind::BrokenPipe.into())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+#[test]
+fn a_closed_pipe_ends_the_campaign() {
+    // Far more runs than anyone could wait for: only the first progress line ends them.
+    let runs = u64::MAX.to_string();
+    let failure =
+        runner(&["--horizon", "1", "--runs", &runs], &mut Closed).expect_err("nobody reads");
+    assert!(matches!(failure, Failure::Output(error) if error.kind() == io::ErrorKind::BrokenPipe));
+}

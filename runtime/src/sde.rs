@@ -1,0 +1,90 @@
+//! One-step integrators for Ito equations `dx = f(t, x) dt + G(t, x) dw`.
+//!
+//! | scheme | strong order | for |
+//! |---|---|---|
+//! | [`Scheme::EulerMaruyama`] | 1/2; 1 if `G` does not depend on x | any noise |
+//! | [`Scheme::Platen`] | 1 | diagonal or additive noise, see there |
+//! | [`Scheme::RungeKutta4`] | 4, without noise | noise that is part of the drift |
+
+use crate::linear::{Matrix, Vector};
+use crate::real::Real;
+
+/// An Ito equation with `N` states and `Q` Wiener processes.
+pub trait Sde<T: Real, const N: usize, const Q: usize> {
+    /// `f(t, x)`.
+    fn drift(&self, t: T, x: &Vector<T, N>) -> Vector<T, N>;
+    /// `G(t, x)`.
+    fn diffusion(&self, t: T, x: &Vector<T, N>) -> Matrix<T, N, Q>;
+}
+
+/// How a step is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scheme {
+    /// `(x + f dt) + G dw`.
+    EulerMaruyama,
+    /// Platen's derivative-free scheme of strong order 1 (Kloeden and Platen, 1992, (11.1.7)) with the diagonal of its double integrals,
+    /// `I_jj = (dw_j^2 - dt) / 2`:
+    ///
+    /// `x' = ((x + f dt) + G dw) + r_1 + r_2 + ...`, `r_j = (g_j(t, (x + f dt) + g_j h) - g_j(t, x)) ((dw_j dw_j - dt) / (h + h))`,
+    ///
+    /// with `g_j` column j of `G` and `h = sqrt(dt)`. Order 1 needs that no channel changes another's diffusion: the derivative of `g_j`
+    /// along `g_i` is zero for i != j. So it is if each channel drives a state of its own and its column depends on no other noisy state
+    /// (diagonal noise), or if no column depends on a state that noise drives (additive noise). Otherwise the order is 1/2.
+    Platen,
+    /// The classical Runge-Kutta scheme on the drift; `dw` is ignored. With `k_1..k_4` at `(t, x)`, `(t + dt/2, x + k_1 (dt/2))`,
+    /// `(t + dt/2, x + k_2 (dt/2))`, `(t + dt, x + k_3 dt)`: `x' = x + (((k_1 + k_2 2) + k_3 2) + k_4) (dt/6)`.
+    RungeKutta4,
+}
+
+/// The state after a step of length `dt` from `(t, x)`, with the increments `dw` of the Wiener processes (variance `dt` each).
+#[inline]
+pub fn step<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
+    scheme: Scheme,
+    sde: &S,
+    t: T,
+    x: &Vector<T, N>,
+    dt: T,
+    dw: &Vector<T, Q>,
+) -> Vector<T, N> {
+    match scheme {
+        Scheme::EulerMaruyama => (*x + sde.drift(t, x) * dt) + sde.diffusion(t, x) * *dw,
+        Scheme::Platen => platen(sde, t, x, dt, dw),
+        Scheme::RungeKutta4 => runge_kutta4(sde, t, x, dt),
+    }
+}
+
+#[inline]
+fn platen<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
+    sde: &S,
+    t: T,
+    x: &Vector<T, N>,
+    dt: T,
+    dw: &Vector<T, Q>,
+) -> Vector<T, N> {
+    let drifted = *x + sde.drift(t, x) * dt;
+    let diffusion = sde.diffusion(t, x);
+    let h = dt.sqrt();
+    let mut next = drifted + diffusion * *dw;
+    for j in 0..Q {
+        let column = diffusion.column(j);
+        let moved = sde.diffusion(t, &(drifted + column * h)).column(j);
+        next = next + (moved - column) * ((dw[j] * dw[j] - dt) / (h + h));
+    }
+    next
+}
+
+#[inline]
+fn runge_kutta4<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
+    sde: &S,
+    t: T,
+    x: &Vector<T, N>,
+    dt: T,
+) -> Vector<T, N> {
+    let two = T::from_f64(2.0);
+    let half = dt / two;
+    let k1 = sde.drift(t, x);
+    let k2 = sde.drift(t + half, &(*x + k1 * half));
+    let k3 = sde.drift(t + half, &(*x + k2 * half));
+    let k4 = sde.drift(t + dt, &(*x + k3 * dt));
+    *x + (((k1 + k2 * two) + k3 * two) + k4) * (dt / T::from_f64(6.0))
+}

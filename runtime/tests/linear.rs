@@ -1,0 +1,224 @@
+//! Arrays: the order of operations is the documented one, to the bit, and solutions solve.
+
+use nsv_runtime::linear::{Matrix, Vector};
+use nsv_runtime::noise::Noise;
+
+/// Numbers without structure, each a function of the place.
+fn matrix<const R: usize, const C: usize>(seed: u64) -> Matrix<f64, R, C> {
+    let noise = Noise::process(seed, 0);
+    Matrix(std::array::from_fn(|i| {
+        std::array::from_fn(|j| noise.normal(i as u64, j as u32))
+    }))
+}
+
+fn vector<const N: usize>(seed: u64) -> Vector<f64, N> {
+    matrix::<N, 1>(seed).column(0)
+}
+
+fn residual<const N: usize>(a: Matrix<f64, N, N>, x: Vector<f64, N>, b: Vector<f64, N>) -> f64 {
+    (a * x - b).sum_squares().sqrt()
+}
+
+#[test]
+fn reductions_run_left_to_right_from_the_first_product() {
+    let (a, b) = (vector::<4>(1), vector::<4>(2));
+    let expected = ((a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]) + a[3] * b[3];
+    assert_eq!(a.dot(b), expected);
+    // Starting from +0 instead would lose the sign of a negative zero.
+    assert!(Vector([-0.0]).dot(Vector([1.0])).is_sign_negative());
+    assert_eq!(Vector::<f64, 0>([]).dot(Vector([])), 0.0);
+}
+
+#[test]
+fn products_are_rows_times_columns() {
+    let (a, b, v) = (matrix::<2, 3>(3), matrix::<3, 4>(4), vector::<3>(5));
+    let product = a * b;
+    let image = a * v;
+    for i in 0..2 {
+        assert_eq!(image[i], Vector(a.0[i]).dot(v));
+        for j in 0..4 {
+            assert_eq!(product[(i, j)], Vector(a.0[i]).dot(b.column(j)));
+        }
+    }
+    assert_eq!(v.outer(image)[(2, 1)], v[2] * image[1]);
+    assert_eq!(a.transpose()[(2, 1)], a[(1, 2)]);
+    assert_eq!(
+        a.sum_squares(),
+        Vector([
+            a[(0, 0)],
+            a[(0, 1)],
+            a[(0, 2)],
+            a[(1, 0)],
+            a[(1, 1)],
+            a[(1, 2)]
+        ])
+        .sum_squares()
+    );
+}
+
+#[test]
+fn elementwise_operations_are_one_operation_per_entry() {
+    let (a, b) = (vector::<3>(6), vector::<3>(7));
+    assert_eq!((a / 3.0)[1], a[1] / 3.0);
+    assert_eq!((a * 3.0)[1], a[1] * 3.0);
+    assert_eq!(a.add_scalar(3.0)[1], a[1] + 3.0);
+    assert_eq!(a.hadamard(b)[2], a[2] * b[2]);
+    assert_eq!(a.quotient(b)[2], a[2] / b[2]);
+    assert_eq!(Vector::select(true, a, b), a);
+    assert!(!Vector([1.0, f64::NAN]).is_finite() && a.is_finite());
+    let m = matrix::<2, 2>(8);
+    assert_eq!((m / 3.0)[(0, 1)], m[(0, 1)] / 3.0);
+    assert_eq!(
+        (-m + m * 2.0 - m)[(1, 0)],
+        (-m[(1, 0)] + m[(1, 0)] * 2.0) - m[(1, 0)]
+    );
+    assert!(!Matrix([[f64::INFINITY]]).is_finite() && m.is_finite());
+}
+
+#[test]
+fn small_systems_follow_the_written_cofactors() {
+    let (a, b) = (matrix::<2, 2>(9), vector::<2>(10));
+    let det = a[(0, 0)] * a[(1, 1)] - a[(0, 1)] * a[(1, 0)];
+    assert_eq!(a.solve(b)[0], (a[(1, 1)] * b[0] - a[(0, 1)] * b[1]) / det);
+    assert_eq!(a.solve(b)[1], (a[(0, 0)] * b[1] - a[(1, 0)] * b[0]) / det);
+
+    let (Matrix([[a00, a01, a02], [a10, a11, a12], [a20, a21, a22]]), b) =
+        (matrix::<3, 3>(11), vector::<3>(12));
+    let adjugate = [
+        [
+            a11 * a22 - a12 * a21,
+            a02 * a21 - a01 * a22,
+            a01 * a12 - a02 * a11,
+        ],
+        [
+            a12 * a20 - a10 * a22,
+            a00 * a22 - a02 * a20,
+            a02 * a10 - a00 * a12,
+        ],
+        [
+            a10 * a21 - a11 * a20,
+            a01 * a20 - a00 * a21,
+            a00 * a11 - a01 * a10,
+        ],
+    ];
+    let det = (a00 * adjugate[0][0] + a01 * adjugate[1][0]) + a02 * adjugate[2][0];
+    let x = matrix::<3, 3>(11).solve(b);
+    for i in 0..3 {
+        assert_eq!(
+            x[i],
+            ((adjugate[i][0] * b[0] + adjugate[i][1] * b[1]) + adjugate[i][2] * b[2]) / det
+        );
+    }
+    assert_eq!(Matrix([[4.0]]).solve(Vector([1.0])), Vector([0.25]));
+}
+
+/// The definition with a plain pivot search and plain swaps, as the compiler's evaluator has it.
+#[expect(
+    clippy::needless_range_loop,
+    reason = "indices stand as in the definition"
+)]
+fn eliminate<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> [f64; N] {
+    for k in 0..N {
+        let mut pivot = k;
+        for i in k + 1..N {
+            if a[i][k].abs() > a[pivot][k].abs() {
+                pivot = i;
+            }
+        }
+        a.swap(k, pivot);
+        b.swap(k, pivot);
+        for i in k + 1..N {
+            let l = a[i][k] / a[k][k];
+            for j in k + 1..N {
+                a[i][j] -= l * a[k][j];
+            }
+            b[i] -= l * b[k];
+        }
+    }
+    let mut x = [0.0; N];
+    for i in (0..N).rev() {
+        let mut s = b[i];
+        for j in i + 1..N {
+            s -= a[i][j] * x[j];
+        }
+        x[i] = s / a[i][i];
+    }
+    x
+}
+
+#[test]
+fn masked_pivoting_is_plain_pivoting() {
+    for seed in 0..50 {
+        let (mut a, b) = (matrix::<5, 5>(20 + seed), vector::<5>(80 + seed));
+        // Ties among pivot candidates, and zeros on the diagonal.
+        a = a.map(|x| (x * 2.0).round());
+        assert_eq!(
+            a.solve(b).0.map(f64::to_bits),
+            eliminate(a.0, b.0).map(f64::to_bits)
+        );
+    }
+}
+
+#[test]
+fn solutions_solve() {
+    fn check<const N: usize>() {
+        for seed in 0..50 {
+            let (a, b) = (matrix::<N, N>(200 + seed), vector::<N>(300 + seed));
+            let x = a.solve(b);
+            assert!(
+                residual(a, x, b) < 1e-12 * (1.0 + x.sum_squares().sqrt()),
+                "n = {N}, seed {seed}"
+            );
+        }
+    }
+    check::<1>();
+    check::<2>();
+    check::<3>();
+    check::<4>();
+    check::<6>();
+    assert!(
+        !Matrix([[1.0, 2.0], [2.0, 4.0]])
+            .solve(Vector([1.0, 1.0]))
+            .is_finite()
+    );
+}
+
+#[test]
+fn singular_vector_attains_the_spectral_norm() {
+    for seed in 0..50 {
+        let a = matrix::<4, 3>(400 + seed);
+        let v = a.singular_vector();
+        let norm = (a * v).sum_squares().sqrt();
+        assert!((v.sum_squares() - 1.0).abs() < 1e-14);
+        // Stationary: A^T A v = norm^2 v.
+        let stationary = a.transpose() * (a * v) - v * (norm * norm);
+        assert!(
+            stationary.sum_squares().sqrt() < 1e-13 * norm * norm,
+            "seed {seed}"
+        );
+        for other in 0..100 {
+            let w = vector::<3>(1000 + other);
+            assert!((a * w).sum_squares() <= norm * norm * w.sum_squares() * (1.0 + 1e-13));
+        }
+    }
+}
+
+#[test]
+fn singular_vector_has_its_convention() {
+    assert_eq!(
+        Matrix::<f64, 2, 2>::zero().singular_vector(),
+        Vector([1.0, 0.0])
+    );
+    assert_eq!(
+        Matrix([[2.0, 0.0], [0.0, 2.0]]).singular_vector(),
+        Vector([1.0, 0.0])
+    );
+    assert_eq!(
+        Matrix([[1.0, 0.0], [0.0, -3.0]]).singular_vector(),
+        Vector([0.0, 1.0])
+    );
+    // The larger entry is the positive one, whichever the rotation angle.
+    let v = Matrix([[1.0, -2.0]]).singular_vector();
+    assert!((v[0] + 0.2_f64.sqrt()).abs() < 1e-15 && (v[1] - 0.8_f64.sqrt()).abs() < 1e-15);
+    assert_eq!(Matrix([[-5.0]]).singular_vector(), Vector([1.0]));
+}
