@@ -1,2 +1,3 @@
 //! The nsv compiler.
+pub mod emit;
 pub mod ir;
