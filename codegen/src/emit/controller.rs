@@ -4,14 +4,13 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::comment::{Comments, code, docs, prose};
-use crate::emit::expression::{index, type_of, type_of_shape};
+use crate::emit::types::{index, type_of, type_of_shape};
 use crate::emit::function::{Function, Record, Results};
 use crate::emit::interface::Interface;
 use crate::emit::literal::{float, row};
 use crate::emit::names::{Fields, ident};
-use crate::emit::polynomial::{Library, monomial_names};
-use crate::emit::quantity;
-use crate::emit::record::{self, Field, constructor};
+use crate::emit::polynomial::Library;
+use crate::emit::state::{State, all, state_fields};
 use crate::ir::{Program, Shape, ValueId};
 
 /// The controller's programs and names.
@@ -26,11 +25,6 @@ pub(crate) struct Controller<'a> {
     pub(crate) params: &'a Fields,
     /// Names of the polynomial functions.
     pub(crate) library: &'a Library,
-}
-
-/// The fields of `State`, by the names of the controller's states.
-pub(crate) fn state_fields(initial: &Program) -> Fields {
-    Fields::new(initial.outputs.iter().map(|(name, _)| name.as_str()))
 }
 
 /// The outputs of the law that `Output` passes on: all but the next states and the flag of the constraint.
@@ -82,7 +76,7 @@ impl Controller<'_> {
             library: self.library,
         };
         let mut items = self.constants();
-        items.extend(self.state(&states));
+        items.extend(State { blocks: &self.interface.blocks, initial: self.initial, control: self.control, fields: &states }.items());
         items.push(self.output(&control));
         items.push(self.controller_struct());
         items.push(self.controller_impl(&initial, &control));
@@ -123,89 +117,6 @@ impl Controller<'_> {
             quote!(#time_docs pub const SAMPLE_TIME: f64 = #sample_time;),
             quote!(#safe_docs pub const SAFE_INPUT: [f64; #width] = #safe;),
         ]
-    }
-
-    fn state(&self, states: &Fields) -> Vec<TokenStream> {
-        let field = |(name, id): &(String, ValueId)| Field {
-            name: states.get(name).clone(),
-            shape: self.initial.shape(*id),
-            docs: self.state_docs(name),
-        };
-        let fields: Vec<Field> = self.initial.outputs.iter().map(field).collect();
-        let definition = record::definition(
-            "State",
-            &["The controller's states, in SI units.".to_owned()],
-            &fields,
-        );
-        let zero = record::literal(&quote!(Self), &fields, |field| {
-            let constructor = constructor(field.shape);
-            quote!(#constructor::zero())
-        });
-        let select = record::literal(&quote!(Self), &fields, |field| {
-            let (constructor, name) = (constructor(field.shape), &field.name);
-            quote!(#constructor::select(mask, a.#name, b.#name))
-        });
-        let finite = all(fields
-            .iter()
-            .map(|Field { name, .. }| quote!(self.#name.is_finite())));
-        let (zero_docs, select_docs) = (
-            docs(&["All zero."]),
-            docs(&["`a` where the mask is true, else `b`."]),
-        );
-        let finite_docs = docs(&["Whether every entry is finite."]);
-        let used = if fields.is_empty() {
-            quote!(_mask: T::Mask, _a: &Self, _b: &Self)
-        } else {
-            quote!(mask: T::Mask, a: &Self, b: &Self)
-        };
-        let implementation = quote! {
-            impl<T: Real> State<T> {
-                #zero_docs
-                pub fn zero() -> Self { #zero }
-
-                #select_docs
-                #[inline]
-                pub fn select(#used) -> Self { #select }
-
-                #finite_docs
-                #[inline]
-                pub fn is_finite(&self) -> T::Mask { #finite }
-            }
-        };
-        vec![definition, implementation]
-    }
-
-    fn state_docs(&self, name: &str) -> Vec<String> {
-        let next = format!("next.{name}");
-        let origin = self
-            .control
-            .outputs
-            .iter()
-            .find(|(output, _)| *output == next)
-            .and_then(|(_, id)| {
-                let origin = self.control.instruction(*id).origin?;
-                self.control
-                    .origins
-                    .get(origin)
-                    .filter(|origin| !origin.equation.is_empty())
-            });
-        let mut lines = vec![quantity::describe(name, &self.interface.blocks)];
-        if let Some(origin) = origin {
-            lines.extend([String::new(), code(&origin.equation)]);
-        }
-        if let Some(block) = name.strip_prefix('W')
-            && let Some(basis) = self
-                .control
-                .bases
-                .iter()
-                .find(|basis| basis.name == format!("basis{block}"))
-        {
-            lines.extend([
-                String::new(),
-                format!("Rows: {}.", code(&monomial_names(basis).join(", "))),
-            ]);
-        }
-        lines
     }
 
     fn output(&self, control: &Function<'_>) -> TokenStream {
@@ -384,13 +295,6 @@ fn call(function: &Function<'_>, state: &TokenStream) -> TokenStream {
             }
         });
     quote!(#name(#(#arguments),*))
-}
-
-/// Conjunction of masks.
-pub(crate) fn all(masks: impl Iterator<Item = TokenStream>) -> TokenStream {
-    masks
-        .reduce(|all, mask| quote!(#all.and(#mask)))
-        .unwrap_or_else(|| quote!(T::Mask::splat(true)))
 }
 
 fn any(masks: impl Iterator<Item = TokenStream>) -> TokenStream {

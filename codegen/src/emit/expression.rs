@@ -1,11 +1,12 @@
 //! One value as a Rust expression, parenthesised where the precedence of Rust's operators asks for it and nowhere else.
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{ToTokens, quote};
+use quote::quote;
 
-use crate::emit::literal;
+use crate::emit::methods::{comparison_name, function_name, kernel_name, operator_name};
 use crate::emit::names::ident;
-use crate::ir::{Comparison, Function, Kernel, Op, Operator, Program, Shape, Type, ValueId};
+use crate::emit::types::{constant, index};
+use crate::ir::{Function, Kernel, Op, Operator, Program, Shape, Type, ValueId};
 
 /// How tightly the outermost operator of an expression binds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -294,138 +295,6 @@ impl Names<'_> {
     }
 }
 
-/// The Rust type of a value.
-pub(crate) fn type_of(ty: Type) -> TokenStream {
-    match ty {
-        Type::Bool => quote!(T::Mask),
-        Type::Real(shape) => type_of_shape(shape),
-    }
-}
-
-/// The Rust type of real values of a shape.
-pub(crate) fn type_of_shape(shape: Shape) -> TokenStream {
-    match shape {
-        Shape::Scalar => quote!(T),
-        Shape::Vector(n) => {
-            let n = index(n);
-            quote!(Vector<T, #n>)
-        }
-        Shape::Matrix(rows, columns) => {
-            let (rows, columns) = (index(rows), index(columns));
-            quote!(Matrix<T, #rows, #columns>)
-        }
-    }
-}
-
-/// A number of entries or the position of one.
-pub(crate) fn index(n: usize) -> Literal {
-    Literal::usize_unsuffixed(n)
-}
-
-fn constant(ty: Type, data: &[f64]) -> TokenStream {
-    match ty {
-        Type::Bool => {
-            let truth = data.first().is_some_and(|&value| value != 0.0);
-            quote!(T::Mask::splat(#truth))
-        }
-        Type::Real(Shape::Scalar) => {
-            let value = literal::float(data[0]);
-            quote!(real(#value))
-        }
-        Type::Real(shape) => {
-            let (n, array) = (sizes(shape), literal_array(shape, data));
-            let turbofish = match shape {
-                Shape::Matrix(..) => quote!(Matrix::<T, #n>),
-                _ => quote!(Vector::<T, #n>),
-            };
-            let call = array.into_iter().skip(1);
-            quote!(#turbofish #(#call)*)
-        }
-    }
-}
-
-fn sizes(shape: Shape) -> TokenStream {
-    match shape {
-        Shape::Scalar => TokenStream::new(),
-        Shape::Vector(n) => index(n).to_token_stream(),
-        Shape::Matrix(rows, columns) => {
-            let (rows, columns) = (index(rows), index(columns));
-            quote!(#rows, #columns)
-        }
-    }
-}
-
-/// `Vector::from_f64([..])` or `Matrix::from_f64([..])`, zeros by name; the type follows from the context.
-pub(crate) fn literal_array(shape: Shape, data: &[f64]) -> TokenStream {
-    let zero = data.iter().all(|value| value.to_bits() == 0);
-    match shape {
-        Shape::Matrix(..) if zero => quote!(Matrix::zero()),
-        Shape::Matrix(_, columns) => {
-            let entries = literal::rows(data, columns);
-            quote!(Matrix::from_f64(#entries))
-        }
-        _ if zero => quote!(Vector::zero()),
-        _ => {
-            let entries = literal::row(data);
-            quote!(Vector::from_f64(#entries))
-        }
-    }
-}
-
 fn is_scalar(ty: Type) -> bool {
     ty == Type::Real(Shape::Scalar)
-}
-
-fn function_name(function: Function) -> &'static str {
-    match function {
-        Function::Neg => "neg",
-        Function::Abs => "abs",
-        Function::Sign => "sign",
-        Function::Sqrt => "sqrt",
-        Function::Exp => "exp",
-        Function::Ln => "ln",
-        Function::Sin => "sin",
-        Function::Cos => "cos",
-        Function::Tan => "tan",
-        Function::Asin => "asin",
-        Function::Acos => "acos",
-        Function::Atan => "atan",
-        Function::Sinh => "sinh",
-        Function::Cosh => "cosh",
-        Function::Tanh => "tanh",
-    }
-}
-
-fn operator_name(operator: Operator) -> &'static str {
-    match operator {
-        Operator::Add => "add",
-        Operator::Sub => "sub",
-        Operator::Mul => "mul",
-        Operator::Div => "div",
-        Operator::Pow => "pow",
-        Operator::Min => "min",
-        Operator::Max => "max",
-        Operator::Atan2 => "atan2",
-    }
-}
-
-fn comparison_name(comparison: Comparison) -> &'static str {
-    match comparison {
-        Comparison::Lt => "lt",
-        Comparison::Le => "le",
-        Comparison::Gt => "gt",
-        Comparison::Ge => "ge",
-        Comparison::Eq => "eq",
-        Comparison::Ne => "ne",
-    }
-}
-
-fn kernel_name(kernel: Kernel) -> &'static str {
-    match kernel {
-        Kernel::SinCosOver => "sin_cos_over",
-        Kernel::SinCosOverD1 => "sin_cos_over_d1",
-        Kernel::SinCosOverD2 => "sin_cos_over_d2",
-        Kernel::SinCosOverD3 => "sin_cos_over_d3",
-        Kernel::TanOver => "tan_over",
-    }
 }

@@ -8,12 +8,13 @@ use quote::{format_ident, quote};
 
 use crate::emit::comment::{Comments, code, docs};
 use crate::emit::count::Counts;
-use crate::emit::expression::{Names, literal_array, type_of, type_of_shape};
+use crate::emit::expression::Names;
 use crate::emit::names::{Fields, Scope, camel, ident, snake};
 use crate::emit::plan::Plan;
 use crate::emit::polynomial::Library;
 use crate::emit::quantity;
 use crate::emit::source::prologue;
+use crate::emit::types::{literal_array, type_of, type_of_shape};
 use crate::ir::{Op, Origin, Program, Shape, Type, ValueId};
 
 /// A struct that stands for all inputs `prefix.NAME`, or for all outputs `prefix.NAME`.

@@ -12,6 +12,7 @@ mod function;
 mod interface;
 mod literal;
 mod lyapunov;
+mod methods;
 mod module;
 mod names;
 mod params;
@@ -23,7 +24,9 @@ mod record;
 mod simulator;
 mod source;
 mod standalone;
+mod state;
 mod telemetry;
+mod types;
 
 pub use count::Counts;
 pub use module::{Artifact, library, module};

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::emit::comment::{Comments, clean, code, docs, prose};
-use crate::emit::controller::{Controller, state_fields};
+use crate::emit::controller::Controller;
 use crate::emit::count::Counts;
 use crate::emit::function::{Function, Record, Results};
 use crate::emit::interface::Interface;
@@ -16,6 +16,7 @@ use crate::emit::plant::Plant;
 use crate::emit::polynomial::Library;
 use crate::emit::simulator::Simulator;
 use crate::emit::source::Source;
+use crate::emit::state::state_fields;
 use crate::emit::{lyapunov, params};
 use crate::ir::Program;
 
@@ -75,16 +76,16 @@ pub(crate) struct Programs<'a> {
     pub(crate) lyapunov: &'a Program,
 }
 
-/// Names follow the paper, numbers the specification.
-const ALLOW: [(&str, &str); 3] = [
-    ("non_snake_case", "names follow the equations"),
+/// Lints that the emitted files allow.
+pub(crate) const ALLOW: [(&str, &str); 3] = [
+    ("non_snake_case", "names are those of the equations"),
     (
         "clippy::too_many_arguments",
-        "functions take what the equations take",
+        "as in the equations",
     ),
     (
         "clippy::approx_constant",
-        "numbers are those of the specification",
+        "numbers are as specified",
     ),
 ];
 

@@ -103,21 +103,34 @@ fn bound(program: &Program, live: &[bool], labels: &BTreeMap<ValueId, String>) -
     let mut weights = vec![1usize; live.len()];
     for (id, instruction) in ids(program).filter(|(id, _)| live[id.0 as usize]) {
         let index = id.0 as usize;
-        if labels.contains_key(&id) {
-            bound[index] = true;
-        } else if !is_atom(program, id) {
-            let operands = instruction.op.operands();
-            let weight = 1
-                + literal_size(&instruction.op)
-                + operands
-                    .iter()
-                    .map(|o| weights[o.0 as usize])
-                    .sum::<usize>();
-            bound[index] = uses[index] > 1 || repeated[index] || weight > WEIGHT;
-            weights[index] = if bound[index] { 1 } else { weight };
+        bound[index] = labels.contains_key(&id);
+        if is_atom(program, id) {
+            continue;
+        }
+        weights[index] = weigh(&instruction.op, &mut weights, &mut bound);
+        bound[index] |= uses[index] > 1 || repeated[index];
+        if bound[index] {
+            weights[index] = 1;
         }
     }
     bound
+}
+
+/// The weight of a formula, after its heaviest operands became temporaries until it is light enough. The entries of an array stand in
+/// lines of their own and stay.
+fn weigh(op: &Op, weights: &mut [usize], bound: &mut [bool]) -> usize {
+    let operands = op.operands();
+    loop {
+        let weight = 1 + literal_size(op) + operands.iter().map(|operand| weights[operand.0 as usize]).sum::<usize>();
+        let heaviest = operands.iter().map(|operand| operand.0 as usize).max_by_key(|&operand| weights[operand]);
+        match heaviest {
+            Some(operand) if weight > WEIGHT && weights[operand] > 1 && !matches!(op, Op::Array(_)) => {
+                bound[operand] = true;
+                weights[operand] = 1;
+            }
+            _ => return weight,
+        }
+    }
 }
 
 /// Whether a value is as short as a name wherever it stands: inputs, scalar literals, entries.
@@ -183,8 +196,8 @@ impl Order<'_> {
         let mut placed = vec![false; self.bound.len()];
         let mut group = None;
         while let Some(id) = next(&ready, group) {
+            ready.remove(&(self.group(id), id));
             group = self.group(id);
-            ready.remove(&(group, id));
             steps.push(Step {
                 temporaries: self.temporaries(id, &mut placed),
                 value: id,

@@ -6,7 +6,7 @@ use quote::quote;
 use nsv_spec::model::NoiseModel;
 
 use crate::emit::comment::{Comments, code, docs};
-use crate::emit::expression::index;
+use crate::emit::types::index;
 use crate::emit::function::{Function, Record, Results};
 use crate::emit::interface::Interface;
 use crate::emit::literal::row;

@@ -7,11 +7,12 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::comment::{code, docs};
-use crate::emit::expression::{Fragment, Level, index};
+use crate::emit::expression::{Fragment, Level};
 use crate::emit::literal;
 use crate::emit::names::{Scope, snake};
 use crate::emit::plan::live;
 use crate::emit::source::{mentions, prologue};
+use crate::emit::types::index;
 use crate::ir::basis::Monomial;
 use crate::ir::horner::Horner;
 use crate::ir::{MonomialBasis, Op, PolynomialData, Program};

@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::emit::comment::docs;
-use crate::emit::expression::type_of_shape;
+use crate::emit::types::type_of_shape;
 use crate::emit::names::ident;
 use crate::ir::Shape;
 

@@ -6,7 +6,7 @@ use quote::{ToTokens, format_ident, quote};
 use nsv_spec::model::{NoiseModel, Scheme};
 
 use crate::emit::comment::docs;
-use crate::emit::expression::index;
+use crate::emit::types::index;
 use crate::emit::function::Function;
 use crate::emit::interface::Interface;
 use crate::emit::literal::float;
@@ -102,11 +102,12 @@ impl Simulator<'_> {
         );
         let draw = (self.channels() > 0).then(|| {
             let docs = docs(&["Standard normal draws of all channels; zeros in a run without noise."]);
+            let numbers = (0..self.channels()).map(index);
             quote! {
                 #docs
                 fn draw(&self, step: u64) -> Vector<f64, NOISE_CHANNELS> {
                     match &self.noise {
-                        Some(noise) => Vector(core::array::from_fn(|channel| noise.normal(step, channel as u32))),
+                        Some(noise) => Vector([#(noise.normal(step, #numbers)),*]),
                         None => Vector::zero(),
                     }
                 }
@@ -191,6 +192,7 @@ impl Simulator<'_> {
                 controller.reset(0.0, #(#measured),*);
                 let state = *controller.state();
                 let output = controller.clone().step(0.0, #(#measured),*);
+                #process
                 Self { controller, truth, x, state, output, sample: 0, #noise }
             }
         }
@@ -322,7 +324,8 @@ impl Simulator<'_> {
             }
 
             fn is_finite(&self) -> bool {
-                self.x.is_finite() && self.controller.state().is_finite() && !self.output.status.contains(Status::NON_FINITE_INPUT)
+                let valid = !self.output.status.contains(Status::NON_FINITE_INPUT);
+                valid && self.x.is_finite() && self.controller.state().is_finite()
             }
         }
     }

@@ -107,6 +107,8 @@ fn allowances(lints: &[(&str, &str)]) -> Vec<TokenStream> {
 /// `use` items for the paths whose last segment is mentioned; paths that differ only in it share one item.
 fn imports(paths: &[&str], code: &TokenStream) -> Vec<TokenStream> {
     let mut grouped: Vec<(&str, Vec<&str>)> = Vec::new();
+    let mut paths = paths.to_vec();
+    paths.sort_by_key(|path| (!path.starts_with("super"), *path)); // as rustfmt has them
     for path in paths {
         let (module, name) = path
             .rsplit_once("::")

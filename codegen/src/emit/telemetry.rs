@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use crate::emit::expression::index;
+use crate::emit::types::index;
 use crate::emit::interface::Interface;
 use crate::emit::names::ident;
 use crate::ir::{Program, Shape};

@@ -11,11 +11,7 @@ impl Program {
 
     /// Appends a literal array.
     pub fn constant(&mut self, shape: Shape, data: Vec<f64>) -> ValueId {
-        assert_eq!(
-            data.len(),
-            size(shape),
-            "invariant: literal fills its shape"
-        );
+        assert_eq!(data.len(), size(shape), "invariant: literal fills its shape");
         self.push_typed(Op::Const(data), Type::Real(shape))
     }
 
@@ -26,11 +22,7 @@ impl Program {
 
     /// Appends an array of scalars.
     pub fn array(&mut self, shape: Shape, items: Vec<ValueId>) -> ValueId {
-        assert_eq!(
-            items.len(),
-            size(shape),
-            "invariant: entries fill the shape"
-        );
+        assert_eq!(items.len(), size(shape), "invariant: entries fill the shape");
         self.push_typed(Op::Array(items), Type::Real(shape))
     }
 
@@ -48,16 +40,8 @@ impl Program {
     }
 
     fn push_typed(&mut self, op: Op, ty: Type) -> ValueId {
-        let id = ValueId(
-            u32::try_from(self.instructions.len())
-                .expect("invariant: fewer than 2^32 instructions"),
-        );
-        self.instructions.push(Instruction {
-            op,
-            ty,
-            name: None,
-            origin: None,
-        });
+        let id = ValueId(u32::try_from(self.instructions.len()).expect("invariant: fewer than 2^32 instructions"));
+        self.instructions.push(Instruction { op, ty, name: None, origin: None });
         id
     }
 

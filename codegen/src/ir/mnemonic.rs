@@ -54,17 +54,10 @@ pub(super) const KERNELS: [(Kernel, &str); 5] = [
 
 /// The word of `item`.
 pub(super) fn word<T: Copy + PartialEq>(table: &[(T, &'static str)], item: T) -> &'static str {
-    table
-        .iter()
-        .find(|(entry, _)| *entry == item)
-        .expect("invariant: the table names every item")
-        .1
+    table.iter().find(|(entry, _)| *entry == item).expect("invariant: the table names every item").1
 }
 
 /// The item of a word.
 pub(super) fn item<T: Copy>(table: &[(T, &'static str)], word: &str) -> Option<T> {
-    table
-        .iter()
-        .find(|(_, entry)| *entry == word)
-        .map(|&(item, _)| item)
+    table.iter().find(|(_, entry)| *entry == word).map(|&(item, _)| item)
 }
