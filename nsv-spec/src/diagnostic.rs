@@ -1,5 +1,6 @@
 //! Faults of a specification as data: a code, a place, a message and its remedy. Rendering is the command line's business.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Index of a file in a [`SourceMap`].
@@ -15,6 +16,48 @@ pub struct Span {
     pub start: u32,
     /// One past the last byte.
     pub end: u32,
+}
+
+/// Where a piece of text, such as an expression in a YAML scalar, stands in its file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Base {
+    /// The whole text.
+    pub span: Span,
+    /// Whether the file holds the text byte for byte from the start of `span`; a quoted scalar with escapes or a folded one
+    /// does not, and everything in it is then reported at the whole span.
+    pub exact: bool,
+}
+
+impl Base {
+    /// A text of `length` bytes that the file holds verbatim from byte `start`.
+    pub fn exact(file: FileId, start: u32, length: usize) -> Self {
+        let end = start.saturating_add(u32::try_from(length).unwrap_or(u32::MAX));
+        Self {
+            span: Span { file, start, end },
+            exact: true,
+        }
+    }
+
+    /// A text that the file holds in some encoded form within `span`.
+    pub fn whole(span: Span) -> Self {
+        Self { span, exact: false }
+    }
+
+    /// The place in the file of a byte range of the text.
+    pub fn span_of(&self, range: Range<usize>) -> Span {
+        if !self.exact {
+            return self.span;
+        }
+        let place = |offset: usize| {
+            let offset = u32::try_from(offset).unwrap_or(u32::MAX);
+            self.span.start.saturating_add(offset).min(self.span.end)
+        };
+        Span {
+            file: self.span.file,
+            start: place(range.start),
+            end: place(range.end),
+        }
+    }
 }
 
 /// One source file: its name as the user would type it, and its text.
@@ -68,6 +111,35 @@ pub struct Diagnostic {
     pub related: Vec<Related>,
 }
 
+impl Diagnostic {
+    /// An error at a place.
+    pub fn error(code: &'static str, span: Span, message: impl Into<String>) -> Self {
+        Self {
+            code,
+            severity: Severity::Error,
+            span: Some(span),
+            message: message.into(),
+            help: None,
+            related: Vec::new(),
+        }
+    }
+
+    /// The same with a remedy.
+    pub fn with_help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// The same with a further place.
+    pub fn with_related(mut self, span: Span, label: impl Into<String>) -> Self {
+        self.related.push(Related {
+            span,
+            label: label.into(),
+        });
+        self
+    }
+}
+
 /// Every fault found in one run, with the sources they point into.
 #[derive(Clone, Debug, Default)]
 pub struct Diagnostics {
@@ -75,4 +147,12 @@ pub struct Diagnostics {
     pub sources: SourceMap,
     /// The faults, in order of place.
     pub items: Vec<Diagnostic>,
+}
+
+/// A piece of source text between backquotes for a message, cut after 48 characters.
+pub(crate) fn quoted(text: &str) -> String {
+    match text.char_indices().nth(48) {
+        Some((cut, _)) => format!("`{}..`", &text[..cut]),
+        None => format!("`{text}`"),
+    }
 }

@@ -6,4 +6,5 @@
 pub mod diagnostic;
 pub mod expr;
 pub mod model;
+mod suggest;
 pub mod unit;

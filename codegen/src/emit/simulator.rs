@@ -177,9 +177,9 @@ impl Simulator<'_> {
 
     fn new(&self) -> TokenStream {
         let measured: Vec<TokenStream> = self.segments_of(&quote!(x)).collect();
-        let noise = (self.channels() > 0).then(
-            || quote!(noise: options.noise.then(|| Noise::process(options.seed, options.run)),),
-        );
+        let noisy = self.channels() > 0;
+        let process = noisy.then(|| quote!(let process = Noise::process(options.seed, options.run);));
+        let noise = noisy.then(|| quote!(noise: options.noise.then_some(process),));
         quote! {
             fn new(options: &Options) -> Self {
                 let truth = if options.dispersion {

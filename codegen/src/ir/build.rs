@@ -6,13 +6,13 @@ impl Program {
     /// Appends an operation whose type follows from its operands.
     pub fn push(&mut self, op: Op) -> ValueId {
         let ty = self.infer(&op);
-        self.push_typed(op, ty)
+        self.push_as(op, ty)
     }
 
     /// Appends a literal array.
     pub fn constant(&mut self, shape: Shape, data: Vec<f64>) -> ValueId {
         assert_eq!(data.len(), size(shape), "invariant: literal fills its shape");
-        self.push_typed(Op::Const(data), Type::Real(shape))
+        self.push_as(Op::Const(data), Type::Real(shape))
     }
 
     /// Appends a scalar literal.
@@ -23,7 +23,7 @@ impl Program {
     /// Appends an array of scalars.
     pub fn array(&mut self, shape: Shape, items: Vec<ValueId>) -> ValueId {
         assert_eq!(items.len(), size(shape), "invariant: entries fill the shape");
-        self.push_typed(Op::Array(items), Type::Real(shape))
+        self.push_as(Op::Array(items), Type::Real(shape))
     }
 
     /// Appends an elementwise operator.
@@ -39,7 +39,8 @@ impl Program {
         }
     }
 
-    fn push_typed(&mut self, op: Op, ty: Type) -> ValueId {
+    /// Appends an operation of a known type.
+    pub fn push_as(&mut self, op: Op, ty: Type) -> ValueId {
         let id = ValueId(u32::try_from(self.instructions.len()).expect("invariant: fewer than 2^32 instructions"));
         self.instructions.push(Instruction { op, ty, name: None, origin: None });
         id

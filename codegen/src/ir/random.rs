@@ -4,9 +4,7 @@ use nsv_spec::model::Basis as Kind;
 
 use super::build::size;
 use super::mnemonic::{COMPARISONS, FUNCTIONS, KERNELS, OPERATORS};
-use super::{
-    BasisId, Function, Input, Instruction, MonomialBasis, Op, Origin, PolynomialData, PolynomialId, Program, Shape, Type, ValueId, Values,
-};
+use super::{BasisId, Function, Input, MonomialBasis, Op, Origin, PolynomialData, PolynomialId, Program, Shape, Type, ValueId, Values};
 
 /// Values at which algebra that is not IEEE arithmetic shows.
 const SPECIAL: [f64; 14] = [
@@ -52,10 +50,10 @@ pub fn program(seed: u64, length: usize) -> Program {
     generator.program
 }
 
-/// Inputs for a program; one entry in three is a special value.
+/// Inputs for a program; one entry in four is a special value.
 pub fn inputs(program: &Program, seed: u64) -> Values {
     let mut random = Random(seed);
-    let values = program.inputs.iter().map(|input| (input.name.clone(), (0..size(input.shape)).map(|_| random.number(3)).collect()));
+    let values = program.inputs.iter().map(|input| (input.name.clone(), (0..size(input.shape)).map(|_| random.number(4)).collect()));
     values.collect()
 }
 
@@ -119,7 +117,7 @@ impl Generator {
         match self.random.below(12) {
             0 => self.append_literal(),
             1 => self.append_taken_apart(),
-            2 | 3 => self.append_again(),
+            2 => self.append_again(),
             _ => {
                 if let Some(op) = self.operation().filter(|op| self.program.type_of(op).is_some()) {
                     self.program.push(op);
@@ -150,18 +148,15 @@ impl Generator {
         self.program.array(shape, items);
     }
 
-    /// An earlier operation once more, its operands in reverse order if they may be, a comparison perhaps by another relation.
+    /// An earlier operation once more, its first two operands exchanged if they may be.
     fn append_again(&mut self) {
         let Some(id) = self.value(|_| true) else { return };
         let instruction = self.program.instruction(id).clone();
         let operands = instruction.op.operands();
-        let mut reversed = operands.iter().rev();
-        let op = match instruction.op.map_operands(|_| *reversed.next().expect("invariant: as many operands")) {
-            Op::Compare(_, a, b) => Op::Compare(self.random.pick(&COMPARISONS).0, a, b),
-            op => op,
-        };
+        let mut exchanged = operands.iter().rev();
+        let op = instruction.op.map_operands(|_| *exchanged.next().expect("invariant: as many operands"));
         let op = if self.program.type_of(&op) == Some(instruction.ty) { op } else { instruction.op.clone() };
-        self.program.instructions.push(Instruction { op, ..instruction });
+        self.program.instructions.push(super::Instruction { op, ..instruction });
     }
 
     fn operation(&mut self) -> Option<Op> {
@@ -169,8 +164,13 @@ impl Generator {
             0 | 1 => Op::Apply(Function::Neg, self.real()?),
             2 | 3 => Op::Apply(self.random.pick(&FUNCTIONS).0, self.real()?),
             4 => Op::Kernel(self.random.pick(&KERNELS).0, self.scalar()?),
-            5..=7 => self.binary()?,
-            8 | 9 => self.binary_with_unit()?,
+            5..=9 => {
+                let operators = if self.random.below(4) == 0 { &OPERATORS[..] } else { &OPERATORS[..4] };
+                let (operator, a) = (self.random.pick(operators).0, self.real()?);
+                let ty = self.program.ty(a);
+                let b = self.value(|other| other == ty || other == Type::Real(Shape::Scalar))?;
+                if self.random.below(2) == 0 { Op::Binary(operator, a, b) } else { Op::Binary(operator, b, a) }
+            }
             10 => Op::PowInt(self.real()?, 2 + u32::try_from(self.random.below(20)).expect("invariant: below 20")),
             11 | 12 => Op::Compare(self.random.pick(&COMPARISONS).0, self.scalar()?, self.scalar()?),
             13 => Op::And(self.truth()?, self.truth()?),
@@ -209,26 +209,6 @@ impl Generator {
                 }
             }
         })
-    }
-
-    fn binary(&mut self) -> Option<Op> {
-        let (operator, a) = (self.random.pick(&OPERATORS).0, self.real()?);
-        let ty = self.program.ty(a);
-        let b = self.value(|other| other == ty || other == Type::Real(Shape::Scalar))?;
-        Some(if self.random.below(2) == 0 { Op::Binary(operator, a, b) } else { Op::Binary(operator, b, a) })
-    }
-
-    /// An operator with a literal that is neutral or nearly so; a scalar operand may be broadcast over it.
-    fn binary_with_unit(&mut self) -> Option<Op> {
-        let (operator, a) = (self.random.pick(&OPERATORS[..4]).0, self.real()?);
-        let shape = match self.program.shape(a) {
-            Shape::Scalar => self.random.pick(&SHAPES),
-            shape if self.random.below(2) == 0 => shape,
-            _ => Shape::Scalar,
-        };
-        let unit = self.random.pick(&[0.0, -0.0, 1.0, -1.0, 2.0, 3.0]);
-        let unit = self.program.constant(shape, vec![unit; size(shape)]);
-        Some(if self.random.below(3) == 0 { Op::Binary(operator, unit, a) } else { Op::Binary(operator, a, unit) })
     }
 
     /// A value of a type that is accepted, if one is found in a few draws, most likely a recent one.

@@ -1,6 +1,7 @@
 //! Typed, dimension-checked, hash-consed expressions: what the phases after the check work on. Every number is in SI.
 
 use std::collections::HashMap;
+use std::fmt;
 
 use crate::unit::Dimension;
 
@@ -32,6 +33,36 @@ pub enum Shape {
     Matrix(usize, usize),
 }
 
+impl Shape {
+    /// Number of entries.
+    pub fn entries(self) -> usize {
+        match self {
+            Shape::Scalar => 1,
+            Shape::Vector(rows) => rows,
+            Shape::Matrix(rows, cols) => rows * cols,
+        }
+    }
+
+    /// Rows and columns; a scalar has one of each, a vector one column.
+    pub fn size(self) -> (usize, usize) {
+        match self {
+            Shape::Scalar => (1, 1),
+            Shape::Vector(rows) => (rows, 1),
+            Shape::Matrix(rows, cols) => (rows, cols),
+        }
+    }
+}
+
+impl fmt::Display for Shape {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Shape::Scalar => f.write_str("a scalar"),
+            Shape::Vector(rows) => write!(f, "a vector of {rows}"),
+            Shape::Matrix(rows, cols) => write!(f, "a {rows} x {cols} matrix"),
+        }
+    }
+}
+
 /// A finite `f64` compared by bits, so that expressions can be hashed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Bits(pub u64);
@@ -40,21 +71,47 @@ pub struct Bits(pub u64);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[expect(missing_docs, reason = "each is the function of that name")]
 pub enum Function {
-    Neg, Abs, Sign, Sqrt, Exp, Ln, Sin, Cos, Tan, Asin, Acos, Atan, Sinh, Cosh, Tanh,
+    Neg,
+    Abs,
+    Sign,
+    Sqrt,
+    Exp,
+    Ln,
+    Sin,
+    Cos,
+    Tan,
+    Asin,
+    Acos,
+    Atan,
+    Sinh,
+    Cosh,
+    Tanh,
 }
 
 /// Operators of two arguments; elementwise, a scalar operand is broadcast.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[expect(missing_docs, reason = "each is the operator of that name")]
 pub enum Operator {
-    Add, Sub, Mul, Div, Pow, Min, Max, Atan2,
+    Add,
+    Sub,
+    Mul,
+    Div,
+    Pow,
+    Min,
+    Max,
+    Atan2,
 }
 
 /// Comparisons of scalars.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[expect(missing_docs, reason = "each is the comparison of that name")]
 pub enum Comparison {
-    Lt, Le, Gt, Ge, Eq, Ne,
+    Lt,
+    Le,
+    Gt,
+    Ge,
+    Eq,
+    Ne,
 }
 
 /// One expression node; operands are earlier nodes.
@@ -81,7 +138,7 @@ pub enum Node {
     Apply(Function, ExprId),
     /// Elementwise operator with scalar broadcast.
     Binary(Operator, ExprId, ExprId),
-    /// Integer power of a scalar, by multiplication.
+    /// Integer power of a scalar, at least 2, by multiplication; x^-n is 1 / x^n.
     PowInt(ExprId, i32),
     /// Comparison of scalars.
     Compare(Comparison, ExprId, ExprId),
@@ -109,8 +166,37 @@ pub enum Node {
     Polynomial(PolynomialId, Vec<ExprId>),
 }
 
-/// Type of an expression: a truth value, or real entries in row-major order, each with its own physical dimension.
-#[derive(Clone, Debug, PartialEq, Eq)]
+impl Node {
+    /// Operands, in order.
+    pub fn operands(&self) -> Vec<ExprId> {
+        match self {
+            Node::Number(_)
+            | Node::Constant(_)
+            | Node::Parameter(_)
+            | Node::State { .. }
+            | Node::Time
+            | Node::Definition(_) => Vec::new(),
+            Node::Apply(_, a)
+            | Node::PowInt(a, _)
+            | Node::Not(a)
+            | Node::Element(a, _, _)
+            | Node::Transpose(a) => vec![*a],
+            Node::Binary(_, a, b)
+            | Node::Compare(_, a, b)
+            | Node::And(a, b)
+            | Node::Or(a, b)
+            | Node::MatMul(a, b)
+            | Node::Dot(a, b)
+            | Node::Cross(a, b) => vec![*a, *b],
+            Node::If(a, b, c) => vec![*a, *b, *c],
+            Node::Array(items) | Node::Polynomial(_, items) => items.clone(),
+        }
+    }
+}
+
+/// Type of an expression: a truth value, or real entries in row-major order, each with its own physical dimension
+/// ([`Dimension::ANY`] for an entry that is 0 by its form).
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Type {
     /// Truth value of a comparison.
     Bool,
@@ -123,12 +209,42 @@ pub enum Type {
     },
 }
 
+impl Type {
+    /// A scalar of that dimension.
+    pub fn scalar(dimension: Dimension) -> Self {
+        Type::Real {
+            shape: Shape::Scalar,
+            dimensions: vec![dimension],
+        }
+    }
+
+    /// An array whose entries all have one dimension.
+    pub fn uniform(shape: Shape, dimension: Dimension) -> Self {
+        Type::Real {
+            shape,
+            dimensions: vec![dimension; shape.entries()],
+        }
+    }
+
+    /// The dimension that all entries share, [`Dimension::ANY`] if all are 0; `None` if they differ or for a truth value.
+    pub fn dimension(&self) -> Option<Dimension> {
+        match self {
+            Type::Bool => None,
+            Type::Real { dimensions, .. } => dimensions
+                .iter()
+                .try_fold(Dimension::ANY, |all, &one| all.agree(one)),
+        }
+    }
+}
+
 /// All expressions of a model, each stored once.
 #[derive(Clone, Debug, Default)]
 pub struct Arena {
     nodes: Vec<Node>,
     types: Vec<Type>,
-    index: HashMap<Node, ExprId>, // looked up only, never iterated
+    // By node and type, since `0` and `0 m` are one number and two arrays of the same entries can differ in shape.
+    // Looked up only, never iterated.
+    index: HashMap<(Node, Type), ExprId>,
 }
 
 impl Arena {
@@ -162,13 +278,16 @@ impl Arena {
 
     /// The id of `node`, which is stored if it is new. The caller has checked its type.
     pub(crate) fn intern(&mut self, node: Node, ty: Type) -> ExprId {
-        if let Some(&id) = self.index.get(&node) {
+        let key = (node, ty);
+        if let Some(&id) = self.index.get(&key) {
             return id;
         }
-        let id = ExprId(u32::try_from(self.nodes.len()).expect("invariant: fewer than 2^32 expressions"));
-        self.index.insert(node.clone(), id);
-        self.nodes.push(node);
-        self.types.push(ty);
+        let id = ExprId(
+            u32::try_from(self.nodes.len()).expect("invariant: fewer than 2^32 expressions"),
+        );
+        self.nodes.push(key.0.clone());
+        self.types.push(key.1.clone());
+        self.index.insert(key, id);
         id
     }
 }

@@ -1,3 +1,27 @@
 //! Expressions: text to tokens, tokens to a syntax tree with spans, syntax tree to typed nodes in a hash-consed arena.
+//!
+//! ```text
+//! text -- parse --> syntax::Expr -- elaborate (names from a Scope) --> ExprId in an arena::Arena -- evaluate --> numbers
+//! ```
 
 pub mod arena;
+mod builtin;
+mod elaborate;
+mod evaluate;
+mod expect;
+mod lexer;
+mod parser;
+mod scope;
+pub mod syntax;
+mod typing;
+
+pub use crate::diagnostic::Base;
+pub use builtin::is_reserved;
+pub use elaborate::elaborate;
+pub use evaluate::{Environment, EvaluationError, evaluate};
+pub use expect::{Expected, expect};
+pub use parser::{MAX_DEPTH, MAX_NODES, MAX_TEXT, parse};
+pub use scope::{Scope, Symbol};
+
+#[cfg(test)]
+mod tests;

@@ -32,7 +32,9 @@ const PROGRESS_INTERVAL: Duration = Duration::from_millis(50);
 /// Runs the program with the arguments of the process.
 pub fn main<L: ClosedLoop>() -> ExitCode {
     let outcome = run::<L>(env::args_os().skip(1), &mut io::stdout().lock());
-    if let Err(failure) = &outcome {
+    if let Err(failure) = &outcome
+        && !failure.is_closed_pipe()
+    {
         // Nothing is left to do if standard error is gone too.
         let _ = writeln!(io::stderr(), "{}: {failure}", L::NAME);
     }
@@ -53,6 +55,11 @@ impl Failure {
             Failure::Usage(_) => 2,
             Failure::Output(_) | Failure::File(..) => 1,
         }
+    }
+
+    /// Whether the reader of standard output went away, which is nobody's mistake.
+    fn is_closed_pipe(&self) -> bool {
+        matches!(self, Failure::Output(error) if error.kind() == io::ErrorKind::BrokenPipe)
     }
 }
 

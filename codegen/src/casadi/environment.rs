@@ -1,0 +1,171 @@
+//! Where exports and Python are found, and the Python environment that nsv makes for itself.
+
+use std::env;
+use std::fs::{self, File, TryLockError};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::time::Duration;
+
+use sha2::{Digest, Sha256};
+
+use super::error::Error;
+use super::process::tail;
+use super::store::Key;
+
+/// What the environment holds, pinned by hash for CPython 3.9 to 3.14.
+const REQUIREMENTS: &str = include_str!("requirements.txt");
+/// Time that the exporter may take, unless NSV_CASADI_TIMEOUT says otherwise.
+const TIMEOUT: Duration = Duration::from_secs(60);
+
+/// Whether Python may be run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// Stored exports only.
+    Offline,
+    /// What is not stored is asked from CasADi; Python's packages are installed if they are missing.
+    Provision,
+}
+
+/// Where to look, and how long to wait.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// Committed exports, such as `specs/partials`.
+    pub exports: PathBuf,
+    /// The user's cache: further exports, and the Python environment.
+    pub cache: Option<PathBuf>,
+    /// Interpreter with casadi that the user chose.
+    pub python: Option<PathBuf>,
+    /// Interpreter that the environment is made from.
+    pub base_python: PathBuf,
+    /// Whether Python may be run.
+    pub mode: Mode,
+    /// Time that the exporter may take.
+    pub timeout: Duration,
+}
+
+impl Settings {
+    /// Committed exports only: no cache, no Python.
+    pub fn offline(exports: impl Into<PathBuf>) -> Self {
+        Self {
+            exports: exports.into(),
+            cache: None,
+            python: None,
+            base_python: PathBuf::from("python3"),
+            mode: Mode::Offline,
+            timeout: TIMEOUT,
+        }
+    }
+
+    /// As the user's environment has it: `NSV_PYTHON`, `NSV_CACHE_DIR` (else `$XDG_CACHE_HOME/nsv`, else `~/.cache/nsv`) and
+    /// `NSV_CASADI_TIMEOUT` in seconds.
+    pub fn from_environment(exports: impl Into<PathBuf>, mode: Mode) -> Self {
+        let path = |name: &str| env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
+        let cache = path("NSV_CACHE_DIR")
+            .or_else(|| path("XDG_CACHE_HOME").map(|cache| cache.join("nsv")))
+            .or_else(|| path("HOME").map(|home| home.join(".cache/nsv")));
+        let seconds = env::var("NSV_CASADI_TIMEOUT").ok().and_then(|text| text.parse().ok());
+        let timeout = seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok()).unwrap_or(TIMEOUT);
+        Self { cache, python: path("NSV_PYTHON"), mode, timeout, ..Self::offline(exports) }
+    }
+
+    /// The user's stored exports.
+    pub(crate) fn cached_exports(&self) -> Option<PathBuf> {
+        Some(self.cache.as_ref()?.join("partials"))
+    }
+
+    /// Directory of the managed environment: another one for other requirements.
+    fn managed(&self) -> Option<PathBuf> {
+        let hash = Key::from_digest(&Sha256::digest(REQUIREMENTS)[..8]);
+        Some(self.cache.as_ref()?.join("python").join(hash.to_string()))
+    }
+
+    /// The interpreter that is used at present: the user's, or the managed one if it is installed.
+    pub fn installed_python(&self) -> Option<PathBuf> {
+        let managed = || self.managed().map(|directory| interpreter(&directory)).filter(|python| python.is_file());
+        self.python.clone().or_else(managed)
+    }
+
+    /// The interpreter, installed now if need be; `progress` is told what takes time.
+    pub fn provision(&self, progress: &mut dyn FnMut(&str)) -> Result<PathBuf, Error> {
+        if let Some(python) = self.installed_python() {
+            return Ok(python);
+        }
+        let directory = self.managed().ok_or(Error::CacheMissing)?;
+        let parent = directory.parent().expect("invariant: a joined path has a parent");
+        fs::create_dir_all(parent).map_err(|error| storage(parent, error))?;
+        let lock = parent.join("lock");
+        let _held = hold(&lock, progress).map_err(|error| storage(&lock, error))?;
+        // Another process may have installed it while this one waited.
+        match self.installed_python() {
+            Some(python) => Ok(python),
+            None => self.install(parent, &directory, progress),
+        }
+    }
+
+    /// Makes the environment under another name and moves it into place when it is complete.
+    fn install(&self, parent: &Path, directory: &Path, progress: &mut dyn FnMut(&str)) -> Result<PathBuf, Error> {
+        let draft = tempfile::tempdir_in(parent).map_err(|error| storage(parent, error))?;
+        progress(&format!("creating a Python environment in {}", directory.display()));
+        let program = &self.base_python;
+        let created = Command::new(program).args(["-I", "-m", "venv"]).arg(draft.path()).output();
+        let created = created.map_err(|_| Error::PythonMissing { program: program.clone() })?;
+        if !created.status.success() {
+            return Err(Error::VenvFailed { program: program.clone(), detail: report(&created) });
+        }
+        progress("installing casadi and numpy from PyPI (about 110 MB, once)");
+        let requirements = draft.path().join("requirements.txt");
+        fs::write(&requirements, REQUIREMENTS).map_err(|error| storage(&requirements, error))?;
+        let installed = Command::new(interpreter(draft.path()))
+            .args(["-m", "pip", "install", "--quiet", "--no-input", "--disable-pip-version-check"])
+            .args(["--require-hashes", "--only-binary", ":all:", "--requirement"])
+            .arg(&requirements)
+            .output()
+            .map_err(|error| storage(draft.path(), error))?;
+        if !installed.status.success() {
+            return Err(Error::InstallFailed { detail: report(&installed) });
+        }
+        replace(draft, directory).map_err(|error| storage(directory, error))?;
+        Ok(interpreter(directory))
+    }
+}
+
+/// Moves a complete draft to `directory`. One that is there already has no interpreter: its base Python has been removed.
+fn replace(draft: tempfile::TempDir, directory: &Path) -> io::Result<()> {
+    match fs::remove_dir_all(directory) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
+        _ => {}
+    }
+    fs::rename(draft.path(), directory)?;
+    // The draft is no longer under its temporary name.
+    let _ = draft.keep();
+    Ok(())
+}
+
+/// Locks a file until the result is dropped, so that one process at a time installs.
+fn hold(path: &Path, progress: &mut dyn FnMut(&str)) -> io::Result<File> {
+    let file = File::options().create(true).truncate(false).write(true).open(path)?;
+    match file.try_lock() {
+        Ok(()) => {}
+        Err(TryLockError::WouldBlock) => {
+            progress("waiting for another nsv to install casadi");
+            file.lock()?;
+        }
+        Err(TryLockError::Error(error)) => return Err(error),
+    }
+    Ok(file)
+}
+
+fn interpreter(environment: &Path) -> PathBuf {
+    if cfg!(windows) { environment.join("Scripts/python.exe") } else { environment.join("bin/python") }
+}
+
+/// What a failed command said; `venv` writes its reason to standard output.
+fn report(output: &Output) -> String {
+    let text = if output.stderr.is_empty() { &output.stdout } else { &output.stderr };
+    tail(&String::from_utf8_lossy(text))
+}
+
+fn storage(path: &Path, error: io::Error) -> Error {
+    Error::Storage { path: path.to_owned(), error }
+}

@@ -1,0 +1,111 @@
+//! The true plant of the simulation: drift, disturbances and diffusion with the plant's own parameters (11) (12).
+
+use nsv_spec::model::Disturbance;
+
+use super::law::Law;
+use super::observer::assemble;
+use super::symbol::{Side, Symbol, Term, matrix, name};
+use crate::ir::Shape;
+
+impl Law<'_> {
+    /// `x<i>_flow`, `w<i>_flow`, `d<i>`, `HSigma<i>` of every block, and their packed forms `drift` and `diffusion`.
+    pub(super) fn define_truth(&mut self) {
+        for i in 1..=self.order() {
+            self.define_true_block(i);
+        }
+        let blocks = || 1..=self.order();
+        let exosystems = || blocks().filter(|i| self.leaves.contains_key(&format!("w{i}")));
+        let flows = blocks()
+            .map(|i| name(format!("x{i}_flow")))
+            .chain(exosystems().map(|i| name(format!("w{i}_flow"))));
+        let flows = flows.collect();
+        let diffusion = |quantity: String| self.contains(&quantity).then(|| name(quantity));
+        let own = blocks().map(|i| (self.width(), diffusion(format!("HSigma{i}"))));
+        let excited = exosystems().map(|i| (self.exosystem_states(i), diffusion(format!("N{i}"))));
+        let diffusion: Vec<_> = own.chain(excited).collect();
+        self.group("packed plant state: x_1 .. x_n, then the exosystems");
+        self.define("drift", "dx/dt without noise", Term::Stack(flows).into());
+        if diffusion.iter().any(|(_, block)| block.is_some()) {
+            self.define(
+                "diffusion",
+                "columns: one per Wiener process",
+                Term::BlockDiagonal(diffusion).into(),
+            );
+        }
+    }
+
+    fn define_true_block(&mut self, i: usize) {
+        let block = &self.model.blocks[i - 1];
+        self.group(format!("true dynamics of block {i} ({}) (11)", block.name));
+        let model = |expr| Symbol::from(Term::Model(expr, Side::Plant));
+        let next = if i == self.order() {
+            name("u_sat")
+        } else {
+            name(format!("x{}", i + 1))
+        };
+        let drift = self.define(
+            format!("F{i}_plant"),
+            format!("F_{i} with the plant's parameters"),
+            model(block.drift),
+        );
+        let gain = self.define(
+            format!("G{i}_plant"),
+            format!("G_{i} with the plant's parameters"),
+            model(block.gain),
+        );
+        let mut flow = drift + gain.times(next);
+        match &block.disturbance {
+            Disturbance::None => {}
+            Disturbance::Bounded(value) => {
+                flow = flow + self.define(format!("d{i}"), format!("d_{i}(t)"), model(*value));
+            }
+            Disturbance::Exosystem(channels) => {
+                let parts = assemble(channels);
+                let w = name(format!("w{i}"));
+                let d = self.define(
+                    format!("d{i}"),
+                    format!("d_{i} = L_{i} w_{i}  (12)"),
+                    matrix(&parts.l).times(w.clone()),
+                );
+                flow = flow + d;
+                self.define(
+                    format!("w{i}_flow"),
+                    format!("w_{i}' = M_{i} w_{i}  (12)"),
+                    matrix(&parts.m).times(w),
+                );
+                if parts.n.cols > 0 {
+                    self.define(
+                        format!("N{i}"),
+                        format!("N_{i}, excitation of the exosystem (12)"),
+                        matrix(&parts.n),
+                    );
+                }
+            }
+        }
+        self.define(
+            format!("x{i}_flow"),
+            format!("F_{i} + G_{i} x_{} + d_{i}", i + 1),
+            flow,
+        );
+        if let Some(noise) = &block.noise {
+            let rows: Vec<f64> = (0..self.width())
+                .flat_map(|_| noise.intensity.iter().copied())
+                .collect();
+            let shape = Shape::Matrix(self.width(), noise.intensity.len());
+            let sigma = Symbol::from(Term::Literal(shape, rows));
+            self.define(
+                format!("HSigma{i}"),
+                format!("H_{i} Sigma_{i}"),
+                model(noise.effectiveness) * sigma,
+            );
+        }
+    }
+
+    /// Number of exosystem states of a block.
+    pub(crate) fn exosystem_states(&self, i: usize) -> usize {
+        match self.leaves.get(&format!("w{i}")) {
+            Some(Shape::Vector(states)) => *states,
+            _ => 0,
+        }
+    }
+}

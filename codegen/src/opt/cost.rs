@@ -1,0 +1,219 @@
+//! Operation counts of a program, as it is emitted: every arm of a selection is computed.
+
+use std::fmt::{self, Display, Formatter};
+use std::ops::{Add, Mul};
+
+use crate::ir::build::size;
+use crate::ir::eval::{SWEEPS, entries};
+use crate::ir::horner::Horner;
+use crate::ir::{Function, Kernel, MonomialBasis, Op, Operator, Program, Shape, Type, ValueId};
+
+/// How many scalar operations of each kind. Sign changes, absolute values, literals and moves count nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Cost {
+    /// Additions and subtractions.
+    pub additions: u64,
+    /// Multiplications.
+    pub multiplications: u64,
+    /// Divisions.
+    pub divisions: u64,
+    /// Square roots.
+    pub roots: u64,
+    /// Calls of other elementary functions.
+    pub elementary: u64,
+    /// Comparisons and selections.
+    pub selections: u64,
+}
+
+impl Cost {
+    /// Additions and multiplications.
+    pub fn flops(&self) -> u64 {
+        self.additions + self.multiplications
+    }
+}
+
+impl Add for Cost {
+    type Output = Cost;
+
+    fn add(self, other: Cost) -> Cost {
+        Cost {
+            additions: self.additions + other.additions,
+            multiplications: self.multiplications + other.multiplications,
+            divisions: self.divisions + other.divisions,
+            roots: self.roots + other.roots,
+            elementary: self.elementary + other.elementary,
+            selections: self.selections + other.selections,
+        }
+    }
+}
+
+impl Mul<Cost> for u64 {
+    type Output = Cost;
+
+    fn mul(self, cost: Cost) -> Cost {
+        Cost {
+            additions: self * cost.additions,
+            multiplications: self * cost.multiplications,
+            divisions: self * cost.divisions,
+            roots: self * cost.roots,
+            elementary: self * cost.elementary,
+            selections: self * cost.selections,
+        }
+    }
+}
+
+impl Display for Cost {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let Cost { additions, multiplications, divisions, roots, elementary, selections } = self;
+        write!(f, "{additions} additions, {multiplications} multiplications, {divisions} divisions, {roots} square roots, ")?;
+        write!(f, "{elementary} elementary functions, {selections} comparisons and selections")
+    }
+}
+
+const NOTHING: Cost = Cost { additions: 0, multiplications: 0, divisions: 0, roots: 0, elementary: 0, selections: 0 };
+const ADDITION: Cost = Cost { additions: 1, ..NOTHING };
+const MULTIPLICATION: Cost = Cost { multiplications: 1, ..NOTHING };
+const DIVISION: Cost = Cost { divisions: 1, ..NOTHING };
+const ROOT: Cost = Cost { roots: 1, ..NOTHING };
+const ELEMENTARY: Cost = Cost { elementary: 1, ..NOTHING };
+const SELECTION: Cost = Cost { selections: 1, ..NOTHING };
+
+/// The operations of a verified program.
+pub fn count(program: &Program) -> Cost {
+    program.instructions.iter().fold(NOTHING, |sum, instruction| sum + operation(program, &instruction.op, instruction.ty))
+}
+
+fn operation(program: &Program, op: &Op, ty: Type) -> Cost {
+    let entries = entries(ty) as u64;
+    match *op {
+        Op::Const(_) | Op::Input(_) | Op::Array(_) | Op::Element(..) | Op::Transpose(_) => NOTHING,
+        Op::Apply(function, _) => entries * elementary(function),
+        Op::Kernel(function, _) => kernel(function),
+        Op::Binary(operator, _, _) => entries * binary(operator),
+        Op::PowInt(_, n) => entries * u64::from(n.ilog2() + n.count_ones() - 1) * MULTIPLICATION,
+        Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_) => SELECTION,
+        Op::Select(..) => entries * SELECTION,
+        Op::MatMul(a, _) => entries * sum_of_products(columns(program, a)),
+        Op::Dot(a, _) | Op::SumSquares(a) => sum_of_products(size(program.shape(a)) as u64),
+        Op::Outer(..) => entries * MULTIPLICATION,
+        Op::Solve(..) => solve(entries),
+        Op::SingularVector(a) => singular_vector(size(program.shape(a)) as u64 / entries, entries),
+        Op::Polynomial(id, _) => {
+            let (additions, multiplications) = Horner::new(&program.polynomials[id.0 as usize]).operations();
+            Cost { additions, multiplications, ..NOTHING }
+        }
+        Op::Basis(id, _) => products(&program.bases[id.0 as usize]) * MULTIPLICATION,
+        // m and m' of each product
+        Op::BasisRate(id, ..) => products(&program.bases[id.0 as usize]) * (3 * MULTIPLICATION + ADDITION),
+        // m, m' and m'' of each product
+        Op::BasisRate2(id, ..) => products(&program.bases[id.0 as usize]) * (7 * MULTIPLICATION + 3 * ADDITION),
+    }
+}
+
+fn elementary(function: Function) -> Cost {
+    match function {
+        Function::Neg | Function::Abs => NOTHING,
+        Function::Sign => 2 * SELECTION,
+        Function::Sqrt => ROOT,
+        _ => ELEMENTARY,
+    }
+}
+
+fn binary(operator: Operator) -> Cost {
+    match operator {
+        Operator::Add | Operator::Sub => ADDITION,
+        Operator::Mul => MULTIPLICATION,
+        Operator::Div => DIVISION,
+        Operator::Min | Operator::Max => SELECTION,
+        Operator::Pow | Operator::Atan2 => ELEMENTARY,
+    }
+}
+
+fn kernel(kernel: Kernel) -> Cost {
+    // the series with its argument, the sine and cosine quotients, doubling and scaling, and the selection of an arm
+    let derivative = 11 * (ADDITION + MULTIPLICATION) + 2 * (ELEMENTARY + DIVISION + MULTIPLICATION + ADDITION) + 2 * SELECTION;
+    match kernel {
+        Kernel::SinCosOver => ELEMENTARY + ADDITION + DIVISION + SELECTION,
+        Kernel::TanOver => ELEMENTARY + DIVISION + SELECTION,
+        Kernel::SinCosOverD1 => derivative + MULTIPLICATION,
+        Kernel::SinCosOverD2 => derivative + 2 * ADDITION + DIVISION + MULTIPLICATION,
+        Kernel::SinCosOverD3 => derivative + 5 * ADDITION + 3 * DIVISION + 2 * MULTIPLICATION,
+    }
+}
+
+fn sum_of_products(count: u64) -> Cost {
+    count * MULTIPLICATION + count.saturating_sub(1) * ADDITION
+}
+
+fn solve(n: u64) -> Cost {
+    let product_sum = sum_of_products(2);
+    match n {
+        1 => DIVISION,
+        2 => 3 * product_sum + 2 * DIVISION,
+        3 => 9 * product_sum + 4 * sum_of_products(3) + 3 * DIVISION,
+        _ => {
+            let update = MULTIPLICATION + ADDITION;
+            let elimination = (0..n).fold(NOTHING, |sum, below| sum + below * (DIVISION + SELECTION + (below + 1) * update));
+            elimination + n * (n - 1) / 2 * update + n * DIVISION
+        }
+    }
+}
+
+fn singular_vector(rows: u64, columns: u64) -> Cost {
+    let gram = columns * (columns + 1) / 2 * sum_of_products(rows);
+    let angle = 7 * ADDITION + 4 * MULTIPLICATION + 3 * DIVISION + 2 * ROOT + 2 * SELECTION;
+    let rotation = angle + (2 * columns).saturating_sub(2) * 2 * sum_of_products(2);
+    let sweep = columns * (columns - 1) / 2 * rotation;
+    gram + SWEEPS as u64 * sweep + 2 * (columns - 1) * SELECTION + SELECTION
+}
+
+/// Monomials of degree two or more.
+fn products(basis: &MonomialBasis) -> u64 {
+    basis.exponents.iter().filter(|exponents| exponents.iter().sum::<u32>() > 1).count() as u64
+}
+
+/// Length of a row of a matrix.
+fn columns(program: &Program, matrix: ValueId) -> u64 {
+    match program.shape(matrix) {
+        Shape::Matrix(_, columns) => columns as u64,
+        Shape::Scalar | Shape::Vector(_) => 1,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn check(lines: &str, expected: &str) {
+        let text: String = lines.lines().enumerate().map(|(i, line)| format!("%{i}: {}\n", line.trim())).collect();
+        let program: Program = format!("polynomial f(a) = 1.0 [0], 2.0 [3]\nbasis b(p) = [0], [1], [2]\n{text}").parse().unwrap();
+        program.assert_sound();
+        let Cost { additions, multiplications, divisions, roots, elementary, selections } = count(&program);
+        let counts =
+            [(additions, "add"), (multiplications, "mul"), (divisions, "div"), (roots, "sqrt"), (elementary, "fn"), (selections, "sel")];
+        let counts: Vec<String> = counts.iter().filter(|(n, _)| *n > 0).map(|(n, word)| format!("{n} {word}")).collect();
+        assert_eq!(counts.join(" "), expected, "{lines}");
+    }
+
+    #[test]
+    fn counts_follow_the_shapes() {
+        let (vector, matrix) = ("vec3 = const [1.0, 2.0, 3.0]", "mat2x3 = const [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]");
+        check(&format!("{vector}\nvec3 = sin %0\nvec3 = sqrt %1\nvec3 = neg %2"), "3 sqrt 3 fn");
+        check(&format!("{vector}\n{matrix}\nvec2 = matmul %1, %0"), "4 add 6 mul");
+        check(&format!("{vector}\nreal = dot %0, %0\nvec3 = div %0, %1"), "2 add 3 mul 3 div");
+        check("real = const 2.0\nreal = polynomial f, %0", "1 add 3 mul");
+        check("real = const 2.0\nreal = powi %0, 7", "4 mul");
+        check("vec1 = const [2.0]\nvec3 = basis_rate b, %0, %0", "1 add 3 mul");
+    }
+
+    #[test]
+    fn solving_counts_its_method() {
+        let of = |n: usize| {
+            let (a, b) = (format!("{:?}", vec![1.0; n * n]), format!("{:?}", vec![1.0; n]));
+            format!("mat{n}x{n} = const {a}\nvec{n} = const {b}\nvec{n} = solve %0, %1")
+        };
+        check(&of(2), "3 add 6 mul 2 div");
+        check(&of(3), "17 add 30 mul 3 div");
+        check(&of(4), "26 add 26 mul 10 div 6 sel");
+    }
+}

@@ -1,0 +1,77 @@
+//! Dead code elimination: only what an output needs is computed, and only the tables that it needs are kept. Names do not keep a value
+//! alive; inputs of the program stay, as they are its interface.
+
+use crate::ir::{BasisId, Op, PolynomialId, Program, ValueId};
+
+/// Removes unused instructions, polynomials, bases and origins.
+pub(super) fn run(mut program: Program) -> Program {
+    let needed = needed(&program);
+    let source = std::mem::take(&mut program.instructions);
+    let mut moved = vec![ValueId(0); source.len()];
+    for (index, mut instruction) in source.into_iter().enumerate().filter(|&(index, _)| needed[index]) {
+        instruction.op = instruction.op.map_operands(|operand| moved[operand.0 as usize]);
+        moved[index] = ValueId(u32::try_from(program.instructions.len()).expect("invariant: fewer than 2^32 instructions"));
+        program.instructions.push(instruction);
+    }
+    for (_, value) in &mut program.outputs {
+        *value = moved[value.0 as usize];
+    }
+    drop_tables(&mut program);
+    program
+}
+
+/// Which instructions an output depends on.
+fn needed(program: &Program) -> Vec<bool> {
+    let mut needed = vec![false; program.instructions.len()];
+    for (_, value) in &program.outputs {
+        needed[value.0 as usize] = true;
+    }
+    for (index, instruction) in program.instructions.iter().enumerate().rev() {
+        if needed[index] {
+            for operand in instruction.op.operands() {
+                needed[operand.0 as usize] = true;
+            }
+        }
+    }
+    needed
+}
+
+fn drop_tables(program: &mut Program) {
+    let mut polynomials = vec![false; program.polynomials.len()];
+    let mut bases = vec![false; program.bases.len()];
+    let mut origins = vec![false; program.origins.len()];
+    for instruction in &program.instructions {
+        match instruction.op {
+            Op::Polynomial(id, _) => polynomials[id.0 as usize] = true,
+            Op::Basis(id, _) | Op::BasisRate(id, ..) | Op::BasisRate2(id, ..) => bases[id.0 as usize] = true,
+            _ => {}
+        }
+        if let Some(origin) = instruction.origin {
+            origins[origin] = true;
+        }
+    }
+    let (polynomials, bases) = (keep(&mut program.polynomials, &polynomials), keep(&mut program.bases, &bases));
+    let origins = keep(&mut program.origins, &origins);
+    for instruction in &mut program.instructions {
+        match &mut instruction.op {
+            Op::Polynomial(PolynomialId(id), _) => *id = polynomials[*id as usize],
+            Op::Basis(BasisId(id), _) | Op::BasisRate(BasisId(id), ..) | Op::BasisRate2(BasisId(id), ..) => *id = bases[*id as usize],
+            _ => {}
+        }
+        if let Some(origin) = &mut instruction.origin {
+            *origin = origins[*origin] as usize;
+        }
+    }
+}
+
+/// Keeps the marked entries and gives the new position of each.
+fn keep<T>(table: &mut Vec<T>, marked: &[bool]) -> Vec<u32> {
+    let mut marks = marked.iter();
+    table.retain(|_| *marks.next().expect("invariant: a mark for each entry"));
+    let positions = marked.iter().scan(0, |next, &mark| {
+        let position = *next;
+        *next += u32::from(mark);
+        Some(position)
+    });
+    positions.collect()
+}

@@ -1,0 +1,76 @@
+//! Zeros and identities in the structure of the equations, such as absent couplings in a gain matrix. `x * 0 == 0` for finite x only,
+//! and `x + 0 == x` up to the sign of a zero, so the pass is off in strict arithmetic. The emitted step refuses non-finite inputs, so
+//! with it a wrong result needs an overflow inside the step.
+
+use crate::ir::build::size;
+use crate::ir::{Function, Instruction, Op, Operator, Program, Shape, Type, ValueId};
+
+use super::rewrite::{literal, of_type, rewrite};
+
+/// Removes arithmetic with structural zeros.
+pub(super) fn run(program: Program) -> Program {
+    rewrite(program, |program, instruction| match instruction.op {
+        Op::Binary(operator, a, b) => elementwise(program, instruction, operator, a, b),
+        Op::MatMul(a, b) => matrix_product(program, instruction, a, b),
+        // 0 . x == 0, 0 x^T == 0 (finite x)
+        Op::Dot(a, b) | Op::Outer(a, b) if is_zero(program, a) || is_zero(program, b) => Some(zero(program, instruction)),
+        _ => None,
+    })
+}
+
+fn elementwise(program: &mut Program, instruction: &Instruction, operator: Operator, a: ValueId, b: ValueId) -> Option<ValueId> {
+    match operator {
+        // x * 0 == 0, 0 * x == 0 (finite x, up to the sign of zero)
+        Operator::Mul if is_zero(program, a) || is_zero(program, b) => Some(zero(program, instruction)),
+        // 0 / x == 0 (finite x other than 0, up to the sign of zero)
+        Operator::Div if is_zero(program, a) => Some(zero(program, instruction)),
+        // x + 0 == x, x - 0 == x (up to the sign of zero)
+        Operator::Add | Operator::Sub if is_zero(program, b) => of_type(program, a, instruction.ty),
+        // 0 + x == x (up to the sign of zero)
+        Operator::Add if is_zero(program, a) => of_type(program, b, instruction.ty),
+        // 0 - x == -x (up to the sign of zero)
+        Operator::Sub if is_zero(program, a) => {
+            let b = of_type(program, b, instruction.ty)?;
+            Some(program.push(Op::Apply(Function::Neg, b)))
+        }
+        _ => None,
+    }
+}
+
+fn matrix_product(program: &mut Program, instruction: &Instruction, a: ValueId, b: ValueId) -> Option<ValueId> {
+    // 0 B == 0, A 0 == 0 (finite entries)
+    if is_zero(program, a) || is_zero(program, b) {
+        return Some(zero(program, instruction));
+    }
+    // A I == A (finite entries, up to the sign of zero)
+    if diagonal(program, b).is_some_and(|d| d.iter().all(|&entry| entry == 1.0)) {
+        return Some(a);
+    }
+    let diagonal = diagonal(program, a)?;
+    // I B == B (finite entries, up to the sign of zero)
+    if diagonal.iter().all(|&entry| entry == 1.0) {
+        return Some(b);
+    }
+    // diag(d) x == d * x elementwise (finite entries, up to the sign of zero)
+    let shape @ Shape::Vector(_) = program.shape(b) else { return None };
+    let diagonal = program.constant(shape, diagonal);
+    Some(program.binary(Operator::Mul, diagonal, b))
+}
+
+fn is_zero(program: &Program, id: ValueId) -> bool {
+    literal(program, id).is_some_and(|data| data.iter().all(|&entry| entry == 0.0))
+}
+
+/// The literal 0 of the instruction's shape.
+fn zero(program: &mut Program, instruction: &Instruction) -> ValueId {
+    let Type::Real(shape) = instruction.ty else { panic!("invariant: arithmetic gives a real value") };
+    program.constant(shape, vec![0.0; size(shape)])
+}
+
+/// The diagonal of a literal square matrix whose other entries are 0.
+fn diagonal(program: &Program, id: ValueId) -> Option<Vec<f64>> {
+    let Shape::Matrix(rows, columns) = program.shape(id) else { return None };
+    let data = literal(program, id).filter(|_| rows == columns)?;
+    let off = |(index, &entry): (usize, &f64)| index / columns == index % columns || entry == 0.0;
+    data.iter().enumerate().all(off).then(|| data.iter().step_by(columns + 1).copied().collect())
+}

@@ -1,0 +1,198 @@
+use super::*;
+use crate::ir::{Input, Op, Operator, Shape, Values, build, eval, random};
+
+fn pass(name: &str) -> &'static Pass {
+    PASSES.iter().find(|pass| pass.name == name).expect("a pass of that name")
+}
+
+/// Snapshots a program given by its statements before and after a pass, without what the pass left unused, under the name of the pass.
+/// Both must agree at ordinary inputs, to a few roundings even if the pass reassociates.
+fn check(name: &str, text: &str) {
+    let before: Program = format!("program small\n{text}").parse().unwrap();
+    before.assert_sound();
+    let after = (pass("dead_code").run)((pass(name).run)(before.clone()));
+    after.assert_sound();
+    insta::assert_snapshot!(name, format!("-- before --\n{before}-- after {name} --\n{after}"));
+
+    let ordinary = |shape| (0..build::size(shape)).map(|i| 0.7 + 1.3 * i as f64).collect::<Vec<f64>>();
+    let inputs: Values = before.inputs.iter().map(|input| (input.name.clone(), ordinary(input.shape))).collect();
+    let (expected, found) = (eval::eval(&before, &inputs).unwrap(), eval::eval(&after, &inputs).unwrap());
+    for ((name, expected), (_, found)) in expected.iter().zip(&found) {
+        let close = |(a, b): (&f64, &f64)| a == b || (a - b).abs() <= 2.0 * f64::EPSILON * a.abs();
+        assert!(expected.iter().zip(found).all(close), "{name}: {found:?}, expected {expected:?}");
+    }
+}
+
+/// Outputs and named values, NaN made one.
+fn bits(values: Values) -> Vec<(String, Vec<u64>)> {
+    let one_nan = |value: f64| if value.is_nan() { f64::NAN.to_bits() } else { value.to_bits() };
+    values.into_iter().map(|(name, values)| (name, values.into_iter().map(one_nan).collect())).collect()
+}
+
+/// Asserts that `after` has the outputs of `before` and no other names, with the same bits for many inputs.
+fn assert_same_bits(before: &Program, after: &Program, context: &str) {
+    after.assert_sound();
+    let names = |program: &Program| program.outputs.iter().map(|(name, _)| name.clone()).collect::<Vec<String>>();
+    assert_eq!(names(before), names(after), "{context}");
+    for seed in 0..12 {
+        let inputs = random::inputs(before, seed);
+        let mut expected = bits(eval::eval_named(before, &inputs).unwrap());
+        let found = bits(eval::eval_named(after, &inputs).unwrap());
+        expected.retain(|(name, _)| found.iter().any(|(kept, _)| kept == name));
+        assert_eq!(found, expected, "{context}, inputs {seed}:\n{before}\n{after}");
+    }
+}
+
+#[test]
+fn exact_passes_keep_every_bit() {
+    for seed in 0..150 {
+        let program = random::program(seed, 40 + 2 * usize::try_from(seed).unwrap());
+        for pass in PASSES.iter().filter(|pass| pass.kind == Kind::Exact) {
+            let after = (pass.run)(program.clone());
+            assert_same_bits(&program, &after, &format!("{} on program {seed}", pass.name));
+        }
+        assert_same_bits(&program, &optimise(program.clone()), &format!("all on program {seed}"));
+    }
+}
+
+#[test]
+fn every_pass_changes_some_random_program() {
+    for pass in &PASSES {
+        let changes = (0..40).any(|seed| {
+            let program = random::program(seed, 200);
+            (pass.run)(program.clone()) != program
+        });
+        assert!(changes, "{}", pass.name);
+    }
+}
+
+#[test]
+fn identities_that_fail_for_zeros_or_infinities_are_not_applied() {
+    let text =
+        "input x: real\n%0: real = input x\n%1: real = const 0.0\n%2: real = const -0.0\n%3: real = add %0, %1\n%4: real = sub %0, %2
+%5: real = mul %0, %1\n%6: real = sub %0, %0\n%7: real = div %0, %0\n%8: real = div %1, %0\n%9: real = sub %1, %0
+output a = %3\noutput b = %4\noutput c = %5\noutput d = %6\noutput e = %7\noutput f = %8\noutput g = %9";
+    let program: Program = text.parse().unwrap();
+    assert_eq!(optimise(program.clone()), program);
+}
+
+#[test]
+fn optimising_again_changes_nothing() {
+    for seed in 0..30 {
+        let once = optimise(random::program(seed, 150));
+        assert_eq!(optimise(once.clone()), once, "program {seed}");
+    }
+}
+
+#[test]
+fn optimising_never_adds_operations() {
+    for seed in 0..60 {
+        let program = (pass("dead_code").run)(random::program(seed, 150));
+        let (before, after) = (cost::count(&program), cost::count(&optimise(program)));
+        assert!(after.flops() + after.divisions <= before.flops() + before.divisions, "program {seed}: {before}; {after}");
+        assert!(after.elementary <= before.elementary && after.divisions <= before.divisions, "program {seed}: {before}; {after}");
+    }
+}
+
+#[test]
+fn large_programs_are_optimised() {
+    let program = random::program(7, 100_000);
+    let optimised = optimise(program);
+    assert!(optimised.instructions.len() > 10_000);
+}
+
+#[test]
+fn long_chains_are_optimised() {
+    let mut program =
+        Program { name: "chain".into(), inputs: vec![Input { name: "x".into(), shape: Shape::Scalar }], ..Program::default() };
+    let x = program.push(Op::Input(0));
+    let mut last = x;
+    for step in 0..100_000 {
+        last = program.binary(if step % 2 == 0 { Operator::Add } else { Operator::Mul }, last, x);
+    }
+    program.outputs.push(("y".into(), last));
+    assert_eq!(optimise(program.clone()), program);
+}
+
+#[test]
+fn fold() {
+    let text = "%0: real = const 2.0\n%1: vec2 = const [1.0, 3.0]\n%2 gain: vec2 = mul %0, %1\n%3: real = dot %2, %1\n%4: real = sqrt %3
+%5: real = const 0.0\n%6: real = div %0, %5\noutput gain = %2\noutput root = %4\noutput infinite = %6";
+    check("fold", text);
+}
+
+#[test]
+fn select() {
+    let text = "input x: real\n%0: real = input x\n%1: real = const 1.0\n%2: real = const 2.0\n%3: bool = lt %2, %1\n%4: bool = lt %0, %1
+%5: bool = or %3, %4\n%6: bool = not %5\n%7 y: real = select %6, %1, %0\n%8: real = select %3, %0, %2\noutput y = %7\noutput z = %8";
+    check("select", text);
+}
+
+#[test]
+fn identities() {
+    let text = "input x: vec2\ninput s: real\n%0: vec2 = input x\n%1: real = input s\n%2: real = const 1.0\n%3: vec2 = mul %0, %2
+%4: vec2 = neg %3\n%5: vec2 = add %4, %0\n%6: real = const 4.0\n%7: vec2 = div %5, %6\n%8: vec2 = const [1.0, 1.0]\n%9: vec2 = mul %1, %8
+%10: vec2 = neg %0\n%11: real = sum_squares %10\n%12: real = dot %0, %0\noutput half = %7\noutput spread = %9\noutput a = %11\noutput b = %12";
+    check("identities", text);
+}
+
+#[test]
+fn structural_zeros() {
+    let text = "input w: vec2\n%0: vec2 = input w\n%1: mat2x2 = const [0.0, 0.0, 0.0, 0.0]\n%2: vec2 = matmul %1, %0
+%3: mat2x2 = const [2.0, 0.0, 0.0, 3.0]\n%4: vec2 = matmul %3, %0\n%5: vec2 = add %4, %2\n%6: mat2x2 = const [1.0, 0.0, 0.0, 1.0]
+%7: vec2 = matmul %6, %5\n%8: mat2x2 = const [0.0, 3.0, -3.0, 0.0]\n%9: vec2 = matmul %8, %0\noutput a = %7\noutput b = %9";
+    check("structural_zeros", text);
+}
+
+#[test]
+fn arrays() {
+    let text = "input x: vec2\ninput M: mat2x3\n%0: vec2 = input x\n%1: real = element %0, 0, 0\n%2: real = element %0, 1, 0
+%3 copy: vec2 = array %1, %2\n%4: vec2 = array %2, %1\n%5: real = element %4, 0, 0\n%6: mat2x3 = input M\n%7: mat3x2 = transpose %6
+%8: real = element %7, 2, 1\noutput copy = %3\noutput second = %5\noutput corner = %8";
+    check("arrays", text);
+}
+
+#[test]
+fn transposes() {
+    let text = "input A: mat2x3\ninput B: mat3x2\n%0: mat2x3 = input A\n%1: mat3x2 = input B\n%2: mat3x2 = transpose %0
+%3: mat2x3 = transpose %1\n%4: mat3x3 = matmul %2, %3\n%5: mat3x3 = transpose %4\n%6: mat3x3 = neg %5\noutput BA = %6";
+    check("transposes", text);
+}
+
+#[test]
+fn powers() {
+    let text = "input x: real\n%0: real = input x\n%1: real = powi %0, 3\n%2: real = powi %0, 6\n%3: real = powi %0, 17
+output cube = %1\noutput sixth = %2\noutput large = %3";
+    check("powers", text);
+}
+
+#[test]
+fn value_numbering() {
+    let text = "input x: real\ninput y: real\norigin \"group\" \"p = x y\"\n%0: real = input x\n%1: real = input y\n%2: real = mul %0, %1
+%3 p: real = mul %1, %0 @0   ; p = x y\n%4 q: real = mul %0, %1\n%5: real = min %0, %1\n%6: real = min %1, %0\n%7: real = sub %5, %6
+%8 limit: real = const 1.0\n%9 unit: real = const 1.0\n%10: real = add %8, %9\n%11: real = add %2, %10\n%12: real = add %7, %11
+output p = %3\noutput q = %4\noutput r = %12";
+    check("value_numbering", text);
+}
+
+#[test]
+fn reciprocals() {
+    let text = "input x: vec3\ninput d: real\n%0: vec3 = input x\n%1: real = input d\n%2: vec3 = div %0, %1\n%3: real = sum_squares %0
+%4: real = div %1, %3\noutput a = %2\noutput b = %4";
+    check("reciprocals", text);
+}
+
+#[test]
+fn dead_code() {
+    let text = "input x: real\ninput unused: real\npolynomial f(a) = 1.0 [1]\npolynomial g(a) = 2.0 [1]\norigin \"a\" \"b\"\norigin \"c\" \"d\"
+%0: real = input x\n%1 telemetry: real = neg %0 @0   ; b\n%2: real = polynomial f, %0\n%3 y: real = polynomial g, %0 @1   ; d\noutput y = %3";
+    check("dead_code", text);
+}
+
+#[test]
+fn relaxed_arithmetic_removes_what_strict_arithmetic_keeps() {
+    let text = "input x: real\n%0: real = input x\n%1: real = const 0.0\n%2: real = mul %0, %1\n%3: real = add %0, %2\noutput y = %3";
+    let program: Program = text.parse().unwrap();
+    assert_eq!(cost::count(&optimise(program.clone())).flops(), 2);
+    assert_eq!(cost::count(&optimise_with(program, Arithmetic::Relaxed)).flops(), 0);
+}

@@ -1,0 +1,82 @@
+//! Names in place of values.
+
+use super::{Bits, Dimension, Elaborator, ExprId, Fault, Node, Span, Type};
+use crate::diagnostic::quoted;
+use crate::expr::builtin;
+use crate::expr::scope::Symbol;
+use crate::suggest::nearest;
+use crate::unit::parse_unit;
+
+impl Elaborator<'_> {
+    /// The value that a name stands for.
+    pub(super) fn name(&mut self, span: Span, name: &str) -> Option<ExprId> {
+        let (node, ty) = match self.scope.resolve(name) {
+            Some(Symbol::Constant(id, ty)) => (Node::Constant(id), ty),
+            Some(Symbol::Parameter(id, ty)) => (Node::Parameter(id), ty),
+            Some(Symbol::State {
+                block,
+                channel,
+                dimension,
+            }) => (Node::State { block, channel }, Type::scalar(dimension)),
+            Some(Symbol::Time) => (Node::Time, Type::scalar(Dimension::new(0, 0, 1, 0))),
+            Some(Symbol::Pi) => (
+                Node::Number(Bits(std::f64::consts::PI.to_bits())),
+                Type::scalar(Dimension::ONE),
+            ),
+            Some(Symbol::Definition(id, ty)) => (Node::Definition(id), ty),
+            Some(Symbol::Polynomial(_, arguments)) => {
+                let help = format!(
+                    "apply it to its arguments: `{name}({})`",
+                    arguments.join(", ")
+                );
+                return self.report(
+                    span,
+                    Fault::new(
+                        "E0304",
+                        format!("`{name}` is polynomial data, expected a value"),
+                        help,
+                    ),
+                    &[],
+                );
+            }
+            Some(Symbol::Unavailable(why)) => return self.unavailable(span, name, why),
+            Some(Symbol::Faulty) => return None,
+            None => return self.unknown_name(span, name),
+        };
+        Some(self.arena.intern(node, ty))
+    }
+
+    pub(super) fn unavailable(&mut self, span: Span, name: &str, why: String) -> Option<ExprId> {
+        self.report(
+            span,
+            Fault::new("E0303", format!("`{name}` cannot be used here"), why),
+            &[],
+        )
+    }
+
+    fn unknown_name(&mut self, span: Span, name: &str) -> Option<ExprId> {
+        if !self.unknown.insert(name.to_owned()) {
+            return None;
+        }
+        if builtin::names().any(|function| function == name) {
+            let fault = Fault::new(
+                "E0304",
+                format!("`{name}` is a function, expected a value"),
+                format!("apply it: `{name}(..)`"),
+            );
+            return self.report(span, fault, &[]);
+        }
+        let help = match nearest(name, self.scope.names()) {
+            Some(meant) => format!("did you mean `{meant}`?"),
+            None if parse_unit(name).is_ok() => {
+                format!("a unit follows its number directly: `1 {name}`")
+            }
+            None => "declare it under `constants`, `parameters` or `definitions`".to_owned(),
+        };
+        self.report(
+            span,
+            Fault::new("E0301", format!("unknown name {}", quoted(name)), help),
+            &[],
+        )
+    }
+}

@@ -1,0 +1,83 @@
+//! Checks that an expression has the shape and dimensions that its place asks for.
+
+use super::arena::{Arena, ExprId, Shape, Type};
+use super::typing::{in_entry, shown};
+use crate::diagnostic::{Diagnostic, Span};
+use crate::unit::Dimension;
+
+/// What a place in the specification asks of its expression.
+#[derive(Clone, Copy, Debug)]
+pub struct Expected<'a> {
+    /// The place in words, the subject of the message: ``drift of block `attitude` ``.
+    pub what: &'a str,
+    /// Shape.
+    pub shape: Shape,
+    /// Dimension of every entry in row-major order, or a single one for all.
+    pub dimensions: &'a [Dimension],
+}
+
+/// Checks the expression `id`, written at `span`, and reports every entry of a wrong dimension.
+pub fn expect(
+    arena: &Arena,
+    id: ExprId,
+    span: Span,
+    expected: &Expected<'_>,
+) -> Result<(), Vec<Diagnostic>> {
+    let what = expected.what;
+    let Type::Real { shape, dimensions } = arena.ty(id) else {
+        let message = format!("{what} is a truth value, expected {}", expected.shape);
+        return Err(vec![
+            Diagnostic::error("E0502", span, message)
+                .with_help("choose numbers with `if(condition, a, b)`"),
+        ]);
+    };
+    if *shape != expected.shape {
+        let message = format!(
+            "shape mismatch: {what} is {shape}, expected {}",
+            expected.shape
+        );
+        return Err(vec![
+            Diagnostic::error("E0504", span, message).with_help(shape_help(expected.shape)),
+        ]);
+    }
+    let wanted = expected.dimensions.iter().cycle();
+    let faults: Vec<_> = dimensions
+        .iter()
+        .zip(wanted)
+        .enumerate()
+        .filter(|(_, (found, wanted))| found.agree(**wanted).is_none())
+        .map(|(entry, (&found, &wanted))| {
+            let place = in_entry(*shape, entry);
+            let message = format!(
+                "unit mismatch{place}: {what} is {}, expected {}",
+                shown(found),
+                shown(wanted)
+            );
+            Diagnostic::error("E0407", span, message).with_help(dimension_help(found, wanted))
+        })
+        .collect();
+    if faults.is_empty() {
+        Ok(())
+    } else {
+        Err(faults)
+    }
+}
+
+fn shape_help(shape: Shape) -> String {
+    match shape {
+        Shape::Scalar => "take one entry of an array with `v[1]` or `M[1, 2]`".to_owned(),
+        Shape::Vector(rows) => format!("write {rows} entries: `[..]`"),
+        Shape::Matrix(rows, cols) => format!("write {rows} rows of {cols} entries: `[[..], ..]`"),
+    }
+}
+
+fn dimension_help(found: Dimension, wanted: Dimension) -> String {
+    match wanted.checked_div(found) {
+        Some(_) if wanted == Dimension::ONE => {
+            format!("divide it by a quantity in {found}, such as `/(1 {found})`")
+        }
+        Some(factor) if found == Dimension::ONE => format!("give it its unit, as in `1 {factor}`"),
+        Some(factor) => format!("a factor in {factor} is missing"),
+        None => format!("write it in units of {}", shown(wanted)),
+    }
+}

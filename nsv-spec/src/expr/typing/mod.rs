@@ -1,0 +1,265 @@
+//! The rules of shapes and dimensions: what type each operation makes of its operands' types.
+
+mod linear;
+
+use super::arena::{Function, Shape, Type};
+use crate::unit::Dimension;
+pub(super) use linear::{cross, dot, matrix_product, transpose};
+
+/// Why an operation has no type; the caller knows the place.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Fault {
+    pub(super) code: &'static str,
+    pub(super) message: String,
+    pub(super) help: String,
+}
+
+impl Fault {
+    pub(super) fn new(
+        code: &'static str,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) -> Self {
+        Self {
+            code,
+            message: message.into(),
+            help: help.into(),
+        }
+    }
+}
+
+/// Type of a real value.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Real {
+    pub(super) shape: Shape,
+    /// Row-major.
+    pub(super) dimensions: Vec<Dimension>,
+}
+
+impl From<Real> for Type {
+    fn from(real: Real) -> Self {
+        Type::Real {
+            shape: real.shape,
+            dimensions: real.dimensions,
+        }
+    }
+}
+
+impl Real {
+    pub(super) fn scalar(dimension: Dimension) -> Self {
+        Self {
+            shape: Shape::Scalar,
+            dimensions: vec![dimension],
+        }
+    }
+
+    /// Dimension at a row-major place; a scalar has the same everywhere.
+    fn at(&self, entry: usize) -> Dimension {
+        self.dimensions[if self.shape == Shape::Scalar {
+            0
+        } else {
+            entry
+        }]
+    }
+
+    /// What the value is, for labels: its dimension, or its shape.
+    pub(super) fn described(&self) -> String {
+        match self.shape {
+            Shape::Scalar => shown(self.dimensions[0]),
+            array => array.to_string(),
+        }
+    }
+}
+
+/// A dimension in words.
+pub(super) fn shown(dimension: Dimension) -> String {
+    if dimension.is_dimensionless() {
+        "a pure number".to_owned()
+    } else {
+        dimension.to_string()
+    }
+}
+
+/// ` in entry 2`, or nothing for a scalar.
+pub(super) fn in_entry(shape: Shape, entry: usize) -> String {
+    match shape {
+        Shape::Scalar => String::new(),
+        Shape::Vector(_) => format!(" in entry {}", entry + 1),
+        Shape::Matrix(_, cols) => format!(" in entry ({}, {})", entry / cols + 1, entry % cols + 1),
+    }
+}
+
+/// Sums, differences, `min`, `max`, and what compares or chooses: both sides have one dimension.
+pub(super) fn agreeing(symbol: &str, left: &Real, right: &Real) -> Result<Real, Fault> {
+    elementwise(symbol, left, right, |at, a, b| {
+        a.agree(b).ok_or_else(|| mismatch(symbol, at, a, b))
+    })
+}
+
+/// `atan2`: both sides have one dimension, the result is an angle.
+pub(super) fn angle(left: &Real, right: &Real) -> Result<Real, Fault> {
+    elementwise("atan2", left, right, |at, a, b| {
+        a.agree(b)
+            .map(|_| Dimension::ONE)
+            .ok_or_else(|| mismatch("atan2", at, a, b))
+    })
+}
+
+/// Elementwise products.
+pub(super) fn product(left: &Real, right: &Real) -> Result<Real, Fault> {
+    elementwise("*", left, right, |_, a, b| {
+        a.checked_mul(b).ok_or_else(out_of_range)
+    })
+}
+
+/// Elementwise quotients.
+pub(super) fn quotient(left: &Real, right: &Real) -> Result<Real, Fault> {
+    elementwise("/", left, right, |at, a, b| {
+        if b == Dimension::ANY {
+            return Err(Fault::new(
+                "E0408",
+                format!("division by the literal 0{at}"),
+                "divide by something that is not 0",
+            ));
+        }
+        a.checked_div(b).ok_or_else(out_of_range)
+    })
+}
+
+fn elementwise(
+    symbol: &str,
+    left: &Real,
+    right: &Real,
+    rule: impl Fn(&str, Dimension, Dimension) -> Result<Dimension, Fault>,
+) -> Result<Real, Fault> {
+    let shape = match (left.shape, right.shape) {
+        (Shape::Scalar, shape) | (shape, Shape::Scalar) => shape,
+        (a, b) if a == b => a,
+        (a, b) => {
+            let message = format!("shape mismatch: `{symbol}` between {a} and {b}");
+            return Err(Fault::new(
+                "E0501",
+                message,
+                "operands are of one shape, or one of them is a scalar",
+            ));
+        }
+    };
+    let entry = |entry| rule(&in_entry(shape, entry), left.at(entry), right.at(entry));
+    let dimensions = (0..shape.entries()).map(entry).collect::<Result<_, _>>()?;
+    Ok(Real { shape, dimensions })
+}
+
+/// Elementwise functions of one argument.
+pub(super) fn apply(name: &str, function: Function, argument: &Real) -> Result<Real, Fault> {
+    let shape = argument.shape;
+    let rule = |(entry, &dimension): (usize, &Dimension)| match function {
+        Function::Neg | Function::Abs => Ok(dimension),
+        Function::Sign => Ok(Dimension::ONE),
+        Function::Sqrt => dimension.checked_sqrt().ok_or_else(|| {
+            let message = format!("no square root of a quantity in {dimension}");
+            Fault::new("E0406", message, "exponents of units go in halves")
+        }),
+        _ => {
+            let place = in_entry(shape, entry);
+            dimensionless(&format!("argument of `{name}`{place}"), dimension)
+                .map(|()| Dimension::ONE)
+        }
+    };
+    let dimensions = argument
+        .dimensions
+        .iter()
+        .enumerate()
+        .map(rule)
+        .collect::<Result<_, _>>()?;
+    Ok(Real { shape, dimensions })
+}
+
+/// A pure number.
+pub(super) fn dimensionless(what: &str, dimension: Dimension) -> Result<(), Fault> {
+    if dimension.is_dimensionless() {
+        return Ok(());
+    }
+    let message = format!("unit mismatch: {what} is {dimension}, expected a pure number");
+    Err(Fault::new(
+        "E0404",
+        message,
+        format!("divide it by a quantity in {dimension}, such as `/(1 {dimension})`"),
+    ))
+}
+
+/// Whole power of a scalar.
+pub(super) fn power(base: &Real, exponent: i32) -> Result<Real, Fault> {
+    if base.shape != Shape::Scalar {
+        return Err(power_of_array(base.shape));
+    }
+    if exponent == 0 {
+        return Ok(Real::scalar(Dimension::ONE));
+    }
+    base.dimensions[0]
+        .checked_powi(exponent)
+        .map(Real::scalar)
+        .ok_or_else(out_of_range)
+}
+
+/// Power with an exponent that is no whole literal.
+pub(super) fn real_power(base: &Real, exponent: &Real) -> Result<Real, Fault> {
+    if base.shape != Shape::Scalar {
+        return Err(power_of_array(base.shape));
+    }
+    if exponent.shape != Shape::Scalar {
+        let message = format!(
+            "shape mismatch: exponent is {}, expected a scalar",
+            exponent.shape
+        );
+        return Err(Fault::new("E0501", message, "take one entry of the array"));
+    }
+    dimensionless("exponent", exponent.dimensions[0])?;
+    let dimension = base.dimensions[0];
+    if dimension.is_dimensionless() {
+        return Ok(Real::scalar(Dimension::ONE));
+    }
+    let message =
+        format!("unit mismatch: base is {dimension}, but its exponent is not a whole number");
+    Err(Fault::new(
+        "E0405",
+        message,
+        "write the exponent as a literal, a half with `sqrt(..)`, or divide the base by its unit",
+    ))
+}
+
+fn power_of_array(shape: Shape) -> Fault {
+    let message = format!("shape mismatch: power of {shape}, expected a scalar");
+    Fault::new(
+        "E0501",
+        message,
+        "write `v*v` for squares of entries, `M*M` for a matrix product, `dot(v, v)` for a sum of squares",
+    )
+}
+
+fn mismatch(symbol: &str, at: &str, left: Dimension, right: Dimension) -> Fault {
+    let message = format!(
+        "unit mismatch{at}: `{symbol}` between {} and {}",
+        shown(left),
+        shown(right)
+    );
+    let help = match right.checked_div(left) {
+        Some(missing) if left == Dimension::ONE => {
+            format!("give the pure number its unit: `1 {missing}`")
+        }
+        Some(missing) if right == Dimension::ONE => match Dimension::ONE.checked_div(missing) {
+            Some(unit) => format!("give the pure number its unit: `1 {unit}`"),
+            None => "both sides must have one unit".to_owned(),
+        },
+        Some(missing) => format!("the sides differ by a factor in {missing}"),
+        None => "both sides must have one unit".to_owned(),
+    };
+    Fault::new("E0403", message, help)
+}
+
+fn out_of_range() -> Fault {
+    Fault::new(
+        "E0406",
+        "exponent of a unit out of range",
+        "exponents go from -63 to 63",
+    )
+}

@@ -1,0 +1,71 @@
+//! Faults of a unit expression.
+
+use std::ops::Range;
+
+use crate::diagnostic::{Base, Diagnostic, quoted};
+
+/// What is wrong with a unit expression, and where in its text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnitError {
+    /// The faulty bytes.
+    pub range: Range<usize>,
+    /// What is wrong there.
+    pub fault: UnitFault,
+}
+
+/// What is wrong with a unit expression.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum UnitFault {
+    /// A name that is no unit, with the unit that was probably meant.
+    Unknown {
+        /// The name.
+        name: String,
+        /// What to write instead.
+        suggestion: Option<String>,
+    },
+    /// Something else than the grammar allows.
+    Malformed {
+        /// What could stand there.
+        expected: &'static str,
+        /// What stands there.
+        found: String,
+    },
+    /// An exponent or factor too large to represent, or a root of an odd power of a root.
+    Range,
+}
+
+impl UnitError {
+    /// The same fault of a unit that begins at byte `offset` of a longer text.
+    pub(crate) fn shifted(mut self, offset: usize) -> Self {
+        self.range = self.range.start + offset..self.range.end + offset;
+        self
+    }
+
+    /// The fault as a diagnostic; `base` places the unit's text in its file.
+    pub fn diagnostic(&self, base: &Base) -> Diagnostic {
+        let span = base.span_of(self.range.clone());
+        match &self.fault {
+            UnitFault::Unknown { name, suggestion } => {
+                let fault =
+                    Diagnostic::error("E0401", span, format!("unknown unit {}", quoted(name)));
+                match suggestion {
+                    Some(unit) => fault.with_help(format!("did you mean `{unit}`?")),
+                    None => fault.with_help(
+                        "units are SI symbols with their prefixes, joined by `*`, `/` and `^`",
+                    ),
+                }
+            }
+            UnitFault::Malformed { expected, found } => {
+                let message = format!("malformed unit: found {found}, expected {expected}");
+                Diagnostic::error("E0402", span, message)
+                    .with_help("write units like `kN*m`, `rad/s`, `1/s` or `m/s^2`")
+            }
+            UnitFault::Range => Diagnostic::error(
+                "E0402",
+                span,
+                "unit with a factor or an exponent out of range",
+            )
+            .with_help("exponents go up to 63 in steps of a half, factors up to about 1e300"),
+        }
+    }
+}
