@@ -1,6 +1,7 @@
 //! The nsv compiler.
 pub mod casadi;
 pub mod derive;
+pub mod emit;
 pub mod ir;
 pub mod lower;
 pub mod opt;
