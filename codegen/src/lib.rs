@@ -2,6 +2,7 @@
 pub mod casadi;
 pub mod derive;
 pub mod driver;
+pub mod emit;
 pub mod ir;
 pub mod lower;
 pub mod opt;

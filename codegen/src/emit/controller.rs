@@ -1,0 +1,304 @@
+//! `controller.rs`: states, initialisation, the law, and the sampled controller around it that is total and reports a status.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::emit::comment::{Comments, code, docs, prose};
+use crate::emit::types::{index, type_of, type_of_shape};
+use crate::emit::function::{Function, Record, Results};
+use crate::emit::interface::Interface;
+use crate::emit::literal::{float, row};
+use crate::emit::names::{Fields, ident};
+use crate::emit::polynomial::Library;
+use crate::emit::state::{State, all, state_fields};
+use crate::ir::{Program, Shape, ValueId};
+
+/// The controller's programs and names.
+pub(crate) struct Controller<'a> {
+    /// Names and values of the model.
+    pub(crate) interface: &'a Interface,
+    /// Initial states.
+    pub(crate) initial: &'a Program,
+    /// One sample of the law.
+    pub(crate) control: &'a Program,
+    /// Fields of `Params`.
+    pub(crate) params: &'a Fields,
+    /// Names of the polynomial functions.
+    pub(crate) library: &'a Library,
+}
+
+/// The outputs of the law that `Output` passes on: all but the next states and the flag of the constraint.
+pub(crate) fn reported(control: &Program) -> impl Iterator<Item = &(String, ValueId)> {
+    control
+        .outputs
+        .iter()
+        .filter(|(name, _)| !name.starts_with("next.") && name != "violated")
+}
+
+impl Controller<'_> {
+    /// The items of the file.
+    pub(crate) fn items(&self, comments: &mut Comments) -> Vec<TokenStream> {
+        let states = state_fields(self.initial);
+        let records = [
+            Record {
+                prefix: "params",
+                ty: "Params",
+                fields: self.params,
+            },
+            Record {
+                prefix: "state",
+                ty: "State",
+                fields: &states,
+            },
+            Record {
+                prefix: "next",
+                ty: "State",
+                fields: &states,
+            },
+        ];
+        let initial_docs = ["The controller's states at its first sample.".to_owned()];
+        let control_docs = [
+            "One sample of the control law: control, next states and the signals on the way."
+                .to_owned(),
+        ];
+        let initial = Function {
+            program: self.initial,
+            docs: &initial_docs,
+            records: &records,
+            results: Results::Existing("State", &states),
+            library: self.library,
+        };
+        let control = Function {
+            program: self.control,
+            docs: &control_docs,
+            records: &records,
+            results: Results::Own,
+            library: self.library,
+        };
+        let mut items = self.constants();
+        items.extend(State { blocks: &self.interface.blocks, initial: self.initial, control: self.control, fields: &states }.items());
+        items.push(self.output(&control));
+        items.push(self.controller_struct());
+        items.push(self.controller_impl(&initial, &control));
+        items.extend(initial.items(comments));
+        items.extend(control.items(comments));
+        items
+    }
+
+    fn constants(&self) -> Vec<TokenStream> {
+        let (sample_time, width) = (
+            float(self.interface.sample_time),
+            index(self.interface.inputs.len()),
+        );
+        let safe: Vec<f64> = self
+            .interface
+            .inputs
+            .iter()
+            .map(|input| input.safe)
+            .collect();
+        let limits: Vec<f64> = self
+            .interface
+            .inputs
+            .iter()
+            .map(|input| input.limit)
+            .collect();
+        let (safe, limits) = (row(&safe), row(&limits));
+        let time_docs = docs(&["Time between samples, s."]);
+        let names = self
+            .interface
+            .inputs
+            .iter()
+            .map(|input| format!("{} in {}", code(&input.name), prose(&input.unit)));
+        let names = names.collect::<Vec<_>>().join(", ");
+        let limit_docs = docs(&[format!("Largest magnitude of each control: {names}.")]);
+        let safe_docs = docs(&["Control while a measurement is not finite."]);
+        vec![
+            quote!(#limit_docs pub const INPUT_LIMIT: [f64; #width] = #limits;),
+            quote!(#time_docs pub const SAMPLE_TIME: f64 = #sample_time;),
+            quote!(#safe_docs pub const SAFE_INPUT: [f64; #width] = #safe;),
+        ]
+    }
+
+    fn output(&self, control: &Function<'_>) -> TokenStream {
+        let own = control.output_fields();
+        let mut fields = Vec::new();
+        for (name, id) in reported(self.control) {
+            let (field, ty) = (own.get(name), type_of(self.control.ty(*id)));
+            let line = match name.as_str() {
+                "u" => "Control that the law asks for, before its limits.".to_owned(),
+                "u_sat" => "Control to apply: within its limits, always finite.".to_owned(),
+                _ => control.output_doc(name, *id),
+            };
+            let docs = docs(&[line]);
+            fields.push(quote!(#docs pub #field: #ty));
+        }
+        let (docs_struct, docs_status) = (
+            docs(&[
+                "What a sample of the controller gives.",
+                "",
+                "With `Status::NON_FINITE_INPUT`, only the control is meaningful.",
+            ]),
+            docs(&["What happened."]),
+        );
+        quote! {
+            #docs_struct
+            #[derive(Clone, Copy, Debug)]
+            pub struct Output<T: Real> {
+                #docs_status
+                pub status: Status,
+                #(#fields),*
+            }
+        }
+    }
+
+    fn controller_struct(&self) -> TokenStream {
+        let docs = docs(&[
+            prose(&self.interface.title),
+            String::new(),
+            "The sampled controller: [`Controller::step`] is total, allocates nothing and cannot panic.".to_owned(),
+        ]);
+        quote! {
+            #docs
+            #[derive(Clone, Debug)]
+            pub struct Controller<T: Real> {
+                params: Params<T>,
+                state: State<T>,
+                started: T::Mask,
+            }
+        }
+    }
+
+    /// `t` and the state of each block: names, and parameters of methods.
+    fn measurements(&self) -> (Vec<Ident>, Vec<TokenStream>) {
+        let mut names = vec![format_ident!("t")];
+        let mut parameters = vec![quote!(t: T)];
+        for (number, block) in (1..).zip(&self.interface.blocks) {
+            let name = format_ident!("x{}", number as usize);
+            let ty = type_of_shape(Shape::Vector(block.states.len()));
+            parameters.push(quote!(#name: #ty));
+            names.push(name);
+        }
+        (names, parameters)
+    }
+
+    fn controller_impl(&self, initial: &Function<'_>, control: &Function<'_>) -> TokenStream {
+        let (names, parameters) = self.measurements();
+        let start = call(initial, &quote!(&self.state));
+        let new_docs = docs(&["A controller that starts at its first step."]);
+        let reset_docs = docs(&[
+            "Starts anew from these measurements; from the next ones if they are not finite.",
+        ]);
+        let (state_docs, params_docs) = (docs(&["The states."]), docs(&["The parameters."]));
+        let step = self.step(&start, control);
+        quote! {
+            impl<T: Real> Controller<T> {
+                #new_docs
+                pub fn new(params: Params<T>) -> Self {
+                    Self { params, state: State::zero(), started: T::Mask::splat(false) }
+                }
+
+                #reset_docs
+                pub fn reset(&mut self, #(#parameters),*) {
+                    let start = #start;
+                    let finite = start.is_finite() #(.and(#names.is_finite()))*;
+                    self.state = State::select(finite, &start, &State::zero());
+                    self.started = finite;
+                }
+
+                #step
+
+                #state_docs
+                pub fn state(&self) -> &State<T> { &self.state }
+
+                #params_docs
+                pub fn params(&self) -> &Params<T> { &self.params }
+            }
+        }
+    }
+
+    fn step(&self, start: &TokenStream, control: &Function<'_>) -> TokenStream {
+        let (names, parameters) = self.measurements();
+        let own = control.output_fields();
+        let law = call(control, &quote!(&state));
+        let finite = all(names.iter().map(|name| quote!(#name.is_finite())));
+        let has = |name: &str| {
+            self.control
+                .outputs
+                .iter()
+                .any(|(output, _)| output == name)
+        };
+        let violated = has("violated").then(|| {
+            let violated = own.get("violated");
+            quote!(| Status::CONSTRAINT_VIOLATED.when(valid.and(law.#violated).any()))
+        });
+        let channels = (0..self.interface.inputs.len()).map(index);
+        let saturated = any(channels.map(|channel| quote!(u[#channel].ne(u_sat[#channel]))));
+        let next_finite =
+            (!self.initial.outputs.is_empty()).then(|| quote!(.and(law.next.is_finite())));
+        let keep = next_finite
+            .is_some()
+            .then(|| quote!(self.state = State::select(valid, &law.next, &self.state);));
+        let telemetry = reported(self.control).map(|(name, _)| {
+            let field = own.get(name);
+            if name == "u" || name == "u_sat" {
+                quote!(#field)
+            } else {
+                quote!(#field: law.#field)
+            }
+        });
+        let docs = docs(&STEP_DOCS);
+        quote! {
+            #docs
+            #[inline]
+            pub fn step(&mut self, #(#parameters),*) -> Output<T> {
+                let measured = #finite;
+                let state = if self.started.all() { self.state } else { State::select(self.started, &self.state, &#start) };
+                let law = #law;
+                let valid = measured.and(law.u.is_finite()).and(law.u_sat.is_finite()) #next_finite;
+                #keep
+                self.started = self.started.or(valid);
+                let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
+                let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
+                let saturated = #saturated;
+                let status = Status::NON_FINITE_INPUT.when(valid.not().any())
+                    #violated
+                    | Status::SATURATED.when(saturated.any());
+                Output { status, #(#telemetry),* }
+            }
+        }
+    }
+}
+
+/// Rustdoc of `step`.
+const STEP_DOCS: [&str; 5] = [
+    "One sample: the control for the time since start (s) and the measured states (SI), after which the states are those of the next sample.",
+    "",
+    "Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`], the status has \
+     `NON_FINITE_INPUT`, and the states stay as they were. `SATURATED` means that a control is at its limit, `CONSTRAINT_VIOLATED` \
+     that an error has reached its bound and the barrier was clamped.",
+    "",
+    "The first step with finite measurements initialises the states.",
+];
+
+/// A call of `function` from a method that has the measurements as variables.
+fn call(function: &Function<'_>, state: &TokenStream) -> TokenStream {
+    let name = function.name();
+    let arguments = function
+        .arguments()
+        .into_iter()
+        .map(|argument| match argument.as_str() {
+            "params" => quote!(&self.params),
+            "state" => state.clone(),
+            other => {
+                let name = ident(other);
+                quote!(#name)
+            }
+        });
+    quote!(#name(#(#arguments),*))
+}
+
+fn any(masks: impl Iterator<Item = TokenStream>) -> TokenStream {
+    masks
+        .reduce(|any, mask| quote!(#any.or(#mask)))
+        .unwrap_or_else(|| quote!(T::Mask::splat(false)))
+}

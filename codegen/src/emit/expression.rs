@@ -1,0 +1,300 @@
+//! One value as a Rust expression, parenthesised where the precedence of Rust's operators asks for it and nowhere else.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::quote;
+
+use crate::emit::methods::{comparison_name, function_name, kernel_name, operator_name};
+use crate::emit::names::ident;
+use crate::emit::types::{constant, index};
+use crate::ir::{Function, Kernel, Op, Operator, Program, Shape, Type, ValueId};
+
+/// How tightly the outermost operator of an expression binds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Level {
+    /// `a + b`, `a - b`.
+    Sum,
+    /// `a * b`, `a / b`.
+    Product,
+    /// `-a`.
+    Unary,
+    /// Names, calls, methods, fields, entries.
+    Postfix,
+}
+
+/// An expression with its binding strength.
+#[derive(Clone, Debug)]
+pub(crate) struct Fragment {
+    /// The expression.
+    pub(crate) tokens: TokenStream,
+    /// Its outermost operator.
+    pub(crate) level: Level,
+}
+
+impl Fragment {
+    /// A name, call or the like.
+    pub(crate) fn postfix(tokens: TokenStream) -> Fragment {
+        Fragment {
+            tokens,
+            level: Level::Postfix,
+        }
+    }
+
+    /// The expression where an operand of at least `level` is expected.
+    pub(crate) fn at(self, level: Level) -> TokenStream {
+        let Fragment { tokens, level: own } = self;
+        if own < level {
+            quote!((#tokens))
+        } else {
+            tokens
+        }
+    }
+}
+
+/// Names of everything a function's expressions refer to.
+pub(crate) struct Names<'a> {
+    /// The program.
+    pub(crate) program: &'a Program,
+    /// Expression of each input, by position.
+    pub(crate) inputs: Vec<TokenStream>,
+    /// Variable of each bound value.
+    pub(crate) variables: Vec<Option<Ident>>,
+    /// Function of each polynomial, by position.
+    pub(crate) polynomials: Vec<TokenStream>,
+    /// Functions of each basis, by position: value, rate, second rate.
+    pub(crate) bases: Vec<[TokenStream; 3]>,
+    /// Parameter of closures, which no variable is called.
+    pub(crate) entry: Ident,
+}
+
+impl Names<'_> {
+    /// The value where it is used: its variable, or the formula.
+    pub(crate) fn operand(&self, id: ValueId) -> Fragment {
+        match &self.variables[id.0 as usize] {
+            Some(variable) => Fragment::postfix(quote!(#variable)),
+            None => self.formula(id),
+        }
+    }
+
+    /// The formula of a value.
+    #[expect(clippy::too_many_lines, reason = "a flat match over all operations")]
+    pub(crate) fn formula(&self, id: ValueId) -> Fragment {
+        let ty = self.program.ty(id);
+        Fragment::postfix(match &self.program.instruction(id).op {
+            Op::Const(data) => constant(ty, data),
+            Op::Input(index) => self.inputs[*index].clone(),
+            Op::Apply(Function::Neg, a) => {
+                let a = self.at(*a, Level::Postfix);
+                return Fragment {
+                    tokens: quote!(-#a),
+                    level: Level::Unary,
+                };
+            }
+            Op::Apply(function, a) => self.elementwise(ty, *a, function_name(*function)),
+            Op::Kernel(kernel, a) => self.kernel(ty, *kernel, *a),
+            Op::Binary(operator, a, b) => return self.binary(*operator, *a, *b),
+            Op::PowInt(a, n) => {
+                let (base, n) = (self.at(*a, Level::Postfix), Literal::u32_unsuffixed(*n));
+                let entry = &self.entry;
+                if is_scalar(ty) {
+                    quote!(#base.powi(#n))
+                } else {
+                    quote!(#base.map(|#entry| #entry.powi(#n)))
+                }
+            }
+            Op::Compare(comparison, a, b) => self.method(*a, comparison_name(*comparison), &[*b]),
+            Op::And(a, b) => self.method(*a, "and", &[*b]),
+            Op::Or(a, b) => self.method(*a, "or", &[*b]),
+            Op::Not(a) => self.method(*a, "not", &[]),
+            Op::Select(condition, a, b) => self.select(ty, *condition, *a, *b),
+            Op::Array(items) => self.array(ty, items),
+            Op::Element(a, row, column) => {
+                let (array, row, column) =
+                    (self.at(*a, Level::Postfix), index(*row), index(*column));
+                let matrix = matches!(self.program.shape(*a), Shape::Matrix(..));
+                if matrix {
+                    quote!(#array[(#row, #column)])
+                } else {
+                    quote!(#array[#row])
+                }
+            }
+            Op::MatMul(a, b) => return self.infix(Level::Product, *a, &quote!(*), *b),
+            Op::Transpose(a) => self.method(*a, "transpose", &[]),
+            Op::Dot(a, b) => self.method(*a, "dot", &[*b]),
+            Op::Outer(a, b) => self.method(*a, "outer", &[*b]),
+            Op::SumSquares(a) if is_scalar(self.program.ty(*a)) => {
+                let a = self.at(*a, Level::Postfix);
+                quote!(#a.powi(2))
+            }
+            Op::SumSquares(a) => self.method(*a, "sum_squares", &[]),
+            Op::Solve(a, b) => self.method(*a, "solve", &[*b]),
+            Op::SingularVector(a) => self.method(*a, "singular_vector", &[]),
+            Op::Polynomial(polynomial, arguments) => {
+                self.call(&self.polynomials[polynomial.0 as usize], arguments)
+            }
+            Op::Basis(basis, z) => self.call(&self.bases[basis.0 as usize][0], &[*z]),
+            Op::BasisRate(basis, z, rate) => {
+                self.call(&self.bases[basis.0 as usize][1], &[*z, *rate])
+            }
+            Op::BasisRate2(basis, z, rate, rate2) => {
+                self.call(&self.bases[basis.0 as usize][2], &[*z, *rate, *rate2])
+            }
+        })
+    }
+
+    fn at(&self, id: ValueId, level: Level) -> TokenStream {
+        self.operand(id).at(level)
+    }
+
+    fn call(&self, function: &TokenStream, arguments: &[ValueId]) -> TokenStream {
+        let arguments = arguments.iter().map(|&id| self.at(id, Level::Sum));
+        quote!(#function(#(#arguments),*))
+    }
+
+    fn method(&self, receiver: ValueId, name: &str, arguments: &[ValueId]) -> TokenStream {
+        let (receiver, name) = (self.at(receiver, Level::Postfix), ident(name));
+        let arguments = arguments.iter().map(|&id| self.at(id, Level::Sum));
+        quote!(#receiver.#name(#(#arguments),*))
+    }
+
+    fn infix(&self, level: Level, a: ValueId, operator: &TokenStream, b: ValueId) -> Fragment {
+        let tighter = if level == Level::Sum {
+            Level::Product
+        } else {
+            Level::Unary
+        };
+        let (a, b) = (self.at(a, level), self.at(b, tighter));
+        Fragment {
+            tokens: quote!(#a #operator #b),
+            level,
+        }
+    }
+
+    /// A method of the number type on a scalar or on each entry.
+    fn elementwise(&self, ty: Type, a: ValueId, name: &str) -> TokenStream {
+        if is_scalar(ty) {
+            return self.method(a, name, &[]);
+        }
+        let (array, name) = (self.at(a, Level::Postfix), ident(name));
+        quote!(#array.map(T::#name))
+    }
+
+    fn kernel(&self, ty: Type, kernel: Kernel, a: ValueId) -> TokenStream {
+        let name = ident(kernel_name(kernel));
+        if is_scalar(ty) {
+            return self.call(&quote!(kernel::#name), &[a]);
+        }
+        let array = self.at(a, Level::Postfix);
+        quote!(#array.map(kernel::#name))
+    }
+
+    fn select(&self, ty: Type, condition: ValueId, a: ValueId, b: ValueId) -> TokenStream {
+        match ty {
+            Type::Bool => {
+                let condition = self.at(condition, Level::Postfix);
+                let (a, b) = (self.at(a, Level::Sum), self.at(b, Level::Sum));
+                quote!(#condition.and(#a).or(#condition.not().and(#b)))
+            }
+            Type::Real(Shape::Scalar) => self.call(&quote!(T::select), &[condition, a, b]),
+            Type::Real(Shape::Vector(_)) => self.call(&quote!(Vector::select), &[condition, a, b]),
+            Type::Real(Shape::Matrix(..)) => self.call(&quote!(Matrix::select), &[condition, a, b]),
+        }
+    }
+
+    fn array(&self, ty: Type, items: &[ValueId]) -> TokenStream {
+        let items: Vec<TokenStream> = items.iter().map(|&id| self.at(id, Level::Sum)).collect();
+        match ty {
+            Type::Real(Shape::Matrix(_, columns)) => {
+                let rows = items.chunks(columns).map(|row| quote!([#(#row),*]));
+                quote!(Matrix([#(#rows),*]))
+            }
+            _ => quote!(Vector([#(#items),*])),
+        }
+    }
+
+    fn binary(&self, operator: Operator, a: ValueId, b: ValueId) -> Fragment {
+        match (self.program.shape(a), self.program.shape(b)) {
+            (Shape::Scalar, Shape::Scalar) => match operator {
+                Operator::Add => self.infix(Level::Sum, a, &quote!(+), b),
+                Operator::Sub => self.infix(Level::Sum, a, &quote!(-), b),
+                Operator::Mul => self.infix(Level::Product, a, &quote!(*), b),
+                Operator::Div => self.infix(Level::Product, a, &quote!(/), b),
+                other => Fragment::postfix(self.method(a, operator_name(other), &[b])),
+            },
+            (_, Shape::Scalar) => self.array_with_scalar(operator, a, b),
+            (Shape::Scalar, _) => self.scalar_with_array(operator, a, b),
+            _ => self.array_with_array(operator, a, b),
+        }
+    }
+
+    fn array_with_array(&self, operator: Operator, a: ValueId, b: ValueId) -> Fragment {
+        Fragment::postfix(match operator {
+            Operator::Add => return self.infix(Level::Sum, a, &quote!(+), b),
+            Operator::Sub => return self.infix(Level::Sum, a, &quote!(-), b),
+            Operator::Mul => self.method(a, "hadamard", &[b]),
+            Operator::Div => self.method(a, "quotient", &[b]),
+            other => {
+                let (a, b, name) = (
+                    self.at(a, Level::Postfix),
+                    self.at(b, Level::Sum),
+                    ident(operator_name(other)),
+                );
+                quote!(#a.zip(#b, T::#name))
+            }
+        })
+    }
+
+    fn array_with_scalar(&self, operator: Operator, array: ValueId, scalar: ValueId) -> Fragment {
+        Fragment::postfix(match operator {
+            Operator::Add => self.method(array, "add_scalar", &[scalar]),
+            Operator::Sub => {
+                // a - s == a + -s (exact)
+                let (array, scalar) = (
+                    self.at(array, Level::Postfix),
+                    self.at(scalar, Level::Postfix),
+                );
+                quote!(#array.add_scalar(-#scalar))
+            }
+            Operator::Mul => return self.infix(Level::Product, array, &quote!(*), scalar),
+            Operator::Div => return self.infix(Level::Product, array, &quote!(/), scalar),
+            other => {
+                let (array, scalar) = (self.at(array, Level::Postfix), self.at(scalar, Level::Sum));
+                let (entry, name) = (&self.entry, ident(operator_name(other)));
+                quote!(#array.map(|#entry| #entry.#name(#scalar)))
+            }
+        })
+    }
+
+    fn scalar_with_array(&self, operator: Operator, scalar: ValueId, array: ValueId) -> Fragment {
+        let entry = &self.entry;
+        Fragment::postfix(match operator {
+            // s + a == a + s (exact)
+            Operator::Add => self.method(array, "add_scalar", &[scalar]),
+            Operator::Sub => {
+                // s - a == -a + s (exact)
+                let (array, scalar) = (self.at(array, Level::Postfix), self.at(scalar, Level::Sum));
+                quote!((-#array).add_scalar(#scalar))
+            }
+            // s * a == a * s (exact)
+            Operator::Mul => return self.infix(Level::Product, array, &quote!(*), scalar),
+            Operator::Div => {
+                let (array, scalar) = (
+                    self.at(array, Level::Postfix),
+                    self.at(scalar, Level::Product),
+                );
+                quote!(#array.map(|#entry| #scalar / #entry))
+            }
+            other => {
+                let (array, scalar) = (
+                    self.at(array, Level::Postfix),
+                    self.at(scalar, Level::Postfix),
+                );
+                let name = ident(operator_name(other));
+                quote!(#array.map(|#entry| #scalar.#name(#entry)))
+            }
+        })
+    }
+}
+
+fn is_scalar(ty: Type) -> bool {
+    ty == Type::Real(Shape::Scalar)
+}

@@ -1,0 +1,356 @@
+//! A program as a Rust function over `T: Real`: arguments from its inputs, statements grouped by equation under comments that state
+//! them, and a struct of results.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::emit::comment::{Comments, code, docs};
+use crate::emit::count::Counts;
+use crate::emit::expression::Names;
+use crate::emit::names::{Fields, Scope, camel, ident, snake};
+use crate::emit::plan::Plan;
+use crate::emit::polynomial::Library;
+use crate::emit::quantity;
+use crate::emit::source::prologue;
+use crate::emit::types::{literal_array, type_of, type_of_shape};
+use crate::ir::{Op, Origin, Program, Shape, Type, ValueId};
+
+/// A struct that stands for all inputs `prefix.NAME`, or for all outputs `prefix.NAME`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Record<'a> {
+    /// What the names begin with, without the dot.
+    pub(crate) prefix: &'a str,
+    /// The struct's type.
+    pub(crate) ty: &'a str,
+    /// Its fields.
+    pub(crate) fields: &'a Fields,
+}
+
+/// How results are returned.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Results<'a> {
+    /// In a struct of the function's own, `NameOutputs`, emitted with it.
+    Own,
+    /// In a struct that exists, with a field for each output.
+    Existing(&'a str, &'a Fields),
+}
+
+/// What is needed to emit a program as a function.
+pub(crate) struct Function<'a> {
+    /// The program.
+    pub(crate) program: &'a Program,
+    /// Rustdoc, without the operation counts.
+    pub(crate) docs: &'a [String],
+    /// Structs of inputs and outputs.
+    pub(crate) records: &'a [Record<'a>],
+    /// What is returned.
+    pub(crate) results: Results<'a>,
+    /// Names of the polynomial functions.
+    pub(crate) library: &'a Library,
+}
+
+impl Function<'_> {
+    /// The function, after the struct of its results if that is its own.
+    pub(crate) fn items(&self, comments: &mut Comments) -> Vec<TokenStream> {
+        let mut items = Vec::new();
+        if let Results::Own = self.results {
+            items.push(self.outputs_struct());
+        }
+        items.push(self.function(comments));
+        items
+    }
+
+    /// The function's name.
+    pub(crate) fn name(&self) -> Ident {
+        Scope::default().claim(&snake(&self.program.name))
+    }
+
+    /// The type of its results.
+    pub(crate) fn results_type(&self) -> Ident {
+        match self.results {
+            Results::Own => format_ident!("{}Outputs", camel(&self.name().to_string())),
+            Results::Existing(ty, _) => ident(ty),
+        }
+    }
+
+    /// The field of each output that is not in a record.
+    pub(crate) fn output_fields(&self) -> Fields {
+        match self.results {
+            Results::Own => Fields::new(
+                self.program
+                    .outputs
+                    .iter()
+                    .map(|(name, _)| name.as_str())
+                    .filter(|name| self.record(name).is_none()),
+            ),
+            Results::Existing(_, fields) => fields.clone(),
+        }
+    }
+
+    /// The names of its arguments, in order: inputs, and records under their prefix.
+    pub(crate) fn arguments(&self) -> Vec<String> {
+        let mut arguments: Vec<String> = Vec::new();
+        for input in &self.program.inputs {
+            let name = self
+                .record(&input.name)
+                .map_or(input.name.as_str(), |(record, _)| record.prefix);
+            if arguments.iter().all(|known| known != name) {
+                arguments.push(name.to_owned());
+            }
+        }
+        arguments
+    }
+
+    /// The record of a dotted name, and the name in it.
+    fn record<'n>(&self, name: &'n str) -> Option<(&Record<'_>, &'n str)> {
+        let (prefix, rest) = name.split_once('.')?;
+        Some((
+            self.records.iter().find(|record| record.prefix == prefix)?,
+            rest,
+        ))
+    }
+
+    fn function(&self, comments: &mut Comments) -> TokenStream {
+        let plan = Plan::new(self.program);
+        let (names, parameters) = self.names(&plan);
+        let statements = self.statements(&plan, &names, comments);
+        let result = self.result(&names);
+        let body = quote!(#(#statements)* #result);
+        let prologue = prologue(&body);
+        let (name, ty) = (self.name(), self.results_type());
+        let mut lines = self.docs.to_vec();
+        lines.extend([
+            String::new(),
+            format!("Operations: {}.", Counts::of(self.program)),
+        ]);
+        let docs = docs(&lines);
+        quote! {
+            #docs
+            #[inline]
+            pub fn #name<T: Real>(#(#parameters),*) -> #ty<T> {
+                #prologue
+                #body
+            }
+        }
+    }
+
+    /// Names of everything, and the parameters of the function.
+    fn names(&self, plan: &Plan) -> (Names<'_>, Vec<TokenStream>) {
+        let program = self.program;
+        let mut scope = Scope::default();
+        let entry = scope.claim("entry");
+        let arguments: BTreeMap<String, Ident> = self
+            .arguments()
+            .into_iter()
+            .map(|name| {
+                let claimed = scope.claim(&name);
+                (name, claimed)
+            })
+            .collect();
+        let used: Vec<bool> = (0..program.inputs.len())
+            .map(|position| is_used(program, plan, position))
+            .collect();
+        let inputs = program
+            .inputs
+            .iter()
+            .map(|input| match self.record(&input.name) {
+                Some((record, rest)) => {
+                    let (argument, field) = (&arguments[record.prefix], record.fields.get(rest));
+                    quote!(#argument.#field)
+                }
+                None => {
+                    let argument = &arguments[&input.name];
+                    quote!(#argument)
+                }
+            });
+        let inputs: Vec<TokenStream> = inputs.collect();
+        let parameters = self
+            .arguments()
+            .iter()
+            .map(|name| self.parameter(name, &arguments[name], &used))
+            .collect();
+        let mut variables = vec![None; program.instructions.len()];
+        let labelled = plan
+            .labels
+            .iter()
+            .map(|(id, label)| (*id, scope.claim(label)));
+        for (id, variable) in labelled {
+            variables[id.0 as usize] = Some(variable);
+        }
+        let mut next = 0;
+        for id in plan.steps.iter().flat_map(|step| &step.temporaries) {
+            variables[id.0 as usize].get_or_insert_with(|| scope.temporary(&mut next));
+        }
+        let (polynomials, bases) = (
+            self.library.polynomial_paths(program),
+            self.library.basis_paths(program),
+        );
+        (
+            Names {
+                program,
+                inputs,
+                variables,
+                polynomials,
+                bases,
+                entry,
+            },
+            parameters,
+        )
+    }
+
+    fn parameter(&self, name: &str, argument: &Ident, used: &[bool]) -> TokenStream {
+        let mut own = self.program.inputs.iter().zip(used).filter(|(input, _)| {
+            input.name == name
+                || self
+                    .record(&input.name)
+                    .is_some_and(|(record, _)| record.prefix == name)
+        });
+        let (input, first_used) = own
+            .next()
+            .expect("invariant: an argument stands for an input");
+        let argument = if *first_used || own.any(|(_, used)| *used) {
+            argument.clone()
+        } else {
+            format_ident!("_{argument}")
+        };
+        match self.record(&input.name) {
+            Some((record, _)) => {
+                let ty = ident(record.ty);
+                quote!(#argument: &#ty<T>)
+            }
+            None => {
+                let ty = type_of_shape(input.shape);
+                quote!(#argument: #ty)
+            }
+        }
+    }
+
+    fn statements(
+        &self,
+        plan: &Plan,
+        names: &Names<'_>,
+        comments: &mut Comments,
+    ) -> Vec<TokenStream> {
+        let mut statements = Vec::new();
+        let mut last = None;
+        for step in &plan.steps {
+            let origin = self.origin(step.value);
+            let group =
+                origin.filter(|origin| last.is_none_or(|last: &Origin| last.group != origin.group));
+            statements.extend(group.map(|origin| comments.heading(&origin.group)));
+            statements.extend(step.temporaries.iter().map(|&id| self.statement(id, names)));
+            let equation =
+                origin.filter(|origin| last != Some(*origin) && !origin.equation.is_empty());
+            statements.extend(equation.map(|origin| comments.note(&origin.equation)));
+            statements.push(self.statement(step.value, names));
+            last = origin.or(last);
+        }
+        statements
+    }
+
+    /// `let name = formula;`, with the type where the value is a literal array.
+    fn statement(&self, id: ValueId, names: &Names<'_>) -> TokenStream {
+        let variable = &names.variables[id.0 as usize];
+        let instruction = self.program.instruction(id);
+        if let (Op::Const(data), Type::Real(shape @ (Shape::Vector(_) | Shape::Matrix(..)))) =
+            (&instruction.op, instruction.ty)
+        {
+            let (ty, value) = (type_of_shape(shape), literal_array(shape, data));
+            return quote!(let #variable: #ty = #value;);
+        }
+        let formula = names.formula(id).tokens;
+        quote!(let #variable = #formula;)
+    }
+
+    fn origin(&self, id: ValueId) -> Option<&Origin> {
+        self.program
+            .origins
+            .get(self.program.instruction(id).origin?)
+    }
+
+    fn result(&self, names: &Names<'_>) -> TokenStream {
+        let ty = self.results_type();
+        let own = self.output_fields();
+        let mut fields = Vec::new();
+        let mut nested: BTreeMap<&str, Vec<TokenStream>> = BTreeMap::new();
+        for (name, id) in &self.program.outputs {
+            let value = names.operand(*id).tokens;
+            match self.record(name) {
+                Some((record, rest)) => nested
+                    .entry(record.prefix)
+                    .or_default()
+                    .push(assigned(record.fields.get(rest), &value)),
+                None => fields.push(assigned(own.get(name), &value)),
+            }
+        }
+        for (prefix, values) in nested {
+            let record = self
+                .records
+                .iter()
+                .find(|record| record.prefix == prefix)
+                .expect("invariant: found before");
+            let (field, ty) = (ident(prefix), ident(record.ty));
+            fields.push(quote!(#field: #ty { #(#values),* }));
+        }
+        quote!(#ty { #(#fields),* })
+    }
+
+    fn outputs_struct(&self) -> TokenStream {
+        let (ty, own) = (self.results_type(), self.output_fields());
+        let mut fields = Vec::new();
+        let mut nested: Vec<&str> = Vec::new();
+        for (name, id) in &self.program.outputs {
+            match self.record(name) {
+                Some((record, _)) if nested.contains(&record.prefix) => {}
+                Some((record, _)) => nested.push(record.prefix),
+                None => {
+                    let (field, ty, docs) = (
+                        own.get(name),
+                        type_of(self.program.ty(*id)),
+                        docs(&[self.output_doc(name, *id)]),
+                    );
+                    fields.push(quote!(#docs pub #field: #ty));
+                }
+            }
+        }
+        for prefix in nested {
+            let record = self
+                .records
+                .iter()
+                .find(|record| record.prefix == prefix)
+                .expect("invariant: found before");
+            let (field, ty) = (ident(prefix), ident(record.ty));
+            let docs = docs(&[format!("All outputs {}.", code(&format!("{prefix}.*")))]);
+            fields.push(quote!(#docs pub #field: #ty<T>));
+        }
+        let docs = docs(&[format!("Results of [`{}`].", self.name())]);
+        quote!(#docs #[derive(Clone, Copy, Debug)] pub struct #ty<T: Real> { #(#fields),* })
+    }
+
+    /// The equation of an output, or its name.
+    pub(crate) fn output_doc(&self, name: &str, id: ValueId) -> String {
+        match self.origin(id) {
+            Some(origin) if !origin.equation.is_empty() => code(&origin.equation),
+            _ => quantity::output(name),
+        }
+    }
+}
+
+/// `field: value`, or `field` where both are one name.
+fn assigned(field: &Ident, value: &TokenStream) -> TokenStream {
+    if value.to_string() == field.to_string() {
+        quote!(#field)
+    } else {
+        quote!(#field: #value)
+    }
+}
+
+fn is_used(program: &Program, plan: &Plan, position: usize) -> bool {
+    program
+        .instructions
+        .iter()
+        .zip(&plan.live)
+        .any(|(instruction, live)| *live && matches!(instruction.op, Op::Input(p) if p == position))
+}

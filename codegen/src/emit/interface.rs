@@ -1,0 +1,197 @@
+//! What the emitted module shows of the model: names, values and sizes. The only place where emission reads the [`Model`].
+
+pub(crate) use nsv_spec::model::Dispersion;
+use nsv_spec::model::{Disturbance, Model, NoiseModel, Scheme};
+use nsv_spec::unit::Dimension;
+
+/// The model as far as emission is concerned.
+#[derive(Clone, Debug)]
+pub(crate) struct Interface {
+    /// Module name.
+    pub(crate) name: String,
+    /// One line for people.
+    pub(crate) title: String,
+    /// SHA-256 of the specification.
+    pub(crate) hash: String,
+    /// Version of the generator.
+    pub(crate) version: String,
+    /// Run-time parameters.
+    pub(crate) parameters: Vec<Parameter>,
+    /// Blocks, outermost first.
+    pub(crate) blocks: Vec<Block>,
+    /// Control inputs.
+    pub(crate) inputs: Vec<Input>,
+    /// Sample time, s.
+    pub(crate) sample_time: f64,
+    /// Length of a run, s.
+    pub(crate) horizon: f64,
+    /// Plant steps per sample.
+    pub(crate) substeps: u32,
+    /// Scheme of the plant's steps.
+    pub(crate) scheme: Scheme,
+    /// How noise enters.
+    pub(crate) noise: NoiseModel,
+}
+
+/// A run-time parameter.
+#[derive(Clone, Debug)]
+pub(crate) struct Parameter {
+    /// Name in the specification.
+    pub(crate) name: String,
+    /// SI unit.
+    pub(crate) unit: String,
+    /// Source or description.
+    pub(crate) doc: String,
+    /// Value in the plant.
+    pub(crate) plant: f64,
+    /// Value that the controller is designed with.
+    pub(crate) design: f64,
+    /// How the plant's value is drawn.
+    pub(crate) dispersion: Option<Dispersion>,
+}
+
+/// A block of the plant.
+#[derive(Clone, Debug)]
+pub(crate) struct Block {
+    /// Name.
+    pub(crate) name: String,
+    /// State channels: name, initial value, unit.
+    pub(crate) states: Vec<State>,
+    /// Initial states of its exosystems, one after another.
+    pub(crate) exosystem: Vec<f64>,
+}
+
+/// A state channel.
+#[derive(Clone, Debug)]
+pub(crate) struct State {
+    /// Name.
+    pub(crate) name: String,
+    /// Initial value, SI.
+    pub(crate) initial: f64,
+    /// SI unit.
+    pub(crate) unit: String,
+}
+
+/// A control input.
+#[derive(Clone, Debug)]
+pub(crate) struct Input {
+    /// Name.
+    pub(crate) name: String,
+    /// SI unit.
+    pub(crate) unit: String,
+    /// Largest magnitude.
+    pub(crate) limit: f64,
+    /// Output for non-finite input.
+    pub(crate) safe: f64,
+}
+
+impl Interface {
+    /// The interface of a model.
+    pub(crate) fn of(model: &Model, version: &str) -> Interface {
+        Interface {
+            name: model.name.clone(),
+            title: model.title.clone(),
+            hash: model.hash.clone(),
+            version: version.to_owned(),
+            parameters: model.parameters.iter().map(parameter).collect(),
+            blocks: model.blocks.iter().map(block).collect(),
+            inputs: model.inputs.iter().map(input).collect(),
+            sample_time: model.controller.sample_time,
+            horizon: model.scenario.horizon,
+            substeps: model.scenario.substeps,
+            scheme: model.scenario.scheme,
+            noise: model.scenario.noise,
+        }
+    }
+
+    /// Number of plant states, exosystem states included.
+    pub(crate) fn plant_states(&self) -> usize {
+        self.blocks
+            .iter()
+            .map(|block| block.states.len() + block.exosystem.len())
+            .sum()
+    }
+}
+
+fn parameter(parameter: &nsv_spec::model::Parameter) -> Parameter {
+    Parameter {
+        name: parameter.name.clone(),
+        unit: unit(parameter.dimension),
+        doc: parameter.doc.clone(),
+        plant: parameter.value,
+        design: parameter.design_value,
+        dispersion: parameter.dispersion,
+    }
+}
+
+fn block(block: &nsv_spec::model::Block) -> Block {
+    let state = |state: &nsv_spec::model::State| State {
+        name: state.name.clone(),
+        initial: state.initial,
+        unit: unit(state.dimension),
+    };
+    let exosystem = match &block.disturbance {
+        Disturbance::Exosystem(systems) => systems
+            .iter()
+            .flat_map(|system| system.initial.iter().copied())
+            .collect(),
+        Disturbance::None | Disturbance::Bounded(_) => Vec::new(),
+    };
+    Block {
+        name: block.name.clone(),
+        states: block.states.iter().map(state).collect(),
+        exosystem,
+    }
+}
+
+fn input(input: &nsv_spec::model::Input) -> Input {
+    Input {
+        name: input.name.clone(),
+        unit: unit(input.dimension),
+        limit: input.limit,
+        safe: input.safe,
+    }
+}
+
+/// A dimension as a product of SI base units, `dimensionless` for none.
+fn unit(dimension: Dimension) -> String {
+    let names = ["kg", "m", "s", "A", "K", "mol", "cd"];
+    let factors = names
+        .iter()
+        .zip(dimension.halves)
+        .filter(|(_, halves)| *halves != 0);
+    let factors: Vec<String> = factors
+        .map(|(name, halves)| match halves {
+            2 => (*name).to_owned(),
+            halves if halves % 2 == 0 => format!("{name}^{}", halves / 2),
+            halves => format!("{name}^({halves}/2)"),
+        })
+        .collect();
+    if factors.is_empty() {
+        "dimensionless".to_owned()
+    } else {
+        factors.join(" ")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_are_products_of_base_units() {
+        assert_eq!(unit(Dimension::default()), "dimensionless");
+        assert_eq!(
+            unit(Dimension {
+                halves: [2, 4, -4, 0, 0, 0, 0]
+            }),
+            "kg m^2 s^-2"
+        );
+        assert_eq!(
+            unit(Dimension {
+                halves: [0, 2, -1, 0, 0, 0, 0]
+            }),
+            "m s^(-1/2)"
+        );
+    }
+}

@@ -1,0 +1,36 @@
+//! Emission: from programs to Rust text that reads beside the equations.
+//!
+//! A program becomes one function over `T: Real`. Values keep the names they have in the equations, each under a comment with its
+//! equation; nothing of the specification reaches the text except as checked identifiers, literals and cleaned comments. The same
+//! programs give the same bytes.
+
+mod comment;
+mod controller;
+mod count;
+mod expression;
+mod function;
+mod interface;
+mod literal;
+mod lyapunov;
+mod methods;
+mod module;
+mod names;
+mod params;
+mod plan;
+mod plant;
+mod polynomial;
+mod quantity;
+mod record;
+mod simulator;
+mod source;
+mod standalone;
+mod state;
+mod telemetry;
+mod types;
+
+pub use count::Counts;
+pub use module::{Artifact, library, module};
+pub use standalone::standalone;
+
+#[cfg(test)]
+mod tests;

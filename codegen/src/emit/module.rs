@@ -1,0 +1,375 @@
+//! All files of one specification's module.
+
+use std::collections::BTreeMap;
+
+use nsv_spec::model::Model;
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::emit::comment::{Comments, clean, code, docs, prose};
+use crate::emit::controller::Controller;
+use crate::emit::count::Counts;
+use crate::emit::function::{Function, Record, Results};
+use crate::emit::interface::Interface;
+use crate::emit::names::{Fields, ident, snake};
+use crate::emit::plant::Plant;
+use crate::emit::polynomial::Library;
+use crate::emit::simulator::Simulator;
+use crate::emit::source::Source;
+use crate::emit::state::state_fields;
+use crate::emit::{lyapunov, params};
+use crate::ir::Program;
+
+/// Everything that a module is emitted from.
+#[derive(Clone, Debug)]
+pub struct Artifact<'a> {
+    /// The specification, checked.
+    pub model: &'a Model,
+    /// Version of the generator.
+    pub version: &'a str,
+    /// Initial states of the controller.
+    pub initial: Program,
+    /// One sample of the law.
+    pub control: Program,
+    /// Drift and diffusion of the plant.
+    pub plant: Program,
+    /// Lyapunov function and its generator.
+    pub lyapunov: Program,
+}
+
+/// The texts of a module's files, by file name.
+pub fn module(artifact: &Artifact<'_>) -> BTreeMap<String, String> {
+    let programs = Programs {
+        initial: &artifact.initial,
+        control: &artifact.control,
+        plant: &artifact.plant,
+        lyapunov: &artifact.lyapunov,
+    };
+    files(&Interface::of(artifact.model, artifact.version), &programs)
+}
+
+/// The text of the library that has the given modules: name and title of each.
+pub fn library(modules: &[(&str, &str)]) -> String {
+    let items = modules.iter().map(|(name, title)| {
+        let (name, docs) = (ident(&snake(name)), docs(&[prose(title)]));
+        quote!(#docs #[rustfmt::skip] pub mod #name;)
+    });
+    let source = Source {
+        header: &[],
+        docs: &[
+            "Committed output of the nsv compiler, one module per specification under `specs/`."
+                .to_owned(),
+        ],
+        allow: &[],
+        imports: &[],
+        items: items.collect(),
+    };
+    let text = source.text(&Comments::default());
+    text.replacen("\n\n", "\n#![no_std]\n#![forbid(unsafe_code)]\n\n", 1)
+}
+
+/// The programs of an artifact.
+pub(crate) struct Programs<'a> {
+    pub(crate) initial: &'a Program,
+    pub(crate) control: &'a Program,
+    pub(crate) plant: &'a Program,
+    pub(crate) lyapunov: &'a Program,
+}
+
+/// Lints that the emitted files allow.
+pub(crate) const ALLOW: [(&str, &str); 3] = [
+    ("non_snake_case", "names are those of the equations"),
+    (
+        "clippy::too_many_arguments",
+        "as in the equations",
+    ),
+    (
+        "clippy::approx_constant",
+        "numbers are as specified",
+    ),
+];
+
+/// What a function of a program may mention.
+pub(crate) const FUNCTION_IMPORTS: [&str; 5] = [
+    "nsv_runtime::kernel",
+    "nsv_runtime::linear::Matrix",
+    "nsv_runtime::linear::Vector",
+    "nsv_runtime::real::Mask",
+    "nsv_runtime::real::Real",
+];
+
+/// What the files may mention besides.
+const IMPORTS: [(&str, &[&str]); 6] = [
+    ("params", &["nsv_runtime::noise::Noise"]),
+    ("polynomials", &[]),
+    (
+        "controller",
+        &[
+            "nsv_runtime::status::Status",
+            "super::params::Params",
+            "super::polynomials",
+        ],
+    ),
+    (
+        "plant",
+        &[
+            "nsv_runtime::sde::Sde",
+            "super::params::Params",
+            "super::polynomials",
+        ],
+    ),
+    (
+        "lyapunov",
+        &[
+            "super::controller::State",
+            "super::params::Params",
+            "super::polynomials",
+        ],
+    ),
+    (
+        "simulator",
+        &[
+            "nsv_runtime::closed_loop::ClosedLoop",
+            "nsv_runtime::closed_loop::Options",
+            "nsv_runtime::noise::Noise",
+            "nsv_runtime::sde",
+            "nsv_runtime::sde::Scheme",
+            "nsv_runtime::status::Status",
+            "super::controller::Controller",
+            "super::controller::Output",
+            "super::controller::SAMPLE_TIME",
+            "super::controller::State",
+            "super::lyapunov::lyapunov",
+            "super::params::Params",
+            "super::plant::INITIAL_STATE",
+            "super::plant::NOISE_CHANNELS",
+            "super::plant::Plant",
+            "super::plant::STATES",
+            "super::plant::plant",
+        ],
+    ),
+];
+
+/// The texts of the files.
+pub(crate) fn files(interface: &Interface, programs: &Programs<'_>) -> BTreeMap<String, String> {
+    let library = Library::of(&[
+        programs.initial,
+        programs.control,
+        programs.plant,
+        programs.lyapunov,
+    ]);
+    let fields = params::fields(interface);
+    let states = state_fields(programs.initial);
+    let mut texts = Texts {
+        interface,
+        files: BTreeMap::new(),
+    };
+    texts.add(
+        "params",
+        "run-time parameters",
+        &[],
+        params::items(interface, &fields),
+        &Comments::default(),
+    );
+    if !library.is_empty() {
+        let about = "polynomial data and monomials of the networks";
+        texts.add(
+            "polynomials",
+            about,
+            &[],
+            library.items(),
+            &Comments::default(),
+        );
+    }
+    let mut comments = Comments::default();
+    let controller = Controller {
+        interface,
+        initial: programs.initial,
+        control: programs.control,
+        params: &fields,
+        library: &library,
+    };
+    let items = controller.items(&mut comments);
+    texts.add(
+        "controller",
+        "control law and sampled controller",
+        &[programs.initial, programs.control],
+        items,
+        &comments,
+    );
+    let mut comments = Comments::default();
+    let items = Plant {
+        interface,
+        plant: programs.plant,
+        params: &fields,
+        library: &library,
+    }
+    .items(&mut comments);
+    texts.add(
+        "plant",
+        "plant and disturbances",
+        &[programs.plant],
+        items,
+        &comments,
+    );
+    let mut comments = Comments::default();
+    let items = lyapunov::items(programs.lyapunov, &fields, &states, &library, &mut comments);
+    texts.add(
+        "lyapunov",
+        "Lyapunov function and its generator",
+        &[programs.lyapunov],
+        items,
+        &comments,
+    );
+    let items = simulator(interface, programs, &fields, &states, &library);
+    texts.add(
+        "simulator",
+        "closed loop of controller and plant",
+        &[],
+        items,
+        &Comments::default(),
+    );
+    texts.add_root(!library.is_empty());
+    texts.files
+}
+
+fn simulator(
+    interface: &Interface,
+    programs: &Programs<'_>,
+    params: &Fields,
+    states: &Fields,
+    library: &Library,
+) -> Vec<TokenStream> {
+    let plant_records = [Record {
+        prefix: "params",
+        ty: "Params",
+        fields: params,
+    }];
+    let control_records = [
+        Record {
+            prefix: "params",
+            ty: "Params",
+            fields: params,
+        },
+        Record {
+            prefix: "state",
+            ty: "State",
+            fields: states,
+        },
+        Record {
+            prefix: "next",
+            ty: "State",
+            fields: states,
+        },
+    ];
+    let lyapunov_records = lyapunov::records(params, states);
+    let function = |program, records| Function {
+        program,
+        docs: &[],
+        records,
+        results: Results::Own,
+        library,
+    };
+    Simulator {
+        interface,
+        plant: &function(programs.plant, &plant_records),
+        lyapunov: &function(programs.lyapunov, &lyapunov_records),
+        initial: programs.initial,
+        control: &function(programs.control, &control_records),
+    }
+    .items()
+}
+
+struct Texts<'a> {
+    interface: &'a Interface,
+    files: BTreeMap<String, String>,
+}
+
+impl Texts<'_> {
+    fn header(&self, programs: &[&Program]) -> Vec<String> {
+        let mut header = vec![
+            format!(
+                "@generated by nsv {}. Do not edit: change the specification and run `nsv generate`.",
+                clean(&self.interface.version)
+            ),
+            format!("specification sha256 {}", clean(&self.interface.hash)),
+        ];
+        header.extend(
+            programs
+                .iter()
+                .map(|program| format!("{}: {}", clean(&program.name), Counts::of(program))),
+        );
+        header
+    }
+
+    fn add(
+        &mut self,
+        name: &str,
+        about: &str,
+        programs: &[&Program],
+        items: Vec<TokenStream>,
+        comments: &Comments,
+    ) {
+        let docs = [format!("{}: {about}.", code(&self.interface.name))];
+        let header = self.header(programs);
+        let own = IMPORTS
+            .iter()
+            .find(|(file, _)| *file == name)
+            .map_or::<&[&str], _>(&[], |(_, imports)| imports);
+        let imports: Vec<&str> = FUNCTION_IMPORTS.iter().chain(own).copied().collect();
+        let source = Source {
+            header: &header,
+            docs: &docs,
+            allow: &ALLOW,
+            imports: &imports,
+            items,
+        };
+        self.files
+            .insert(format!("{name}.rs"), source.text(comments));
+    }
+
+    fn add_root(&mut self, polynomials: bool) {
+        let files: Vec<&str> = [
+            "controller",
+            "lyapunov",
+            "params",
+            "plant",
+            "polynomials",
+            "simulator",
+        ]
+        .into();
+        let modules = files
+            .into_iter()
+            .filter(|name| polynomials || *name != "polynomials")
+            .map(|name| {
+                let name = ident(name);
+                quote!(pub mod #name;)
+            });
+        let (hash, version) = (&self.interface.hash, &self.interface.version);
+        let (hash_docs, version_docs) = (
+            docs(&["SHA-256 of the specification."]),
+            docs(&["Version of the generator."]),
+        );
+        let items = vec![
+            quote!(#(#modules)*),
+            quote!(
+                pub use controller::{Controller, Output, State};
+                pub use params::Params;
+                pub use simulator::Simulator;
+            ),
+            quote!(#hash_docs pub const SPEC_HASH: &str = #hash;),
+            quote!(#version_docs pub const GENERATOR: &str = #version;),
+        ];
+        let docs = [prose(&self.interface.title)];
+        let header = self.header(&[]);
+        let source = Source {
+            header: &header,
+            docs: &docs,
+            allow: &[],
+            imports: &[],
+            items,
+        };
+        self.files
+            .insert("mod.rs".to_owned(), source.text(&Comments::default()));
+    }
+}

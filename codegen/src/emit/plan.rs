@@ -1,0 +1,267 @@
+//! Which values of a program become statements, and in what order: every named value and output does, an unnamed value does when it is
+//! used twice or when the formula around it would grow too long, and the rest are written in place.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::ir::{Op, Operator, Program, Shape, Type, ValueId};
+
+/// Largest number of operations and operands in one formula; a longer one is cut by a temporary.
+const WEIGHT: usize = 18;
+
+/// The statements of a function.
+#[derive(Clone, Debug)]
+pub(crate) struct Plan {
+    /// Statements in an order in which each uses only earlier ones.
+    pub(crate) steps: Vec<Step>,
+    /// Names of the values that have one: of the signal, or of the first output that is the value.
+    pub(crate) labels: BTreeMap<ValueId, String>,
+    /// Whether an output depends on the value.
+    pub(crate) live: Vec<bool>,
+}
+
+/// A named value with the temporaries that it is the first to need.
+#[derive(Clone, Debug)]
+pub(crate) struct Step {
+    /// Values that get a `let t1`, `let t2`, ...
+    pub(crate) temporaries: Vec<ValueId>,
+    /// The value that gets a `let` of its name.
+    pub(crate) value: ValueId,
+}
+
+impl Plan {
+    /// The plan of a program. What no output needs is left out.
+    pub(crate) fn new(program: &Program) -> Plan {
+        let live = live(program);
+        let labels = labels(program, &live);
+        let bound = bound(program, &live, &labels);
+        let steps = Order {
+            program,
+            bound: &bound,
+            labels: &labels,
+        }
+        .steps();
+        Plan {
+            steps,
+            labels,
+            live,
+        }
+    }
+}
+
+/// Whether some output depends on each value.
+pub(crate) fn live(program: &Program) -> Vec<bool> {
+    let mut live = vec![false; program.instructions.len()];
+    for (_, output) in &program.outputs {
+        live[output.0 as usize] = true;
+    }
+    for index in (0..live.len()).rev() {
+        if live[index] {
+            for operand in program.instructions[index].op.operands() {
+                live[operand.0 as usize] = true;
+            }
+        }
+    }
+    live
+}
+
+/// Names of live values; inputs have theirs already.
+fn labels(program: &Program, live: &[bool]) -> BTreeMap<ValueId, String> {
+    let mut labels = BTreeMap::new();
+    let is_input = |id: ValueId| matches!(program.instruction(id).op, Op::Input(_));
+    for (id, instruction) in ids(program) {
+        if let Some(name) = &instruction.name
+            && live[id.0 as usize]
+            && !is_input(id)
+        {
+            labels.insert(id, name.clone());
+        }
+    }
+    for (name, id) in &program.outputs {
+        if !is_input(*id) {
+            labels.entry(*id).or_insert_with(|| name.clone());
+        }
+    }
+    labels
+}
+
+fn ids(program: &Program) -> impl Iterator<Item = (ValueId, &crate::ir::Instruction)> {
+    (0u32..).map(ValueId).zip(&program.instructions)
+}
+
+fn bound(program: &Program, live: &[bool], labels: &BTreeMap<ValueId, String>) -> Vec<bool> {
+    let mut uses = vec![0usize; live.len()];
+    let mut repeated = vec![false; live.len()];
+    for (id, instruction) in ids(program).filter(|(id, _)| live[id.0 as usize]) {
+        for operand in instruction.op.operands() {
+            uses[operand.0 as usize] += 1;
+        }
+        if let Some(operand) = evaluated_repeatedly(program, id) {
+            repeated[operand.0 as usize] = true;
+        }
+    }
+    let mut bound = vec![false; live.len()];
+    let mut weights = vec![1usize; live.len()];
+    for (id, instruction) in ids(program).filter(|(id, _)| live[id.0 as usize]) {
+        let index = id.0 as usize;
+        bound[index] = labels.contains_key(&id);
+        if is_atom(program, id) {
+            continue;
+        }
+        weights[index] = weigh(&instruction.op, &mut weights, &mut bound);
+        bound[index] |= uses[index] > 1 || repeated[index];
+        if bound[index] {
+            weights[index] = 1;
+        }
+    }
+    bound
+}
+
+/// The weight of a formula, after its heaviest operands became temporaries until it is light enough. The entries of an array stand in
+/// lines of their own and stay.
+fn weigh(op: &Op, weights: &mut [usize], bound: &mut [bool]) -> usize {
+    let operands = op.operands();
+    loop {
+        let weight = 1 + literal_size(op) + operands.iter().map(|operand| weights[operand.0 as usize]).sum::<usize>();
+        let heaviest = operands.iter().map(|operand| operand.0 as usize).max_by_key(|&operand| weights[operand]);
+        match heaviest {
+            Some(operand) if weight > WEIGHT && weights[operand] > 1 && !matches!(op, Op::Array(_)) => {
+                bound[operand] = true;
+                weights[operand] = 1;
+            }
+            _ => return weight,
+        }
+    }
+}
+
+/// Whether a value is as short as a name wherever it stands: inputs, scalar literals, entries.
+fn is_atom(program: &Program, id: ValueId) -> bool {
+    let instruction = program.instruction(id);
+    match instruction.op {
+        Op::Input(_) | Op::Element(..) => true,
+        Op::Const(_) => matches!(instruction.ty, Type::Bool | Type::Real(Shape::Scalar)),
+        _ => false,
+    }
+}
+
+fn literal_size(op: &Op) -> usize {
+    if let Op::Const(data) = op {
+        data.len()
+    } else {
+        0
+    }
+}
+
+/// The operand that the emitted form of an operation evaluates more than once or takes an entry of.
+fn evaluated_repeatedly(program: &Program, id: ValueId) -> Option<ValueId> {
+    let scalar = |id: ValueId| program.ty(id) == Type::Real(Shape::Scalar);
+    match program.instruction(id).op {
+        Op::Element(array, ..) => Some(array),
+        Op::Select(condition, ..) if program.ty(id) == Type::Bool => Some(condition),
+        Op::Binary(Operator::Add | Operator::Sub | Operator::Mul, ..) => None,
+        Op::Binary(_, a, b) if scalar(a) && !scalar(b) => Some(a),
+        Op::Binary(_, a, b) if scalar(b) && !scalar(a) => Some(b),
+        _ => None,
+    }
+}
+
+/// Ordering of the statements.
+struct Order<'a> {
+    program: &'a Program,
+    bound: &'a [bool],
+    labels: &'a BTreeMap<ValueId, String>,
+}
+
+impl Order<'_> {
+    /// Labelled values in an order that keeps the statements of one group together where the dependencies allow it.
+    fn steps(&self) -> Vec<Step> {
+        let mut waiting: BTreeMap<ValueId, BTreeSet<ValueId>> = self
+            .labels
+            .keys()
+            .map(|&id| (id, self.labelled_operands(id)))
+            .collect();
+        let mut users: BTreeMap<ValueId, Vec<ValueId>> = BTreeMap::new();
+        for (&user, operands) in &waiting {
+            for &operand in operands {
+                users.entry(operand).or_default().push(user);
+            }
+        }
+        let mut ready: BTreeSet<(Option<&str>, ValueId)> = BTreeSet::new();
+        ready.extend(
+            waiting
+                .iter()
+                .filter(|(_, operands)| operands.is_empty())
+                .map(|(&id, _)| (self.group(id), id)),
+        );
+        let mut steps = Vec::new();
+        let mut placed = vec![false; self.bound.len()];
+        let mut group = None;
+        while let Some(id) = next(&ready, group) {
+            ready.remove(&(self.group(id), id));
+            group = self.group(id);
+            steps.push(Step {
+                temporaries: self.temporaries(id, &mut placed),
+                value: id,
+            });
+            for &user in users.get(&id).into_iter().flatten() {
+                let operands = waiting
+                    .get_mut(&user)
+                    .expect("invariant: a user waits for its operands");
+                operands.remove(&id);
+                if operands.is_empty() {
+                    ready.insert((self.group(user), user));
+                }
+            }
+        }
+        steps
+    }
+
+    fn group(&self, id: ValueId) -> Option<&str> {
+        let origin = self.program.instruction(id).origin?;
+        Some(self.program.origins.get(origin)?.group.as_str())
+    }
+
+    /// The labelled values that a labelled value uses, directly or through unlabelled ones.
+    fn labelled_operands(&self, id: ValueId) -> BTreeSet<ValueId> {
+        let mut found = BTreeSet::new();
+        let mut seen = BTreeSet::new();
+        let mut pending = self.program.instruction(id).op.operands();
+        while let Some(operand) = pending.pop() {
+            if self.labels.contains_key(&operand) {
+                found.insert(operand);
+            } else if seen.insert(operand) {
+                pending.extend(self.program.instruction(operand).op.operands());
+            }
+        }
+        found
+    }
+
+    /// The temporaries that `id` needs and that are not placed yet.
+    fn temporaries(&self, id: ValueId, placed: &mut [bool]) -> Vec<ValueId> {
+        let mut needed = BTreeSet::new();
+        let mut pending = self.program.instruction(id).op.operands();
+        placed[id.0 as usize] = true;
+        while let Some(operand) = pending.pop() {
+            let index = operand.0 as usize;
+            if !std::mem::replace(&mut placed[index], true) {
+                if self.bound[index] {
+                    needed.insert(operand);
+                }
+                pending.extend(self.program.instruction(operand).op.operands());
+            }
+        }
+        needed.into_iter().collect()
+    }
+}
+
+/// The first ready value of the group, or of any group, or of none.
+fn next(ready: &BTreeSet<(Option<&str>, ValueId)>, group: Option<&str>) -> Option<ValueId> {
+    let same = ready
+        .range((group, ValueId(0))..=(group, ValueId(u32::MAX)))
+        .next();
+    same.or_else(|| {
+        ready
+            .iter()
+            .min_by_key(|(group, id)| (group.is_none(), *id))
+    })
+    .map(|&(_, id)| id)
+}

@@ -1,0 +1,349 @@
+//! `simulator.rs`: controller and plant in closed loop, one run of a campaign.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+use nsv_spec::model::{NoiseModel, Scheme};
+
+use crate::emit::comment::docs;
+use crate::emit::types::index;
+use crate::emit::function::Function;
+use crate::emit::interface::Interface;
+use crate::emit::literal::float;
+use crate::emit::names::ident;
+use crate::emit::plant::noise_channels;
+use crate::emit::telemetry::{Column, columns};
+use crate::ir::Program;
+
+/// What the simulator is made of.
+pub(crate) struct Simulator<'a> {
+    /// Names and values of the model.
+    pub(crate) interface: &'a Interface,
+    /// The programs' functions.
+    pub(crate) plant: &'a Function<'a>,
+    /// V and LV.
+    pub(crate) lyapunov: &'a Function<'a>,
+    /// Initial states of the controller, for their shapes.
+    pub(crate) initial: &'a Program,
+    /// The law, for its signals.
+    pub(crate) control: &'a Function<'a>,
+}
+
+impl Simulator<'_> {
+    /// The items of the file.
+    pub(crate) fn items(&self) -> Vec<TokenStream> {
+        let mut items = self.constants();
+        items.push(self.definition());
+        items.push(self.methods());
+        items.push(self.closed_loop());
+        items
+    }
+
+    fn channels(&self) -> usize {
+        noise_channels(self.plant.program)
+    }
+
+    fn constants(&self) -> Vec<TokenStream> {
+        let (horizon, substeps) = (
+            float(self.interface.horizon),
+            Literal::u32_unsuffixed(self.interface.substeps),
+        );
+        let horizon_docs = docs(&["Length of a run, s."]);
+        let substeps_docs = docs(&["Plant steps per sample."]);
+        let step_docs = docs(&["Length of a plant step, s."]);
+        vec![
+            quote!(#horizon_docs pub const HORIZON: f64 = #horizon;),
+            quote!(#substeps_docs pub const SUBSTEPS: u32 = #substeps;),
+            quote!(#step_docs pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;),
+        ]
+    }
+
+    fn definition(&self) -> TokenStream {
+        let docs = docs(&["One run of controller and plant."]);
+        let noise = (self.channels() > 0).then(|| quote!(noise: Option<Noise>,));
+        quote! {
+            #docs
+            #[derive(Clone, Debug)]
+            pub struct Simulator {
+                controller: Controller<f64>,
+                truth: Params<f64>,
+                x: Vector<f64, STATES>,
+                state: State<f64>,
+                output: Output<f64>,
+                sample: u64,
+                #noise
+            }
+        }
+    }
+
+    fn methods(&self) -> TokenStream {
+        let mut start = 0;
+        let mut segments = Vec::new();
+        for (number, block) in (1..).zip(&self.interface.blocks) {
+            segments.push(segment("x", number, start, block.states.len()));
+            start += block.states.len();
+        }
+        for (number, block) in (1..)
+            .zip(&self.interface.blocks)
+            .filter(|(_, block)| !block.exosystem.is_empty())
+        {
+            if self.lyapunov.arguments().contains(&format!("w{number}")) {
+                segments.push(segment("w", number, start, block.exosystem.len()));
+            }
+            start += block.exosystem.len();
+        }
+        let (time_docs, params_docs) = (
+            docs(&["Time of the sample, s."]),
+            docs(&["The plant's parameters in this run."]),
+        );
+        let (state_docs, output_docs) = (
+            docs(&["The plant's state."]),
+            docs(&["Output of the controller at the sample."]),
+        );
+        let draw = (self.channels() > 0).then(|| {
+            let docs = docs(&["Standard normal draws of all channels; zeros in a run without noise."]);
+            let numbers = (0..self.channels()).map(index);
+            quote! {
+                #docs
+                fn draw(&self, step: u64) -> Vector<f64, NOISE_CHANNELS> {
+                    match &self.noise {
+                        Some(noise) => Vector([#(noise.normal(step, #numbers)),*]),
+                        None => Vector::zero(),
+                    }
+                }
+            }
+        });
+        quote! {
+            impl Simulator {
+                #time_docs
+                pub fn time(&self) -> f64 { self.sample as f64 * SAMPLE_TIME }
+
+                #params_docs
+                pub fn params(&self) -> &Params<f64> { &self.truth }
+
+                #state_docs
+                pub fn state(&self) -> &Vector<f64, STATES> { &self.x }
+
+                #output_docs
+                pub fn output(&self) -> &Output<f64> { &self.output }
+
+                #(#segments)*
+
+                #draw
+            }
+        }
+    }
+
+    fn closed_loop(&self) -> TokenStream {
+        let name = &self.interface.name;
+        let outputs = self
+            .interface
+            .blocks
+            .first()
+            .into_iter()
+            .flat_map(|block| &block.states)
+            .map(|state| &state.name);
+        let inputs = self.interface.inputs.iter().map(|input| &input.name);
+        let columns = columns(
+            self.interface,
+            self.control.program,
+            self.initial,
+            self.plant.program,
+        );
+        let signals = columns.iter().map(|column| &column.name);
+        let (new, control, advance) = (self.new(), self.control(), self.advance());
+        let (telemetry, queries) = (self.telemetry(&columns), self.queries());
+        quote! {
+            impl ClosedLoop for Simulator {
+                const NAME: &'static str = #name;
+                const SAMPLE_TIME: f64 = SAMPLE_TIME;
+                const OUTPUTS: &'static [&'static str] = &[#(#outputs),*];
+                const INPUTS: &'static [&'static str] = &[#(#inputs),*];
+                const SIGNALS: &'static [&'static str] = &[#(#signals),*];
+                #new
+                #control
+                #advance
+                #telemetry
+                #queries
+            }
+        }
+    }
+
+    fn blocks(&self) -> Vec<proc_macro2::Ident> {
+        (1..=self.interface.blocks.len())
+            .map(|number| format_ident!("x{number}"))
+            .collect()
+    }
+
+    fn new(&self) -> TokenStream {
+        let measured: Vec<TokenStream> = self.segments_of(&quote!(x)).collect();
+        let noisy = self.channels() > 0;
+        let process = noisy.then(|| quote!(let process = Noise::process(options.seed, options.run);));
+        let noise = noisy.then(|| quote!(noise: options.noise.then_some(process),));
+        quote! {
+            fn new(options: &Options) -> Self {
+                let truth = if options.dispersion {
+                    Params::dispersed(&Noise::dispersion(options.seed, options.run))
+                } else {
+                    Params::plant()
+                };
+                let x = Vector(INITIAL_STATE);
+                let mut controller = Controller::new(Params::design());
+                controller.reset(0.0, #(#measured),*);
+                let state = *controller.state();
+                let output = controller.clone().step(0.0, #(#measured),*);
+                #process
+                Self { controller, truth, x, state, output, sample: 0, #noise }
+            }
+        }
+    }
+
+    /// The state of each block as entries of a packed state.
+    fn segments_of(&self, x: &TokenStream) -> impl Iterator<Item = TokenStream> {
+        let mut start = 0;
+        self.interface.blocks.iter().map(move |block| {
+            let entries = (start..start + block.states.len()).map(index);
+            start += block.states.len();
+            quote!(Vector([#(#x[#entries]),*]))
+        })
+    }
+
+    fn control(&self) -> TokenStream {
+        let blocks = self.blocks();
+        quote! {
+            fn control(&mut self) -> Status {
+                self.state = *self.controller.state();
+                self.output = self.controller.step(self.time(), #(self.#blocks()),*);
+                self.output.status
+            }
+        }
+    }
+
+    fn advance(&self) -> TokenStream {
+        let scheme = ident(match self.interface.scheme {
+            Scheme::EulerMaruyama => "EulerMaruyama",
+            Scheme::Platen => "Platen",
+            Scheme::RungeKutta4 => "RungeKutta4",
+        });
+        let noisy = self.channels() > 0;
+        let held = (noisy && self.interface.noise == NoiseModel::Sampled)
+            .then(|| quote!(, xi: self.draw(self.sample)));
+        let (draw, increment) = if noisy && self.interface.noise == NoiseModel::Wiener {
+            let draw = quote! {
+                let step = self.sample * u64::from(SUBSTEPS) + u64::from(substep);
+                let dw = self.draw(step) * Real::sqrt(SUBSTEP);
+            };
+            (draw, quote!(&dw))
+        } else {
+            (TokenStream::new(), quote!(&Vector([])))
+        };
+        quote! {
+            fn advance(&mut self) {
+                let plant = Plant { params: self.truth, u_sat: self.output.u_sat #held };
+                for substep in 0..SUBSTEPS {
+                    let t = self.time() + f64::from(substep) * SUBSTEP;
+                    #draw
+                    self.x = sde::step(Scheme::#scheme, &plant, t, &self.x, SUBSTEP, #increment);
+                }
+                self.sample += 1;
+            }
+        }
+    }
+
+    fn telemetry(&self, columns: &[Column]) -> TokenStream {
+        let values: Vec<&TokenStream> = columns.iter().map(|column| &column.value).collect();
+        let body = quote!(#(#values),*);
+        let mentioned = |name: &str| crate::emit::source::mentions(&body, name);
+        let blocks = self.blocks();
+        let plant = mentioned("rate").then(|| {
+            let (name, arguments) = (self.plant.name(), self.arguments(self.plant));
+            quote!(let rate = #name(#(#arguments),*);)
+        });
+        let lyapunov = mentioned("lyapunov").then(|| {
+            let (name, arguments) = (self.lyapunov.name(), self.arguments(self.lyapunov));
+            quote!(let lyapunov = #name(#(#arguments),*);)
+        });
+        quote! {
+            fn telemetry(&self, row: &mut [f64]) {
+                let (t, law) = (self.time(), &self.output);
+                #(let #blocks = self.#blocks();)*
+                #plant
+                #lyapunov
+                let values = [#body];
+                for (entry, value) in row.iter_mut().zip(values) {
+                    *entry = value;
+                }
+            }
+        }
+    }
+
+    /// Arguments of a program's function from the simulator's fields.
+    fn arguments(&self, function: &Function<'_>) -> Vec<TokenStream> {
+        let argument = |name: &String| match name.as_str() {
+            "t" => quote!(t),
+            "x" => quote!(self.x),
+            "u_sat" => quote!(law.u_sat),
+            "state" => quote!(&self.state),
+            "plant" => quote!(&self.truth),
+            "params" if function.name() == self.plant.name() => quote!(&self.truth),
+            "params" => quote!(self.controller.params()),
+            block if block.starts_with('x') => ident(block).to_token_stream(),
+            exosystem => {
+                let exosystem = ident(exosystem);
+                quote!(self.#exosystem())
+            }
+        };
+        function.arguments().iter().map(argument).collect()
+    }
+
+    fn queries(&self) -> TokenStream {
+        let constrained = self
+            .control
+            .program
+            .outputs
+            .iter()
+            .any(|(name, _)| name == "k1");
+        let ratio = if constrained {
+            quote!(Real::sqrt(self.output.e1.sum_squares()) / self.output.k1)
+        } else {
+            quote!(f64::NAN)
+        };
+        quote! {
+            fn constraint_ratio(&self) -> f64 { #ratio }
+
+            fn tracking_error(&self, error: &mut [f64]) {
+                for (entry, value) in error.iter_mut().zip((self.x1() - self.output.y_r).0) {
+                    *entry = value;
+                }
+            }
+
+            fn saturated(&self, saturated: &mut [bool]) {
+                for (entry, (u, u_sat)) in saturated.iter_mut().zip(self.output.u.0.into_iter().zip(self.output.u_sat.0)) {
+                    *entry = u != u_sat;
+                }
+            }
+
+            fn is_finite(&self) -> bool {
+                let valid = !self.output.status.contains(Status::NON_FINITE_INPUT);
+                valid && self.x.is_finite() && self.controller.state().is_finite()
+            }
+        }
+    }
+}
+
+/// A method that gives part of the packed state.
+fn segment(letter: &str, number: usize, start: usize, length: usize) -> TokenStream {
+    let name = format_ident!("{letter}{number}");
+    let of = if letter == "x" {
+        "State"
+    } else {
+        "Exosystem states"
+    };
+    let docs = docs(&[format!("{of} of block {number}.")]);
+    let entries = (start..start + length).map(index);
+    let length = index(length);
+    quote! {
+        #docs
+        fn #name(&self) -> Vector<f64, #length> { Vector([#(self.x[#entries]),*]) }
+    }
+}

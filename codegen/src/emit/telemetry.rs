@@ -1,0 +1,114 @@
+//! The telemetry columns of the simulator: names, and the expressions of their values.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use crate::emit::types::index;
+use crate::emit::interface::Interface;
+use crate::emit::names::ident;
+use crate::ir::{Program, Shape};
+
+/// A column.
+pub(crate) struct Column {
+    /// Name, such as `e1.alpha`.
+    pub(crate) name: String,
+    /// Value, in terms of `t`, `x1`, .., `law` (the controller's output), `rate` (the plant's), `lyapunov` and `self.state`.
+    pub(crate) value: TokenStream,
+}
+
+/// The columns: time, then for each block states, errors, bound, ratio, virtual control, filter, disturbance and its estimate, then
+/// reference, control and Lyapunov function.
+pub(crate) fn columns(
+    interface: &Interface,
+    control: &Program,
+    initial: &Program,
+    plant: &Program,
+) -> Vec<Column> {
+    let mut table = Table {
+        columns: Vec::new(),
+    };
+    table.scalar("t", quote!(t));
+    for (position, block) in interface.blocks.iter().enumerate() {
+        let number = position + 1;
+        let own: Vec<&str> = block
+            .states
+            .iter()
+            .map(|state| state.name.as_str())
+            .collect();
+        let next = interface.blocks.get(position + 1);
+        let next: Vec<&str> = next
+            .into_iter()
+            .flat_map(|block| &block.states)
+            .map(|state| state.name.as_str())
+            .collect();
+        let named = |letters: &str| format!("{letters}{number}");
+        let x = format_ident!("x{number}");
+        table.vector(&named("x"), &own, &quote!(#x));
+        table.output(control, &named("e"), &own, &quote!(law));
+        table.output(control, &named("k"), &own, &quote!(law));
+        if has(control, &named("k")) && has(control, &named("e")) {
+            let (e, k) = (ident(&named("e")), ident(&named("k")));
+            table.scalar(
+                &named("ratio"),
+                quote!(Real::sqrt(law.#e.sum_squares()) / law.#k),
+            );
+        }
+        table.output(control, &named("alpha"), &next, &quote!(law));
+        table.output(initial, &named("h"), &next, &quote!(self.state));
+        table.output(plant, &named("d"), &own, &quote!(rate));
+        table.output(control, &named("D_hat"), &own, &quote!(law));
+    }
+    let outputs = interface.blocks.first();
+    let outputs: Vec<&str> = outputs
+        .into_iter()
+        .flat_map(|block| &block.states)
+        .map(|state| state.name.as_str())
+        .collect();
+    let inputs: Vec<&str> = interface
+        .inputs
+        .iter()
+        .map(|input| input.name.as_str())
+        .collect();
+    table.output(control, "y_r", &outputs, &quote!(law));
+    table.output(control, "u", &inputs, &quote!(law));
+    table.output(control, "u_sat", &inputs, &quote!(law));
+    table.scalar("V", quote!(lyapunov.V));
+    table.scalar("LV", quote!(lyapunov.LV));
+    table.columns
+}
+
+fn has(program: &Program, name: &str) -> bool {
+    program.outputs.iter().any(|(output, _)| output == name)
+}
+
+struct Table {
+    columns: Vec<Column>,
+}
+
+impl Table {
+    fn scalar(&mut self, name: &str, value: TokenStream) {
+        self.columns.push(Column {
+            name: name.to_owned(),
+            value,
+        });
+    }
+
+    fn vector(&mut self, name: &str, channels: &[&str], value: &TokenStream) {
+        for (position, channel) in channels.iter().enumerate() {
+            let position = index(position);
+            self.scalar(&format!("{name}.{channel}"), quote!(#value[#position]));
+        }
+    }
+
+    /// Columns of a program's output, if it has that output.
+    fn output(&mut self, program: &Program, name: &str, channels: &[&str], source: &TokenStream) {
+        let Some((_, id)) = program.outputs.iter().find(|(output, _)| output == name) else {
+            return;
+        };
+        let field = ident(name);
+        match program.shape(*id) {
+            Shape::Scalar => self.scalar(name, quote!(#source.#field)),
+            _ => self.vector(name, channels, &quote!(#source.#field)),
+        }
+    }
+}

@@ -1,0 +1,263 @@
+//! Emitted text of small programs.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::Command;
+
+use nsv_spec::model::{NoiseModel, Scheme};
+
+use super::interface::{Block, Dispersion, Input, Interface, Parameter, State};
+use super::module::{Programs, files};
+use super::standalone;
+use crate::ir::{self, Program, Shape, Type, Values, random};
+
+fn program(text: &str) -> Program {
+    let program: Program = text.parse().expect("a program");
+    program.assert_sound();
+    program
+}
+
+fn interface() -> Interface {
+    let state = |name: &str, unit: &str| State {
+        name: name.to_owned(),
+        initial: 0.01,
+        unit: unit.to_owned(),
+    };
+    let input = |name: &str| Input {
+        name: name.to_owned(),
+        unit: "kg m^2 s^-2".to_owned(),
+        limit: 1.0,
+        safe: 0.0,
+    };
+    let parameter = |name: &str, dispersion| Parameter {
+        name: name.to_owned(),
+        unit: "kg".to_owned(),
+        doc: "paper, Table 1".to_owned(),
+        plant: 1.0,
+        design: 1.5,
+        dispersion,
+    };
+    Interface {
+        name: "pitch".to_owned(),
+        title: "Pitch and yaw of a small vehicle".to_owned(),
+        hash: "0".repeat(64),
+        version: "0.1.0".to_owned(),
+        parameters: vec![
+            parameter("mass", None),
+            parameter("CL_scale", Some(Dispersion::Uniform(0.75, 1.25))),
+        ],
+        blocks: vec![
+            Block {
+                name: "attitude".to_owned(),
+                states: vec![state("alpha", "rad"), state("beta", "rad")],
+                exosystem: vec![],
+            },
+            Block {
+                name: "rates".to_owned(),
+                states: vec![state("p", "rad s^-1"), state("q", "rad s^-1")],
+                exosystem: vec![0.1, 0.0],
+            },
+        ],
+        inputs: vec![input("M_y"), input("M_z")],
+        sample_time: 0.002,
+        horizon: 20.0,
+        substeps: 4,
+        scheme: Scheme::RungeKutta4,
+        noise: NoiseModel::Sampled,
+    }
+}
+
+/// The files of a small hand-written module.
+fn pitch() -> BTreeMap<String, String> {
+    let [initial, control, plant, lyapunov] = [
+        include_str!("samples/pitch.initial.txt"),
+        include_str!("samples/pitch.control.txt"),
+        include_str!("samples/pitch.plant.txt"),
+        include_str!("samples/pitch.lyapunov.txt"),
+    ]
+    .map(program);
+    let programs = Programs {
+        initial: &initial,
+        control: &control,
+        plant: &plant,
+        lyapunov: &lyapunov,
+    };
+    files(&interface(), &programs)
+}
+
+#[test]
+fn a_module_reads_beside_its_equations() {
+    for (name, text) in pitch() {
+        insta::assert_snapshot!(name.replace('.', "_"), text);
+    }
+}
+
+#[test]
+fn random_programs_are_rust() {
+    for seed in 0..200 {
+        let text = standalone(&random::program(seed, 120));
+        assert!(syn::parse_file(&text).is_ok(), "{text}");
+    }
+}
+
+/// Rust that calls the standalone function of a program with `inputs` and prints the bits of each output.
+fn driver(module: &str, program: &Program, inputs: &Values) -> String {
+    let literal = |input: &ir::Input| {
+        let entries: Vec<String> = inputs[&input.name]
+            .iter()
+            .map(|v| format!("f64::from_bits({:#x})", v.to_bits()))
+            .collect();
+        match input.shape {
+            Shape::Scalar => entries[0].clone(),
+            Shape::Vector(_) => format!("Vector([{}])", entries.join(", ")),
+            Shape::Matrix(_, columns) => {
+                let rows: Vec<String> = entries
+                    .chunks(columns)
+                    .map(|row| format!("[{}]", row.join(", ")))
+                    .collect();
+                format!("Matrix([{}])", rows.join(", "))
+            }
+        }
+    };
+    let mut arguments: Vec<String> = Vec::new();
+    let mut records: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+    for input in &program.inputs {
+        match input.name.split_once('.') {
+            None => arguments.push(literal(input)),
+            Some((prefix, field)) => {
+                if !records.contains_key(prefix) {
+                    arguments.push(format!("&{prefix}"));
+                }
+                records
+                    .entry(prefix)
+                    .or_default()
+                    .push(format!("{field}: {}", literal(input)));
+            }
+        }
+    }
+    let records = records.iter().map(|(prefix, fields)| {
+        format!(
+            "let {prefix} = {module}::{} {{ {} }};",
+            super::names::type_name(prefix),
+            fields.join(", ")
+        )
+    });
+    let records: String = records.collect();
+    let outputs = program
+        .outputs
+        .iter()
+        .map(|(name, id)| match program.ty(*id) {
+            Type::Bool => format!("print(if out.{name} {{ 1.0 }} else {{ 0.0 }});"),
+            Type::Real(Shape::Scalar) => format!("print(out.{name});"),
+            Type::Real(Shape::Vector(_)) => format!("out.{name}.0.into_iter().for_each(print);"),
+            Type::Real(Shape::Matrix(..)) => {
+                format!("out.{name}.0.into_iter().flatten().for_each(print);")
+            }
+        });
+    let outputs: String = outputs.collect();
+    let function = &program.name;
+    format!(
+        "{{ {records} let out = {module}::{function}({}); {outputs} }}\n",
+        arguments.join(", ")
+    )
+}
+
+/// Builds a crate from `files` below `src/` in a fresh folder and gives what its program prints.
+fn run(files: &BTreeMap<String, String>) -> String {
+    let folder = tempfile::tempdir().expect("a folder");
+    let runtime = Path::new(env!("CARGO_MANIFEST_DIR")).join("../runtime");
+    let manifest = format!(
+        "[package]\nname = \"emitted\"\nedition = \"2024\"\n[dependencies]\nnsv-runtime = {{ path = {runtime:?}, features = [\"std\"] }}\n[workspace]\n"
+    );
+    std::fs::write(folder.path().join("Cargo.toml"), manifest).expect("a writable folder");
+    std::fs::copy(
+        runtime.join("../Cargo.lock"),
+        folder.path().join("Cargo.lock"),
+    )
+    .expect("the lock file");
+    for (name, text) in files {
+        let path = folder.path().join("src").join(name);
+        std::fs::create_dir_all(path.parent().expect("a parent")).expect("a folder");
+        std::fs::write(path, text).expect("a writable file");
+    }
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo
+        .args(["run", "--quiet", "--offline"])
+        .current_dir(folder.path());
+    cargo
+        .env("CARGO_TARGET_DIR", folder.path().join("target"))
+        .env_remove("RUSTFLAGS");
+    if let Ok(keep) = std::env::var("NSV_KEEP_EMITTED") {
+        let copied = Command::new("cp")
+            .arg("-r")
+            .arg(folder.path())
+            .arg(keep)
+            .status();
+        assert!(copied.is_ok_and(|status| status.success()));
+    }
+    let output = cargo.output().expect("cargo");
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    String::from_utf8(output.stdout).expect("text")
+}
+
+#[test]
+fn compiled_programs_agree_with_evaluation_to_the_last_bit() {
+    let mut files = BTreeMap::new();
+    let mut library =
+        String::from("//! Random programs.\n#![no_std]\n#![deny(warnings, missing_docs)]\n");
+    let mut main = String::from(
+        "use emitted::*;\nuse nsv_runtime::linear::{Matrix, Vector};\nfn print(value: f64) { println!(\"{:016x}\", value.to_bits()); }\n",
+    );
+    let mut body = String::new();
+    let mut expected = Vec::new();
+    for seed in 0..30 {
+        let program = random::program(seed, 120);
+        files.insert(format!("p{seed}.rs"), standalone(&program));
+        library.push_str(&format!("pub mod p{seed};\n"));
+        for draw in 0..4 {
+            let inputs = random::inputs(&program, 100 * seed + draw);
+            body.push_str(&driver(&format!("p{seed}"), &program, &inputs));
+            let values = ir::eval::eval(&program, &inputs).expect("values");
+            for (name, _) in &program.outputs {
+                expected.extend(
+                    values[name]
+                        .iter()
+                        .map(|value| (seed, draw, name.clone(), *value)),
+                );
+            }
+        }
+    }
+    main.push_str(&format!("fn main() {{\n{body}}}\n"));
+    files.insert("lib.rs".to_owned(), library);
+    files.insert("main.rs".to_owned(), main);
+    let printed = run(&files);
+    assert_eq!(printed.lines().count(), expected.len());
+    for (line, (seed, draw, name, value)) in printed.lines().zip(expected) {
+        let found = f64::from_bits(u64::from_str_radix(line, 16).expect("bits"));
+        let same = found.to_bits() == value.to_bits() || found.is_nan() && value.is_nan();
+        assert!(
+            same,
+            "program {seed}, inputs {draw}, {name}: emitted {found:e}, evaluated {value:e}"
+        );
+    }
+}
+
+#[test]
+fn an_emitted_module_flies() {
+    let mut files: BTreeMap<String, String> = pitch()
+        .into_iter()
+        .map(|(name, text)| (format!("pitch/{name}"), text))
+        .collect();
+    let library = super::library(&[("pitch", "Pitch and yaw")])
+        .replace("#![no_std]", "#![no_std]\n#![deny(warnings, missing_docs)]");
+    files.insert("lib.rs".to_owned(), library);
+    files.insert(
+        "main.rs".to_owned(),
+        include_str!("samples/flight.rs").to_owned(),
+    );
+    assert_eq!(run(&files).trim(), "ok");
+}
