@@ -1,13 +1,16 @@
 //! Every phase between a checked model and the text of its code.
 
 use std::collections::BTreeMap;
-use std::fmt;
 
 use nsv_spec::model::Model;
 
-use crate::derive::Partials;
 use crate::derive::error::DeriveError;
+use crate::derive::{Partials, derive};
+use crate::emit::{Artifact, module};
 use crate::ir::Program;
+use crate::lower::Programs;
+use crate::opt::optimise;
+use crate::seal::seal;
 
 /// What a model compiles to.
 #[derive(Clone, Debug)]
@@ -18,29 +21,18 @@ pub struct Compiled {
     pub eval: Program,
 }
 
-/// Why a checked model has no code.
-#[derive(Debug)]
-pub enum CompileError {
-    /// The law could not be derived.
-    Derive(DeriveError),
-    /// The phases are not linked into this build.
-    NoPhases,
-}
-
-impl fmt::Display for CompileError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            CompileError::Derive(error) => error.fmt(f),
-            CompileError::NoPhases => {
-                f.write_str("the phases behind the check are not linked into this build of nsv")
-            }
-        }
-    }
-}
-
-impl std::error::Error for CompileError {}
-
-/// Derives, optimises and emits.
-pub fn compile(_model: &Model, _partials: &mut dyn Partials) -> Result<Compiled, CompileError> {
-    Err(CompileError::NoPhases)
+/// Derives, lowers, optimises and emits: every phase behind the check.
+pub fn compile(model: &Model, partials: &mut dyn Partials) -> Result<Compiled, DeriveError> {
+    let law = derive(model, partials)?;
+    let programs = Programs::new(&law);
+    let artifact = Artifact {
+        model,
+        version: env!("CARGO_PKG_VERSION"),
+        initial: optimise(programs.initial),
+        control: optimise(programs.control),
+        plant: optimise(programs.plant),
+        lyapunov: optimise(programs.lyapunov),
+    };
+    let files = module(&artifact).into_iter().map(|(file, text)| (file, seal(&text))).collect();
+    Ok(Compiled { files, eval: optimise(programs.quantities) })
 }

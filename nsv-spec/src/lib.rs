@@ -14,7 +14,7 @@ mod hash;
 mod include;
 pub mod model;
 mod parse;
-mod schema;
+pub mod schema;
 pub mod spec;
 mod suggest;
 pub mod unit;

@@ -53,7 +53,6 @@ impl Context<'_> {
         }
         self.declare(&mut declared, words(&spec.definitions), "definition", Use::Emitted);
         self.check_polynomial_names(&declared);
-        self.check_rates(&declared);
         self.declare(&mut BTreeMap::new(), words(&spec.blocks), "block", Use::Emitted);
         self.declare(&mut BTreeMap::new(), words(&spec.inputs), "input", Use::Emitted);
     }
@@ -136,19 +135,6 @@ impl Context<'_> {
                 }
                 emitted.insert(name, part.name.span);
             }
-        }
-    }
-
-    /// The derivative of state `p` is emitted as `p_dot`.
-    fn check_rates(&mut self, declared: &BTreeMap<String, (Span, &str)>) {
-        for (name, (span, noun)) in declared.iter().filter(|(_, (_, noun))| *noun != "constant") {
-            let Some((state, "state")) = name.strip_suffix("_dot").and_then(|state| Some((declared.get(state)?.0, declared.get(state)?.1)))
-            else {
-                continue;
-            };
-            let message = format!("{noun} `{name}` has the name of the derivative of a state");
-            let fault = Diagnostic::error("E0112", *span, message).with_related(state, "the state is declared here");
-            self.faults.push(fault.with_help("choose another name"));
         }
     }
 }
