@@ -1,7 +1,7 @@
 //! The specification as written: every key in its place with its span, nothing resolved or converted.
 
 use crate::diagnostic::{Base, Span};
-use crate::model::{Basis, Integration, Norm, NoiseModel, Scheme, VirtualDerivative};
+use crate::model::{Basis, Integration, NoiseModel, Norm, Scheme, VirtualDerivative};
 
 /// A value with its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

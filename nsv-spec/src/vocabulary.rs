@@ -46,11 +46,21 @@ pub enum Kind {
 }
 
 const fn required(name: &'static str, kind: Kind, doc: &'static str) -> Key {
-    Key { name, kind, required: true, doc }
+    Key {
+        name,
+        kind,
+        required: true,
+        doc,
+    }
 }
 
 const fn optional(name: &'static str, kind: Kind, doc: &'static str) -> Key {
-    Key { name, kind, required: false, doc }
+    Key {
+        name,
+        kind,
+        required: false,
+        doc,
+    }
 }
 
 /// A quantity or the word `auto`.
@@ -62,18 +72,66 @@ const POLYNOMIAL_TERM: Kind = Kind::List(&Kind::Quantity);
 pub static SPECIFICATION: Section = Section {
     noun: "a specification",
     keys: &[
-        required("nsv", Kind::Count, "version of the specification language: 1"),
-        required("name", Kind::Text, "name of the generated module: a Rust identifier in snake case"),
-        optional("title", Kind::Text, "one line for people; default: the name"),
-        optional("include", Kind::List(&Kind::Text), "files with further sections, relative to this file and below its directory"),
-        optional("constants", Kind::Named(&CONSTANT_KIND), "compile-time constants"),
-        optional("parameters", Kind::Named(&PARAMETER_KIND), "run-time parameters, fields of the emitted `Params`"),
-        optional("polynomials", Kind::Named(&Kind::Section(&POLYNOMIAL)), "groups of polynomial data, such as aerodynamic coefficients"),
-        optional("definitions", FORMULAS, "named intermediate quantities, in any order, without cycles"),
-        required("plant", Kind::Section(&PLANT), "the system to be controlled"),
-        required("reference", FORMULAS, "reference of every output channel: a function of time"),
-        required("controller", Kind::Section(&CONTROLLER), "the design choices of the control law"),
-        required("scenario", Kind::Section(&SCENARIO), "how the closed loop is simulated"),
+        required(
+            "nsv",
+            Kind::Count,
+            "version of the specification language: 1",
+        ),
+        required(
+            "name",
+            Kind::Text,
+            "name of the generated module: a Rust identifier in snake case",
+        ),
+        optional(
+            "title",
+            Kind::Text,
+            "one line for people; default: the name",
+        ),
+        optional(
+            "include",
+            Kind::List(&Kind::Text),
+            "files with further sections, relative to this file and below its directory",
+        ),
+        optional(
+            "constants",
+            Kind::Named(&CONSTANT_KIND),
+            "compile-time constants",
+        ),
+        optional(
+            "parameters",
+            Kind::Named(&PARAMETER_KIND),
+            "run-time parameters, fields of the emitted `Params`",
+        ),
+        optional(
+            "polynomials",
+            Kind::Named(&Kind::Section(&POLYNOMIAL)),
+            "groups of polynomial data, such as aerodynamic coefficients",
+        ),
+        optional(
+            "definitions",
+            FORMULAS,
+            "named intermediate quantities, in any order, without cycles",
+        ),
+        required(
+            "plant",
+            Kind::Section(&PLANT),
+            "the system to be controlled",
+        ),
+        required(
+            "reference",
+            FORMULAS,
+            "reference of every output channel: a function of time",
+        ),
+        required(
+            "controller",
+            Kind::Section(&CONTROLLER),
+            "the design choices of the control law",
+        ),
+        required(
+            "scenario",
+            Kind::Section(&SCENARIO),
+            "how the closed loop is simulated",
+        ),
     ],
 };
 
@@ -84,8 +142,16 @@ const PARAMETER_KIND: Kind = Kind::Either(&[Kind::Quantity, Kind::Section(&PARAM
 pub static CONSTANT: Section = Section {
     noun: "a constant",
     keys: &[
-        required("value", Kind::Formula, "number, expression of constants, list, or list of lists"),
-        optional("unit", Kind::Text, "unit of the value, if the value has none"),
+        required(
+            "value",
+            Kind::Formula,
+            "number, expression of constants, list, or list of lists",
+        ),
+        optional(
+            "unit",
+            Kind::Text,
+            "unit of the value, if the value has none",
+        ),
         optional("source", Kind::Text, "where the value comes from"),
     ],
 };
@@ -95,8 +161,16 @@ pub static PARAMETER: Section = Section {
     noun: "a parameter",
     keys: &[
         required("value", Kind::Quantity, "nominal value"),
-        optional("unit", Kind::Text, "unit of the value, if the value has none"),
-        optional("dispersion", Kind::Section(&DISPERSION), "how the plant's value is drawn in each run"),
+        optional(
+            "unit",
+            Kind::Text,
+            "unit of the value, if the value has none",
+        ),
+        optional(
+            "dispersion",
+            Kind::Section(&DISPERSION),
+            "how the plant's value is drawn in each run",
+        ),
         optional("source", Kind::Text, "where the value comes from"),
     ],
 };
@@ -105,8 +179,16 @@ pub static PARAMETER: Section = Section {
 pub static DISPERSION: Section = Section {
     noun: "a dispersion",
     keys: &[
-        optional("uniform", Kind::List(&Kind::Quantity), "least and largest value"),
-        optional("normal", Kind::List(&Kind::Quantity), "mean and standard deviation"),
+        optional(
+            "uniform",
+            Kind::List(&Kind::Quantity),
+            "least and largest value",
+        ),
+        optional(
+            "normal",
+            Kind::List(&Kind::Quantity),
+            "mean and standard deviation",
+        ),
     ],
 };
 
@@ -114,7 +196,11 @@ pub static DISPERSION: Section = Section {
 pub static POLYNOMIAL: Section = Section {
     noun: "a polynomial group",
     keys: &[
-        required("arguments", Kind::List(&Kind::Text), "names of the dimensionless arguments, in order"),
+        required(
+            "arguments",
+            Kind::List(&Kind::Text),
+            "names of the dimensionless arguments, in order",
+        ),
         optional("source", Kind::Text, "where the data come from"),
         required(
             "parts",
@@ -128,8 +214,16 @@ pub static POLYNOMIAL: Section = Section {
 pub static PLANT: Section = Section {
     noun: "a plant",
     keys: &[
-        required("blocks", Kind::Named(&Kind::Section(&PLANT_BLOCK)), "blocks of the strict-feedback chain, the output block first"),
-        required("inputs", Kind::Named(&INPUT_KIND), "control inputs with their limits, as many as each block has states"),
+        required(
+            "blocks",
+            Kind::Named(&Kind::Section(&PLANT_BLOCK)),
+            "blocks of the strict-feedback chain, the output block first",
+        ),
+        required(
+            "inputs",
+            Kind::Named(&INPUT_KIND),
+            "control inputs with their limits, as many as each block has states",
+        ),
     ],
 };
 
@@ -140,10 +234,26 @@ const INPUT_KIND: Kind = Kind::Either(&[Kind::Quantity, Kind::Section(&INPUT)]);
 pub static PLANT_BLOCK: Section = Section {
     noun: "a plant block",
     keys: &[
-        required("states", Kind::Named(&STATE_KIND), "state channels with their initial values; the unit is also the display unit"),
-        required("drift", Kind::Formula, "F: known dynamics, a vector of the states of this and outer blocks"),
-        required("gain", Kind::Formula, "G: square matrix, how the next block's state or the input acts"),
-        optional("disturbance", Kind::Section(&DISTURBANCE), "d: what acts on the block unknown to the controller"),
+        required(
+            "states",
+            Kind::Named(&STATE_KIND),
+            "state channels with their initial values; the unit is also the display unit",
+        ),
+        required(
+            "drift",
+            Kind::Formula,
+            "F: known dynamics, a vector of the states of this and outer blocks",
+        ),
+        required(
+            "gain",
+            Kind::Formula,
+            "G: square matrix, how the next block's state or the input acts",
+        ),
+        optional(
+            "disturbance",
+            Kind::Section(&DISTURBANCE),
+            "d: what acts on the block unknown to the controller",
+        ),
         optional("noise", Kind::Section(&NOISE), "diffusion H Sigma dw"),
     ],
 };
@@ -153,7 +263,11 @@ pub static STATE: Section = Section {
     noun: "a state",
     keys: &[
         required("initial", Kind::Quantity, "initial value"),
-        optional("unit", Kind::Text, "display unit, and unit of the initial value if that has none"),
+        optional(
+            "unit",
+            Kind::Text,
+            "display unit, and unit of the initial value if that has none",
+        ),
     ],
 };
 
@@ -161,8 +275,16 @@ pub static STATE: Section = Section {
 pub static DISTURBANCE: Section = Section {
     noun: "a disturbance",
     keys: &[
-        optional("bounded", Kind::Formula, "vector function of time, bounded with bounded rate"),
-        optional("exosystem", Kind::List(&Kind::Section(&EXOSYSTEM)), "one linear system for each channel: dw = M w dt + N dwbar, d = L w"),
+        optional(
+            "bounded",
+            Kind::Formula,
+            "vector function of time, bounded with bounded rate",
+        ),
+        optional(
+            "exosystem",
+            Kind::List(&Kind::Section(&EXOSYSTEM)),
+            "one linear system for each channel: dw = M w dt + N dwbar, d = L w",
+        ),
     ],
 };
 
@@ -171,7 +293,11 @@ pub static EXOSYSTEM: Section = Section {
     noun: "an exosystem",
     keys: &[
         required("M", Kind::Formula, "square system matrix"),
-        optional("N", Kind::Formula, "noise input matrix; default: no excitation"),
+        optional(
+            "N",
+            Kind::Formula,
+            "noise input matrix; default: no excitation",
+        ),
         required("L", Kind::Formula, "output row"),
         optional("initial", Kind::Formula, "initial state; default: zero"),
     ],
@@ -181,8 +307,16 @@ pub static EXOSYSTEM: Section = Section {
 pub static NOISE: Section = Section {
     noun: "a noise",
     keys: &[
-        required("effectiveness", Kind::Formula, "H: matrix, states by noise channels"),
-        required("intensity", Kind::Formula, "diagonal of Sigma, one entry for each noise channel"),
+        required(
+            "effectiveness",
+            Kind::Formula,
+            "H: matrix, states by noise channels",
+        ),
+        required(
+            "intensity",
+            Kind::Formula,
+            "diagonal of Sigma, one entry for each noise channel",
+        ),
     ],
 };
 
@@ -191,7 +325,11 @@ pub static INPUT: Section = Section {
     noun: "an input",
     keys: &[
         required("limit", Kind::Quantity, "saturation limit, positive"),
-        optional("safe", Kind::Quantity, "output when a measurement is not finite; default: 0"),
+        optional(
+            "safe",
+            Kind::Quantity,
+            "output when a measurement is not finite; default: 0",
+        ),
     ],
 };
 
@@ -200,12 +338,36 @@ pub static CONTROLLER: Section = Section {
     noun: "a controller",
     keys: &[
         required("sample_time", Kind::Quantity, "sample time"),
-        optional("virtual_derivative", Kind::Choice(&["filter", "exact"]), "source of the virtual control's derivative; default: filter"),
-        optional("norm", Kind::Choice(&["frobenius", "spectral"]), "matrix norm of the law; default: frobenius"),
-        optional("integration", Kind::Choice(&["exponential", "euler"]), "discretisation of the controller's states; default: exponential"),
-        optional("barrier_margin", Kind::Quantity, "delta: E is clamped at pi/2 - delta; default: 1e-3"),
-        optional("parameters", Kind::Named(&Kind::Quantity), "parameter values the controller is designed with, where they differ from the plant's"),
-        required("blocks", Kind::Named(&Kind::Section(&CONTROLLER_BLOCK)), "gains of each plant block, under the same names"),
+        optional(
+            "virtual_derivative",
+            Kind::Choice(&["filter", "exact"]),
+            "source of the virtual control's derivative; default: filter",
+        ),
+        optional(
+            "norm",
+            Kind::Choice(&["frobenius", "spectral"]),
+            "matrix norm of the law; default: frobenius",
+        ),
+        optional(
+            "integration",
+            Kind::Choice(&["exponential", "euler"]),
+            "discretisation of the controller's states; default: exponential",
+        ),
+        optional(
+            "barrier_margin",
+            Kind::Quantity,
+            "delta: E is clamped at pi/2 - delta; default: 1e-3",
+        ),
+        optional(
+            "parameters",
+            Kind::Named(&Kind::Quantity),
+            "parameter values the controller is designed with, where they differ from the plant's",
+        ),
+        required(
+            "blocks",
+            Kind::Named(&Kind::Section(&CONTROLLER_BLOCK)),
+            "gains of each plant block, under the same names",
+        ),
     ],
 };
 
@@ -213,19 +375,67 @@ pub static CONTROLLER: Section = Section {
 pub static CONTROLLER_BLOCK: Section = Section {
     noun: "a controller block",
     keys: &[
-        required("K", Kind::Formula, "error gain, scalar or one for each channel, positive"),
-        required("kbar", QUANTITY_OR_AUTO, "barrier gain, at least sup sqrt((k'/k)^2 + 1e-6), which `auto` computes"),
-        required("C", Kind::Formula, "gain of the anti-windup system: scalar, diagonal or matrix, positive definite"),
-        optional("filter", Kind::Formula, "time constant of the command filter, scalar or one for each channel; inner blocks have none"),
-        optional("eta_1", Kind::Quantity, "weight of the disturbance estimate's error"),
+        required(
+            "K",
+            Kind::Formula,
+            "error gain, scalar or one for each channel, positive",
+        ),
+        required(
+            "kbar",
+            QUANTITY_OR_AUTO,
+            "barrier gain, at least sup sqrt((k'/k)^2 + 1e-6), which `auto` computes",
+        ),
+        required(
+            "C",
+            Kind::Formula,
+            "gain of the anti-windup system: scalar, diagonal or matrix, positive definite",
+        ),
+        optional(
+            "filter",
+            Kind::Formula,
+            "time constant of the command filter, scalar or one for each channel; inner blocks have none",
+        ),
+        optional(
+            "eta_1",
+            Kind::Quantity,
+            "weight of the disturbance estimate's error",
+        ),
         optional("eta_2", Kind::Quantity, "weight of the filter's error"),
-        optional("eta_3", Kind::Quantity, "weight of the coupling to the next block"),
-        optional("eta_noise", Kind::Quantity, "weight of the noise in the observer"),
-        optional("observer", Kind::Formula, "observer gain S: scalar, diagonal or matrix"),
-        optional("constraint", Kind::Formula, "bound k(t) > 0 of the error's norm: a function of time"),
-        optional("network", Kind::Section(&NETWORK), "polynomial network that learns what the model lacks"),
-        optional("error_bound", Kind::Section(&ERROR_BOUND), "adaptive bound of the network's error"),
-        optional("noise_bound", Kind::Section(&NOISE_BOUND), "adaptive bounds of the noise"),
+        optional(
+            "eta_3",
+            Kind::Quantity,
+            "weight of the coupling to the next block",
+        ),
+        optional(
+            "eta_noise",
+            Kind::Quantity,
+            "weight of the noise in the observer",
+        ),
+        optional(
+            "observer",
+            Kind::Formula,
+            "observer gain S: scalar, diagonal or matrix",
+        ),
+        optional(
+            "constraint",
+            Kind::Formula,
+            "bound k(t) > 0 of the error's norm: a function of time",
+        ),
+        optional(
+            "network",
+            Kind::Section(&NETWORK),
+            "polynomial network that learns what the model lacks",
+        ),
+        optional(
+            "error_bound",
+            Kind::Section(&ERROR_BOUND),
+            "adaptive bound of the network's error",
+        ),
+        optional(
+            "noise_bound",
+            Kind::Section(&NOISE_BOUND),
+            "adaptive bounds of the noise",
+        ),
     ],
 };
 
@@ -234,10 +444,26 @@ pub static NETWORK: Section = Section {
     noun: "a network",
     keys: &[
         required("order", Kind::Count, "largest total degree, at least 1"),
-        optional("basis", Kind::Choice(&["pairwise", "complete"]), "products of at most two inputs, or all; default: pairwise"),
-        required("inputs", Kind::List(&Kind::Formula), "expressions of the states of this and outer blocks"),
-        optional("scale", Kind::Formula, "divisor of each input; default: 1 in SI"),
-        required("iota", Kind::Formula, "output scale, scalar or one for each channel, positive"),
+        optional(
+            "basis",
+            Kind::Choice(&["pairwise", "complete"]),
+            "products of at most two inputs, or all; default: pairwise",
+        ),
+        required(
+            "inputs",
+            Kind::List(&Kind::Formula),
+            "expressions of the states of this and outer blocks",
+        ),
+        optional(
+            "scale",
+            Kind::Formula,
+            "divisor of each input; default: 1 in SI",
+        ),
+        required(
+            "iota",
+            Kind::Formula,
+            "output scale, scalar or one for each channel, positive",
+        ),
         required("Gamma", Kind::Quantity, "learning rate, positive"),
         required("lambda", Kind::Quantity, "leak, positive"),
     ],
@@ -248,7 +474,11 @@ pub static ERROR_BOUND: Section = Section {
     noun: "an error bound",
     keys: &[
         required("iota", Kind::Quantity, "adaptation rate, positive"),
-        required("b", Kind::Formula, "width of the tanh, scalar or one for each channel, positive"),
+        required(
+            "b",
+            Kind::Formula,
+            "width of the tanh, scalar or one for each channel, positive",
+        ),
     ],
 };
 
@@ -256,7 +486,11 @@ pub static ERROR_BOUND: Section = Section {
 pub static NOISE_BOUND: Section = Section {
     noun: "a noise bound",
     keys: &[
-        required("tau", Kind::Quantity, "adaptation rate of sigma_hat, positive"),
+        required(
+            "tau",
+            Kind::Quantity,
+            "adaptation rate of sigma_hat, positive",
+        ),
         required("lambda", Kind::Quantity, "leak of sigma_hat, positive"),
         required("varsigma", Kind::Quantity, "smoothing constant, positive"),
         required("phi", Kind::Section(&PHI), "the auxiliary state phi"),
@@ -269,8 +503,16 @@ pub static PHI: Section = Section {
     keys: &[
         required("initial", Kind::Quantity, "initial value, positive"),
         required("kappa", Kind::Quantity, "decay rate, positive"),
-        required("threshold", Kind::Quantity, "error norm below which phi is held, positive"),
-        optional("min", QUANTITY_OR_AUTO, "floor of phi; default: auto, sqrt(Psi dt / 0.1)"),
+        required(
+            "threshold",
+            Kind::Quantity,
+            "error norm below which phi is held, positive",
+        ),
+        optional(
+            "min",
+            QUANTITY_OR_AUTO,
+            "floor of phi; default: auto, sqrt(Psi dt / 0.1)",
+        ),
     ],
 };
 
@@ -279,11 +521,27 @@ pub static SCENARIO: Section = Section {
     noun: "a scenario",
     keys: &[
         required("horizon", Kind::Quantity, "length of a run"),
-        optional("substeps", Kind::Count, "plant steps for each controller sample; default: 4"),
-        optional("scheme", Kind::Choice(&["euler_maruyama", "platen", "rk4"]), "integration of the plant; default: rk4, with wiener noise euler_maruyama"),
-        optional("noise", Kind::Choice(&["sampled", "wiener"]), "draws held over a sample, or Wiener increments; default: sampled"),
+        optional(
+            "substeps",
+            Kind::Count,
+            "plant steps for each controller sample; default: 4",
+        ),
+        optional(
+            "scheme",
+            Kind::Choice(&["euler_maruyama", "platen", "rk4"]),
+            "integration of the plant; default: rk4, with wiener noise euler_maruyama",
+        ),
+        optional(
+            "noise",
+            Kind::Choice(&["sampled", "wiener"]),
+            "draws held over a sample, or Wiener increments; default: sampled",
+        ),
         optional("seed", Kind::Count, "campaign seed; default: 1"),
         optional("runs", Kind::Count, "number of runs; default: 1"),
-        optional("settle", Kind::Quantity, "start of the window for rms values; default: 0 s"),
+        optional(
+            "settle",
+            Kind::Quantity,
+            "start of the window for rms values; default: 0 s",
+        ),
     ],
 };

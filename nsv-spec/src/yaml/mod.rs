@@ -76,7 +76,10 @@ impl Node {
 /// The beginning of a text on one line, short enough to stand in a message.
 pub fn excerpt(text: &str) -> String {
     const LONGEST: usize = 40;
-    let clean: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let clean: String = text
+        .chars()
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect();
     if clean.chars().count() <= LONGEST {
         return clean;
     }
