@@ -39,7 +39,7 @@ def every_term():
             [([[0]], np.zeros((1, 0)), [1], [0.3]), ([[0, 1], [-4, -0.4]], [[0], [0.3]], [1, 0.5], [0, 0])]
         ),
         noise=Noise(lambda x, p: np.array([[0.1, 0.02 * x[0][0]], [0.0, 0.1]]), np.array([0.5, 1.0])),
-        observer=np.array([[3, 0.5], [0, 6], [0.2, 2]]),
+        observer=np.array([[3, 0.5], [0.2, 3], [0, 6]]),
         network=Network(2, lambda x: np.array([x[0][0] / 2, x[0][1]]), 2, np.array([0.5, 1.0]), 2.0, 0.1, "complete"),
         error_bound=ErrorBound(0.2, np.array([1.0, 2.0])),
         noise_bound=NoiseBound(0.5, 0.2, 0.7, 5.0, 1.0, 0.05),
