@@ -1,7 +1,9 @@
 //! The nsv compiler.
 pub mod casadi;
 pub mod derive;
+pub mod driver;
 pub mod emit;
 pub mod ir;
 pub mod lower;
 pub mod opt;
+pub mod seal;

@@ -1,2 +1,8 @@
 //! The `nsv` command.
-fn main() {}
+
+mod cli;
+mod report;
+
+fn main() -> std::process::ExitCode {
+    cli::main()
+}

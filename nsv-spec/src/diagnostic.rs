@@ -1,5 +1,6 @@
 //! Faults of a specification as data: a code, a place, a message and its remedy. Rendering is the command line's business.
 
+use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -124,6 +125,14 @@ impl Diagnostic {
         }
     }
 
+    /// A warning at a place.
+    pub fn warning(code: &'static str, span: Span, message: impl Into<String>) -> Self {
+        Self {
+            severity: Severity::Warning,
+            ..Self::error(code, span, message)
+        }
+    }
+
     /// The same with a remedy.
     pub fn with_help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
@@ -147,6 +156,85 @@ pub struct Diagnostics {
     pub sources: SourceMap,
     /// The faults, in order of place.
     pub items: Vec<Diagnostic>,
+}
+
+impl SourceMap {
+    /// Adds a file.
+    pub fn add(&mut self, name: impl Into<String>, text: Arc<str>) -> FileId {
+        let id = FileId(u32::try_from(self.files.len()).expect("invariant: fewer than 2^32 files"));
+        self.files.push(Source {
+            name: name.into(),
+            text,
+        });
+        id
+    }
+
+    /// The file of a span.
+    pub fn source(&self, file: FileId) -> &Source {
+        &self.files[file.0 as usize]
+    }
+
+    /// Line and column of the first character of a span, both from 1, the column in characters.
+    pub fn location(&self, span: Span) -> (usize, usize) {
+        let before = &self.source(span.file).text.as_bytes()[..span.start as usize];
+        let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
+        let line_start = before
+            .iter()
+            .rposition(|&byte| byte == b'\n')
+            .map_or(0, |newline| newline + 1);
+        // Continuation bytes of UTF-8 start no character.
+        let column = before[line_start..]
+            .iter()
+            .filter(|&&byte| byte & 0xc0 != 0x80)
+            .count()
+            + 1;
+        (line, column)
+    }
+}
+
+impl fmt::Display for Severity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+        })
+    }
+}
+
+impl Diagnostics {
+    /// Whether any of them rejects the specification.
+    pub fn has_errors(&self) -> bool {
+        self.items
+            .iter()
+            .any(|item| item.severity == Severity::Error)
+    }
+
+    /// Every fault as `file:line:col: error[E0102]: message`, related places and help indented below it.
+    pub fn short(&self) -> String {
+        let place = |span: Span| {
+            let (line, column) = self.sources.location(span);
+            format!("{}:{line}:{column}: ", self.sources.source(span.file).name)
+        };
+        let mut text = String::new();
+        for item in &self.items {
+            let at = item.span.map(place).unwrap_or_default();
+            text.push_str(&format!(
+                "{at}{}[{}]: {}\n",
+                item.severity, item.code, item.message
+            ));
+            for related in &item.related {
+                text.push_str(&format!(
+                    "  {}note: {}\n",
+                    place(related.span),
+                    related.label
+                ));
+            }
+            if let Some(help) = &item.help {
+                text.push_str(&format!("  help: {help}\n"));
+            }
+        }
+        text
+    }
 }
 
 /// A piece of source text between backquotes for a message, cut after 48 characters.

@@ -2,9 +2,61 @@
 //!
 //! [`load`] reads a YAML specification with its included model files, checks names, units, shapes and ranges, and returns the
 //! [`model::Model`]: everything in SI, every expression typed, nothing left to go wrong for the phases behind it.
+//!
+//! ```text
+//! files -- include --> yaml::Node -- parse --> spec::Spec -- check --> model::Model
+//! ```
 
+mod check;
 pub mod diagnostic;
 pub mod expr;
+mod hash;
+mod include;
 pub mod model;
+mod parse;
+pub mod schema;
+pub mod spec;
 mod suggest;
 pub mod unit;
+mod vocabulary;
+pub mod yaml;
+
+use std::path::Path;
+
+use diagnostic::{Diagnostic, Diagnostics, SourceMap};
+use model::Model;
+pub use schema::json_schema;
+use yaml::Node;
+
+/// Reads, checks and joins a specification and all that it includes. Gives the model with its warnings, or every fault of the
+/// phase that failed. The files named in `include` lie below the specification's directory; nothing else is read.
+pub fn load(path: &Path) -> Result<(Model, Vec<Diagnostic>), Diagnostics> {
+    let mut sources = SourceMap::default();
+    let tree = include::read_file(path, &mut sources);
+    build(tree, sources)
+}
+
+/// The same for a text that is not in a file and includes none; `name` is what messages call it.
+pub fn load_str(name: &str, text: &str) -> Result<(Model, Vec<Diagnostic>), Diagnostics> {
+    load_bytes(name, text.as_bytes())
+}
+
+/// The same for bytes that may not even be text.
+pub fn load_bytes(name: &str, bytes: &[u8]) -> Result<(Model, Vec<Diagnostic>), Diagnostics> {
+    let mut sources = SourceMap::default();
+    let tree = include::read_text(name, bytes, &mut sources);
+    build(tree, sources)
+}
+
+fn build(
+    tree: Result<Node, Vec<Diagnostic>>,
+    sources: SourceMap,
+) -> Result<(Model, Vec<Diagnostic>), Diagnostics> {
+    let model = tree
+        .and_then(|tree| parse::parse(&tree))
+        .and_then(|spec| check::check(&spec, &sources, hash::of(&sources)));
+    model.map_err(|mut items| {
+        items.sort_by_key(|item| item.span);
+        Diagnostics { sources, items }
+    })
+}

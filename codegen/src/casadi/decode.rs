@@ -4,69 +4,20 @@
 //! own rules: 0 + x is x, 0 * x is 0. They are zeros of the mathematics, so x = inf does not make them NaN.
 
 use std::collections::BTreeMap;
-use std::fmt;
 
+use super::arithmetic;
 use super::document::{Node, Tape};
+use super::error::TapeError;
 use super::hexfloat;
 use super::job::MAX_ORDER;
 use super::polynomial::differentiate;
 use super::request::Question;
 use super::sweep::sweep;
 use crate::ir::build::size;
-use crate::ir::{Comparison, Function, Kernel, Op, Operator, PolynomialId, Program, Shape, ValueId};
+use crate::ir::{Comparison, Kernel, Op, PolynomialId, Program, Shape, ValueId};
 
 /// Largest tape that is read, in nodes.
 const MAX_NODES: usize = 1_000_000;
-
-/// Why a tape is not the answer to its question.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum TapeError {
-    /// More nodes than are read.
-    TooLarge {
-        /// Number of nodes.
-        nodes: usize,
-    },
-    /// A constant that is not finite hexadecimal floating point.
-    Constant {
-        /// As written.
-        text: String,
-    },
-    /// Operands or integers that do not fit the operation.
-    Malformed {
-        /// Node.
-        node: usize,
-        /// Its operation.
-        operation: String,
-    },
-    /// An operation that the compiler does not have.
-    Unsupported {
-        /// Node.
-        node: usize,
-        /// Its operation.
-        operation: String,
-    },
-    /// Outputs other than those asked for.
-    Outputs {
-        /// Name of the first one that differs.
-        name: String,
-    },
-}
-
-impl fmt::Display for TapeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            TapeError::TooLarge { nodes } => write!(f, "{nodes} instructions, at most {MAX_NODES} are read"),
-            TapeError::Constant { text } => write!(f, "`{text}` is not a finite constant"),
-            TapeError::Malformed { node, operation } => write!(f, "instruction {node} (`{operation}`) has wrong operands"),
-            TapeError::Unsupported { node, operation } => {
-                write!(f, "instruction {node} is `{operation}`, an operation that nsv does not have")
-            }
-            TapeError::Outputs { name } => write!(f, "output `{name}` is not the one asked for"),
-        }
-    }
-}
-
-impl std::error::Error for TapeError {}
 
 /// The program of a tape that answers `question`.
 pub fn decode(question: &Question<'_>, tape: &Tape) -> Result<Program, TapeError> {
@@ -74,8 +25,7 @@ pub fn decode(question: &Question<'_>, tape: &Tape) -> Result<Program, TapeError
     if tape.nodes.len() > MAX_NODES {
         return Err(TapeError::TooLarge { nodes: tape.nodes.len() });
     }
-    let program =
-        Program { name: format!("{}_{}", formula.name, job.suffix()), inputs: job.inputs(formula), ..Program::default() };
+    let program = Program { name: format!("{}_{}", formula.name, job.suffix()), inputs: job.inputs(formula), ..Program::default() };
     let mut decoder = Decoder {
         question,
         tape,
@@ -96,7 +46,7 @@ pub fn decode(question: &Question<'_>, tape: &Tape) -> Result<Program, TapeError
 
 /// What a node of the tape is.
 #[derive(Clone, Copy)]
-enum Term {
+pub(super) enum Term {
     /// Structural zero.
     Zero,
     /// Real scalar.
@@ -105,11 +55,11 @@ enum Term {
     Truth(ValueId),
 }
 
-struct Decoder<'a> {
+pub(super) struct Decoder<'a> {
     question: &'a Question<'a>,
-    tape: &'a Tape,
-    program: Program,
-    terms: Vec<Term>,
+    pub(super) tape: &'a Tape,
+    pub(super) program: Program,
+    pub(super) terms: Vec<Term>,
     scalars: BTreeMap<u64, ValueId>,
     inputs: BTreeMap<(usize, usize), ValueId>,
     /// By index in the request and orders; `None` where the derivative vanishes.
@@ -126,21 +76,20 @@ impl Decoder<'_> {
         match (name.as_str(), operands.as_slice(), data.as_slice()) {
             ("const", [], [position]) => self.constant(*position).ok_or_else(malformed)?.map(|value| self.scalar_term(value)),
             ("input", [], [position, entry]) => self.input(*position, *entry).map(Term::Real).ok_or_else(malformed),
-            ("power", [a], [n]) => u32::try_from(*n).ok().and_then(|n| self.power(*a, n)).ok_or_else(malformed),
+            ("powi", [a], [n]) => u32::try_from(*n).ok().and_then(|n| self.power(*a, n)).ok_or_else(malformed),
             ("polynomial", arguments, data) => self.polynomial(arguments, data).ok_or_else(malformed),
             ("sin_cos_over" | "tan_over", [a], [order]) => {
                 let kernel = kernel(name, *order).ok_or_else(malformed)?;
                 let a = self.real(*a);
                 Ok(self.push(Op::Kernel(kernel, a)))
             }
-            (name, [a], []) => self.unary(name, *a).ok_or_else(|| unsupported(number, name)),
-            (name, [a, b], []) => self.binary(name, *a, *b).ok_or_else(|| unsupported(number, name)),
-            (name, ..) if is_known(name) => Err(malformed()),
-            (name, ..) => Err(unsupported(number, name)),
+            (name, [a], []) => self.unary(name, *a).ok_or_else(|| unfit(number, name)),
+            (name, [a, b], []) => self.binary(name, *a, *b).ok_or_else(|| unfit(number, name)),
+            (name, ..) => Err(unfit(number, name)),
         }
     }
 
-    fn constant(&self, position: i64) -> Option<Result<f64, TapeError>> {
+    pub(super) fn constant(&self, position: i64) -> Option<Result<f64, TapeError>> {
         let text = self.tape.constants.get(usize::try_from(position).ok()?)?;
         Some(hexfloat::parse(text).ok_or_else(|| TapeError::Constant { text: text.clone() }))
     }
@@ -205,122 +154,7 @@ impl Decoder<'_> {
         Some(self.push(Op::PowInt(a, n)))
     }
 
-    fn unary(&mut self, name: &str, a: usize) -> Option<Term> {
-        let zero = matches!(self.terms[a], Term::Zero);
-        match name {
-            "ASSIGN" => return Some(self.terms[a]),
-            "NEG" | "SQ" | "TWICE" if zero => return Some(Term::Zero),
-            "NOT" => {
-                let a = self.truth(a);
-                return Some(Term::Truth(self.program.push(Op::Not(a))));
-            }
-            _ => {}
-        }
-        let op = match name {
-            "SQ" => Op::PowInt(self.real(a), 2),
-            // x + x is 2 x exactly.
-            "TWICE" => Op::Binary(Operator::Add, self.real(a), self.real(a)),
-            "INV" => Op::Binary(Operator::Div, self.scalar(1.0), self.real(a)),
-            _ => Op::Apply(function(name)?, self.real(a)),
-        };
-        Some(self.push(op))
-    }
-
-    fn binary(&mut self, name: &str, a: usize, b: usize) -> Option<Term> {
-        match name {
-            "ADD" => return Some(self.add(a, b)),
-            "IF_ELSE_ZERO" => return Some(self.choose(a, b, None)),
-            "POW" | "CONSTPOW" => return Some(self.pow(a, b)),
-            "AND" | "OR" => {
-                let (a, b) = (self.truth(a), self.truth(b));
-                let op = if name == "AND" { Op::And(a, b) } else { Op::Or(a, b) };
-                return Some(Term::Truth(self.program.push(op)));
-            }
-            _ => {}
-        }
-        if let Some(comparison) = comparison(name) {
-            let (a, b) = (self.real(a), self.real(b));
-            return Some(Term::Truth(self.program.push(Op::Compare(comparison, a, b))));
-        }
-        match (name, self.terms[a], self.terms[b]) {
-            ("MUL", Term::Zero, _) | ("MUL", _, Term::Zero) | ("DIV", Term::Zero, _) => return Some(Term::Zero),
-            ("SUB", _, Term::Zero) => return Some(self.terms[a]),
-            ("SUB", Term::Zero, _) => return self.unary("NEG", b),
-            _ => {}
-        }
-        let (x, y) = (self.real(a), self.real(b));
-        if name == "HYPOT" {
-            let (x, y) = (self.program.push(Op::PowInt(x, 2)), self.program.push(Op::PowInt(y, 2)));
-            let sum = self.program.binary(Operator::Add, x, y);
-            return Some(self.push(Op::Apply(Function::Sqrt, sum)));
-        }
-        Some(self.push(Op::Binary(operator(name)?, x, y)))
-    }
-
-    /// A sum. CasADi writes `if(c, x, y)` as `if_else_zero(c, x) + if_else_zero(not c, y)`.
-    fn add(&mut self, a: usize, b: usize) -> Term {
-        if let (Some((c, x)), Some((d, y))) = (self.masked(a), self.masked(b)) {
-            if self.is_not(d, c) {
-                return self.choose(c, x, Some(y));
-            }
-            if self.is_not(c, d) {
-                return self.choose(d, y, Some(x));
-            }
-        }
-        match (self.terms[a], self.terms[b]) {
-            (Term::Zero, other) | (other, Term::Zero) => other,
-            _ => {
-                let op = Op::Binary(Operator::Add, self.real(a), self.real(b));
-                self.push(op)
-            }
-        }
-    }
-
-    /// `x` if the condition holds, else `y` or 0: no arithmetic, so an arm that is not taken may be NaN.
-    fn choose(&mut self, condition: usize, x: usize, y: Option<usize>) -> Term {
-        let zero = |term: Term| matches!(term, Term::Zero);
-        if zero(self.terms[x]) && y.is_none_or(|y| zero(self.terms[y])) {
-            return Term::Zero;
-        }
-        let condition = self.truth(condition);
-        let x = self.real(x);
-        let y = self.entry(y);
-        self.push(Op::Select(condition, x, y))
-    }
-
-    /// x^y; a constant integer exponent is a product, never `pow`.
-    fn pow(&mut self, a: usize, b: usize) -> Term {
-        let exponent = match &self.tape.nodes[b] {
-            Node(name, _, data) if name == "const" => self.constant(data[0]).and_then(Result::ok),
-            _ => None,
-        };
-        let integer = exponent.filter(|value| value.fract() == 0.0 && value.abs() <= f64::from(u16::MAX));
-        let (x, one) = (self.real(a), self.scalar(1.0));
-        let Some(n) = integer else {
-            let y = self.real(b);
-            return self.push(Op::Binary(Operator::Pow, x, y));
-        };
-        let positive = match n.abs() as u32 {
-            0 => one,
-            1 => x,
-            n => self.program.push(Op::PowInt(x, n)),
-        };
-        if n < 0.0 { self.push(Op::Binary(Operator::Div, one, positive)) } else { Term::Real(positive) }
-    }
-
-    fn masked(&self, node: usize) -> Option<(usize, usize)> {
-        match &self.tape.nodes[node] {
-            Node(name, operands, _) if name == "IF_ELSE_ZERO" => Some((operands[0], operands[1])),
-            _ => None,
-        }
-    }
-
-    fn is_not(&self, node: usize, of: usize) -> bool {
-        let Node(name, operands, _) = &self.tape.nodes[node];
-        name == "NOT" && operands[0] == of
-    }
-
-    fn real(&mut self, node: usize) -> ValueId {
+    pub(super) fn real(&mut self, node: usize) -> ValueId {
         match self.terms[node] {
             Term::Zero => self.scalar(0.0),
             Term::Real(id) => id,
@@ -332,14 +166,14 @@ impl Decoder<'_> {
     }
 
     /// The value of a node, 0 where there is none.
-    fn entry(&mut self, node: Option<usize>) -> ValueId {
+    pub(super) fn entry(&mut self, node: Option<usize>) -> ValueId {
         match node {
             Some(node) => self.real(node),
             None => self.scalar(0.0),
         }
     }
 
-    fn truth(&mut self, node: usize) -> ValueId {
+    pub(super) fn truth(&mut self, node: usize) -> ValueId {
         match self.terms[node] {
             Term::Truth(id) => id,
             Term::Zero | Term::Real(_) => {
@@ -349,11 +183,11 @@ impl Decoder<'_> {
         }
     }
 
-    fn scalar(&mut self, value: f64) -> ValueId {
+    pub(super) fn scalar(&mut self, value: f64) -> ValueId {
         *self.scalars.entry(value.to_bits()).or_insert_with(|| self.program.scalar(value))
     }
 
-    fn push(&mut self, op: Op) -> Term {
+    pub(super) fn push(&mut self, op: Op) -> Term {
         Term::Real(self.program.push(op))
     }
 
@@ -386,18 +220,12 @@ impl Decoder<'_> {
     }
 }
 
-fn unsupported(node: usize, operation: &str) -> TapeError {
-    TapeError::Unsupported { node, operation: operation.to_owned() }
-}
-
-fn is_known(name: &str) -> bool {
-    let calls = ["const", "input", "power", "polynomial", "sin_cos_over", "tan_over"];
-    let special = ["ASSIGN", "NOT", "SQ", "TWICE", "INV", "ADD", "IF_ELSE_ZERO", "POW", "CONSTPOW", "AND", "OR", "HYPOT"];
-    calls.contains(&name)
-        || special.contains(&name)
-        || function(name).is_some()
-        || comparison(name).is_some()
-        || operator(name).is_some()
+/// The error of a node that no operation fits.
+fn unfit(node: usize, operation: &str) -> TapeError {
+    let calls = ["const", "input", "powi", "polynomial", "sin_cos_over", "tan_over"];
+    let known = calls.contains(&operation) || arithmetic::is_known(operation);
+    let operation = operation.to_owned();
+    if known { TapeError::Malformed { node, operation } } else { TapeError::Unsupported { node, operation } }
 }
 
 fn kernel(name: &str, order: i64) -> Option<Kernel> {
@@ -407,50 +235,6 @@ fn kernel(name: &str, order: i64) -> Option<Kernel> {
         ("sin_cos_over", 2) => Some(Kernel::SinCosOverD2),
         ("sin_cos_over", 3) => Some(Kernel::SinCosOverD3),
         ("tan_over", 0) => Some(Kernel::TanOver),
-        _ => None,
-    }
-}
-
-fn function(name: &str) -> Option<Function> {
-    Some(match name {
-        "NEG" => Function::Neg,
-        "FABS" => Function::Abs,
-        "SIGN" => Function::Sign,
-        "SQRT" => Function::Sqrt,
-        "EXP" => Function::Exp,
-        "LOG" => Function::Ln,
-        "SIN" => Function::Sin,
-        "COS" => Function::Cos,
-        "TAN" => Function::Tan,
-        "ASIN" => Function::Asin,
-        "ACOS" => Function::Acos,
-        "ATAN" => Function::Atan,
-        "SINH" => Function::Sinh,
-        "COSH" => Function::Cosh,
-        "TANH" => Function::Tanh,
-        _ => return None,
-    })
-}
-
-fn comparison(name: &str) -> Option<Comparison> {
-    match name {
-        "LT" => Some(Comparison::Lt),
-        "LE" => Some(Comparison::Le),
-        "EQ" => Some(Comparison::Eq),
-        "NE" => Some(Comparison::Ne),
-        _ => None,
-    }
-}
-
-fn operator(name: &str) -> Option<Operator> {
-    match name {
-        "ADD" => Some(Operator::Add),
-        "SUB" => Some(Operator::Sub),
-        "MUL" => Some(Operator::Mul),
-        "DIV" => Some(Operator::Div),
-        "FMIN" => Some(Operator::Min),
-        "FMAX" => Some(Operator::Max),
-        "ATAN2" => Some(Operator::Atan2),
         _ => None,
     }
 }

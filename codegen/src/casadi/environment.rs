@@ -109,7 +109,7 @@ impl Settings {
         progress(&format!("creating a Python environment in {}", directory.display()));
         let program = &self.base_python;
         let created = Command::new(program).args(["-I", "-m", "venv"]).arg(draft.path()).output();
-        let created = created.map_err(|_| Error::PythonMissing { program: program.clone() })?;
+        let created = created.map_err(|error| Error::PythonMissing { program: program.clone(), error })?;
         if !created.status.success() {
             return Err(Error::VenvFailed { program: program.clone(), detail: report(&created) });
         }
@@ -121,7 +121,7 @@ impl Settings {
             .args(["--require-hashes", "--only-binary", ":all:", "--requirement"])
             .arg(&requirements)
             .output()
-            .map_err(|error| storage(draft.path(), error))?;
+            .map_err(|error| Error::VenvFailed { program: program.clone(), detail: format!("its python: {error}") })?;
         if !installed.status.success() {
             return Err(Error::InstallFailed { detail: report(&installed) });
         }

@@ -5,7 +5,6 @@ use std::io;
 use std::path::PathBuf;
 use std::process::ExitStatus;
 
-use super::decode::TapeError;
 use super::document::CASADI_VERSION;
 use super::store::Key;
 
@@ -22,7 +21,7 @@ pub enum Error {
     /// There is no place for the managed Python environment.
     CacheMissing,
     /// No Python interpreter.
-    PythonMissing { program: PathBuf },
+    PythonMissing { program: PathBuf, error: io::Error },
     /// `python3 -m venv` failed.
     VenvFailed { program: PathBuf, detail: String },
     /// pip could not install the requirements: no network, or a platform without wheels.
@@ -60,15 +59,22 @@ impl fmt::Display for Error {
             }
             Error::Storage { path, error } => write!(f, "cannot use {}: {error}", path.display()),
             Error::CacheMissing => {
-                write!(f, "no place for the Python environment: set NSV_CACHE_DIR to a directory, or NSV_PYTHON to an interpreter with casadi {CASADI_VERSION}")
+                write!(
+                    f,
+                    "no place for the Python environment: set NSV_CACHE_DIR to a directory, or NSV_PYTHON to an interpreter with casadi {CASADI_VERSION}"
+                )
             }
-            Error::PythonMissing { program } => write!(
+            Error::PythonMissing { program, error } => write!(
                 f,
-                "cannot run `{}`: install Python 3.9 or newer with its venv module, or set NSV_PYTHON to an interpreter with casadi {CASADI_VERSION}",
+                "cannot run `{}` ({error}): install Python 3.9 or newer with its venv module, or set NSV_PYTHON to an interpreter with casadi {CASADI_VERSION}",
                 program.display()
             ),
             Error::VenvFailed { program, detail } => {
-                write!(f, "`{} -m venv` failed ({detail}): install the venv module of Python (python3-venv), or {by_hand}", program.display())
+                write!(
+                    f,
+                    "`{} -m venv` failed ({detail}): install the venv module of Python (python3-venv), or {by_hand}",
+                    program.display()
+                )
             }
             Error::InstallFailed { detail } => {
                 write!(f, "pip could not install casadi {CASADI_VERSION} ({detail}): connect to the network and try again, or {by_hand}")
@@ -106,9 +112,59 @@ impl fmt::Display for Error {
 impl std::error::Error for Error {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
-            Error::Storage { error, .. } => Some(error),
+            Error::Storage { error, .. } | Error::PythonMissing { error, .. } => Some(error),
             Error::Tape { error, .. } => Some(error),
             _ => None,
         }
     }
 }
+
+/// Why a tape is not the answer to its question.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum TapeError {
+    /// More nodes than are read.
+    TooLarge {
+        /// Number of nodes.
+        nodes: usize,
+    },
+    /// A constant that is not finite hexadecimal floating point.
+    Constant {
+        /// As written.
+        text: String,
+    },
+    /// Operands or integers that do not fit the operation.
+    Malformed {
+        /// Node.
+        node: usize,
+        /// Its operation.
+        operation: String,
+    },
+    /// An operation that the compiler does not have.
+    Unsupported {
+        /// Node.
+        node: usize,
+        /// Its operation.
+        operation: String,
+    },
+    /// Outputs other than those asked for.
+    Outputs {
+        /// Name of the first one that differs.
+        name: String,
+    },
+}
+
+impl fmt::Display for TapeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            TapeError::TooLarge { nodes } => write!(f, "{nodes} instructions, more than are read"),
+            TapeError::Constant { text } => write!(f, "`{text}` is not a finite constant"),
+            TapeError::Malformed { node, operation } => write!(f, "instruction {node} (`{operation}`) has wrong operands"),
+            TapeError::Unsupported { node, operation } => {
+                write!(f, "instruction {node} is `{operation}`, an operation that nsv does not have")
+            }
+            TapeError::Outputs { name } => write!(f, "output `{name}` is not the one asked for"),
+        }
+    }
+}
+
+impl std::error::Error for TapeError {}

@@ -109,7 +109,7 @@ def operations(ca, calls):
     table.update(
         {
             "const": lambda _, data: Array([], [ca.SX(data[0])]),
-            "power": lambda a, data: elementwise(lambda x: calls.power(x, data[0]), *a),
+            "powi": lambda a, data: elementwise(lambda x: calls.power(x, data[0]), *a),
             "select": lambda a, _: elementwise(lambda x, y: choose(a[0].scalar(), x, y), *a[1:]),
             "array": lambda a, data: Array(data, [item.scalar() for item in a]),
             "element": lambda a, data: Array([], [a[0].entry(*data)]),
@@ -148,7 +148,7 @@ class Calls:
     def power(self, x, n):
         if n < 3:
             return (self.ca.SX(1), x, x * x)[n]
-        return self.symbol("power", [x], [n])
+        return self.symbol("powi", [x], [n])
 
     def partial(self, number, j):
         """Partial derivative of call `number` by its argument j."""
@@ -156,7 +156,7 @@ class Calls:
         x = arguments[0]
         if name == "polynomial":
             return self.symbol(name, arguments, [d + (k == j + 1) for k, d in enumerate(data)])
-        if name == "power":
+        if name == "powi":
             return data[0] * self.power(x, data[0] - 1)
         if name == "sin_cos_over":
             require(data[0] < KERNEL_ORDERS, "a derivative of sin(E) cos(E)/E beyond the third is needed")

@@ -11,7 +11,7 @@ use super::process::{self, Failure, tail};
 /// The exporter, run with `python -c`.
 const EXPORTER: &str = include_str!("export.py");
 /// Largest answer that is read, in bytes.
-const MAX_OUTPUT: usize = 256 << 20;
+const MAX_OUTPUT: usize = 64 << 20;
 
 /// Versions that answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -41,7 +41,7 @@ fn ask(python: &Path, timeout: Duration, formula: &str, request: Option<&Request
     // -I: neither the environment nor the current directory can put another module in the way; -B: nothing is written.
     command.args(["-I", "-B", "-c", EXPORTER]);
     let output = process::run(&mut command, input, MAX_OUTPUT, timeout).map_err(|failure| match failure {
-        Failure::Start(_) => Error::PythonMissing { program: python.to_owned() },
+        Failure::Start(error) => Error::PythonMissing { program: python.to_owned(), error },
         Failure::Io(error) => Error::Storage { path: python.to_owned(), error },
         Failure::Timeout => Error::Timeout { seconds: timeout.as_secs_f64() },
         Failure::TooLarge => Error::OutputTooLarge { limit: MAX_OUTPUT },

@@ -11,6 +11,7 @@
 //! Coefficients of polynomial data never leave the compiler, and neither do names of intermediate values: a request changes only
 //! when the mathematics changes.
 
+mod arithmetic;
 mod decode;
 pub mod document;
 pub mod environment;
@@ -26,9 +27,9 @@ mod request;
 pub mod store;
 mod sweep;
 
-pub use decode::{TapeError, decode};
+pub use decode::decode;
 pub use environment::{Mode, Settings};
-pub use error::Error;
+pub use error::{Error, TapeError};
 pub use exporter::{Versions, versions};
 pub use job::Job;
 pub use provider::Provider;

@@ -43,7 +43,9 @@ pub(crate) fn run(command: &mut Command, input: Vec<u8>, limit: usize, timeout: 
     let stdout = reader(child.stdout.take().expect("invariant: standard output is piped"), limit + 1);
     let stderr = reader(child.stderr.take().expect("invariant: standard error is piped"), STDERR_BYTES);
     // A child that ends early closes the pipe; its status tells more than the failed write.
-    thread::spawn(move || drop(stdin.write_all(&input)));
+    thread::spawn(move || {
+        let _ = stdin.write_all(&input);
+    });
     let result = collect(&mut child, &stdout, &stderr, limit, deadline);
     if result.is_err() {
         kill(&mut child);
@@ -85,7 +87,7 @@ fn reader(pipe: impl Read + Send + 'static, limit: usize) -> Receiver<io::Result
         let mut bytes = Vec::new();
         let read = pipe.take(limit as u64).read_to_end(&mut bytes).map(|_| bytes);
         // The other side is gone after a timeout.
-        drop(sender.send(read));
+        let _ = sender.send(read);
     });
     receiver
 }
@@ -102,10 +104,10 @@ fn kill(child: &mut Child) {
     #[cfg(unix)]
     if let Some(group) = i32::try_from(child.id()).ok().and_then(rustix::process::Pid::from_raw) {
         // An error means that the group has ended.
-        drop(rustix::process::kill_process_group(group, rustix::process::Signal::KILL));
+        let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
     }
-    drop(child.kill());
-    drop(child.wait());
+    let _ = child.kill();
+    let _ = child.wait();
 }
 
 /// The last lines of a report that say something: no traceback, no source lines.

@@ -97,7 +97,7 @@ impl<'a> Provider<'a> {
         let export = Export { schema: SCHEMA.to_owned(), casadi: CASADI_VERSION.to_owned(), request, tape };
         if let Some(cache) = &self.cache {
             // The answer is good even if it cannot be kept.
-            drop(cache.save(&export));
+            let _ = cache.save(&export);
         }
         Ok(export)
     }

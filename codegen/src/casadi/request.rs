@@ -10,7 +10,8 @@ use sha2::{Digest, Sha256};
 use super::document::{CASADI_VERSION, Node, Request, SCHEMA};
 use super::job::Job;
 use super::store::Key;
-use crate::ir::{Comparison, Function, Kernel, Op, Operator, PolynomialId, Program, Shape, Type, ValueId};
+use crate::ir::mnemonic::{COMPARISONS, FUNCTIONS, OPERATORS, word};
+use crate::ir::{Kernel, Op, PolynomialId, Program, Shape, Type, ValueId};
 
 /// A request, and what it leaves out.
 #[derive(Clone, Debug)]
@@ -28,9 +29,12 @@ impl<'a> Question<'a> {
     /// than 0, 1 and -1) is a compiler bug and panics.
     pub fn new(formula: &'a Program, job: &Job) -> Self {
         job.assert_fits(formula);
+        for (name, id) in &formula.outputs {
+            assert!(matches!(formula.ty(*id), Type::Real(_)), "invariant: `{name}` is real");
+        }
         let mut builder = Builder { formula, nodes: Vec::new(), index: BTreeMap::new(), polynomials: Vec::new() };
         let mut nodes = BTreeMap::new();
-        for id in live(formula) {
+        for id in needed(formula) {
             let node = builder.node(id, &nodes);
             nodes.insert(id, node);
         }
@@ -62,21 +66,24 @@ pub(crate) fn dimensions(shape: Shape) -> Vec<usize> {
     }
 }
 
-/// Values that an output needs, in order.
-fn live(formula: &Program) -> Vec<ValueId> {
-    let mut needed = vec![false; formula.instructions.len()];
-    for (name, id) in &formula.outputs {
-        assert!(matches!(formula.ty(*id), Type::Real(_)), "invariant: `{name}` is real");
-        needed[id.0 as usize] = true;
-    }
+/// Values that the outputs need, operands first, each output's after those of the outputs before: the order of the program's statements
+/// does not count.
+fn needed(formula: &Program) -> Vec<ValueId> {
+    let mut placed = vec![false; formula.instructions.len()];
     let mut values = Vec::new();
-    for (position, instruction) in formula.instructions.iter().enumerate().rev() {
-        if needed[position] {
-            instruction.op.operands().iter().for_each(|operand| needed[operand.0 as usize] = true);
-            values.push(ValueId(u32::try_from(position).expect("invariant: fewer than 2^32 instructions")));
+    let mut stack: Vec<ValueId> = formula.outputs.iter().rev().map(|(_, id)| *id).collect();
+    while let Some(&id) = stack.last() {
+        let missing: Vec<ValueId> =
+            formula.instruction(id).op.operands().into_iter().filter(|operand| !placed[operand.0 as usize]).collect();
+        if !missing.is_empty() {
+            stack.extend(missing.iter().rev());
+            continue;
+        }
+        stack.pop();
+        if !std::mem::replace(&mut placed[id.0 as usize], true) {
+            values.push(id);
         }
     }
-    values.reverse();
     values
 }
 
@@ -97,13 +104,16 @@ impl Builder<'_> {
             Op::Array(_) => ("array", integers(&dimensions(self.formula.shape(id)))),
             Op::Input(position) => ("input", integers(&[*position])),
             Op::Element(_, row, column) => ("element", integers(&[*row, *column])),
-            Op::PowInt(_, n) => ("power", vec![i64::from(*n)]),
+            Op::PowInt(_, n) => ("powi", vec![i64::from(*n)]),
             Op::Polynomial(polynomial, _) => ("polynomial", vec![self.polynomial(*polynomial)]),
             Op::Kernel(Kernel::TanOver, _) => ("tan_over", vec![0]),
-            Op::Kernel(kernel, _) => ("sin_cos_over", vec![kernel_order(*kernel)]),
-            Op::Apply(function, _) => (function_name(*function), Vec::new()),
-            Op::Binary(operator, ..) => (operator_name(*operator), Vec::new()),
-            Op::Compare(comparison, ..) => (comparison_name(*comparison), Vec::new()),
+            Op::Kernel(Kernel::SinCosOver, _) => ("sin_cos_over", vec![0]),
+            Op::Kernel(Kernel::SinCosOverD1, _) => ("sin_cos_over", vec![1]),
+            Op::Kernel(Kernel::SinCosOverD2, _) => ("sin_cos_over", vec![2]),
+            Op::Kernel(Kernel::SinCosOverD3, _) => ("sin_cos_over", vec![3]),
+            Op::Apply(function, _) => (word(&FUNCTIONS, *function), Vec::new()),
+            Op::Binary(operator, ..) => (word(&OPERATORS, *operator), Vec::new()),
+            Op::Compare(comparison, ..) => (word(&COMPARISONS, *comparison), Vec::new()),
             Op::And(..) => ("and", Vec::new()),
             Op::Or(..) => ("or", Vec::new()),
             Op::Not(_) => ("not", Vec::new()),
@@ -154,57 +164,4 @@ impl Builder<'_> {
 
 fn integers(values: &[usize]) -> Vec<i64> {
     values.iter().map(|value| i64::try_from(*value).expect("invariant: sizes are small")).collect()
-}
-
-fn kernel_order(kernel: Kernel) -> i64 {
-    match kernel {
-        Kernel::SinCosOver | Kernel::TanOver => 0,
-        Kernel::SinCosOverD1 => 1,
-        Kernel::SinCosOverD2 => 2,
-        Kernel::SinCosOverD3 => 3,
-    }
-}
-
-fn function_name(function: Function) -> &'static str {
-    match function {
-        Function::Neg => "neg",
-        Function::Abs => "abs",
-        Function::Sign => "sign",
-        Function::Sqrt => "sqrt",
-        Function::Exp => "exp",
-        Function::Ln => "ln",
-        Function::Sin => "sin",
-        Function::Cos => "cos",
-        Function::Tan => "tan",
-        Function::Asin => "asin",
-        Function::Acos => "acos",
-        Function::Atan => "atan",
-        Function::Sinh => "sinh",
-        Function::Cosh => "cosh",
-        Function::Tanh => "tanh",
-    }
-}
-
-fn operator_name(operator: Operator) -> &'static str {
-    match operator {
-        Operator::Add => "add",
-        Operator::Sub => "sub",
-        Operator::Mul => "mul",
-        Operator::Div => "div",
-        Operator::Pow => "pow",
-        Operator::Min => "min",
-        Operator::Max => "max",
-        Operator::Atan2 => "atan2",
-    }
-}
-
-fn comparison_name(comparison: Comparison) -> &'static str {
-    match comparison {
-        Comparison::Lt => "lt",
-        Comparison::Le => "le",
-        Comparison::Gt => "gt",
-        Comparison::Ge => "ge",
-        Comparison::Eq => "eq",
-        Comparison::Ne => "ne",
-    }
 }

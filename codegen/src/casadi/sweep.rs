@@ -1,6 +1,6 @@
 //! Removal of instructions that no output needs.
 
-use crate::ir::{Op, Program, ValueId};
+use crate::ir::{Program, ValueId};
 
 /// Drops dead instructions and renumbers the rest.
 pub(crate) fn sweep(program: &mut Program) {
@@ -23,19 +23,7 @@ pub(crate) fn sweep(program: &mut Program) {
     let mut keep = live.iter();
     program.instructions.retain(|_| *keep.next().expect("invariant: one flag per instruction"));
     for instruction in &mut program.instructions {
-        scalar_operands(&mut instruction.op).into_iter().for_each(|id| *id = renumbered[id.0 as usize]);
+        instruction.op = instruction.op.map_operands(|id| renumbered[id.0 as usize]);
     }
     program.outputs.iter_mut().for_each(|(_, id)| *id = renumbered[id.0 as usize]);
-}
-
-/// Operands of the operations that a tape decodes to.
-fn scalar_operands(op: &mut Op) -> Vec<&mut ValueId> {
-    match op {
-        Op::Const(_) | Op::Input(_) => Vec::new(),
-        Op::Apply(_, a) | Op::Kernel(_, a) | Op::PowInt(a, _) | Op::Not(a) | Op::Element(a, _, _) => vec![a],
-        Op::Binary(_, a, b) | Op::Compare(_, a, b) | Op::And(a, b) | Op::Or(a, b) => vec![a, b],
-        Op::Select(a, b, c) => vec![a, b, c],
-        Op::Array(items) | Op::Polynomial(_, items) => items.iter_mut().collect(),
-        other => panic!("invariant: a tape holds no {other:?}"),
-    }
 }

@@ -22,7 +22,7 @@ impl Law<'_> {
         );
         if self.model.blocks[i - 1].constraint.is_some() {
             let k = name(format!("k{i}"));
-            let limit = number(PI / 2.0 - self.model.controller.barrier_margin);
+            let limit = self.barrier_limit();
             let raw = number(PI / 2.0) * (s.clone() / (k.clone() * k)).pow(2);
             let raw = self.define(
                 format!("E{i}_free"),
@@ -60,6 +60,11 @@ impl Law<'_> {
         );
     }
 
+    /// pi/2 - delta, where E is clamped.
+    fn barrier_limit(&self) -> Symbol {
+        number(PI / 2.0 - self.model.controller.barrier_margin)
+    }
+
     /// Lam0_i = ((4 kbar + K)/4 sin(E) cos(E)/E + kbar) e, (31) (Remark 4).
     pub(super) fn barrier_feedback(&self, i: usize) -> Symbol {
         let block = &self.model.blocks[i - 1];
@@ -72,18 +77,24 @@ impl Law<'_> {
         let shaped = diagonal(&quarter) * e.clone();
         let shaped = match block.constraint {
             Some(_) => {
-                Symbol::from(Term::Kernel(Kernel::SinCosOver, name(format!("E{i}")))) * shaped
+                let kernel = Symbol::from(Term::Kernel(Kernel::SinCosOver, name(format!("E{i}"))));
+                // sin(E) cos(E)/s^2 with E clamped and s as it is: 1 inside the constraint.
+                let clamp = number(1.0).min(self.barrier_limit() / name(format!("E{i}_free")));
+                kernel * clamp * shaped
             }
             None => shaped,
         };
         shaped + number(block.kbar) * e
     }
 
-    /// ||Ybar_i|| of (58), corrected (E3): Ybar = a e e^T + b I with a s = 8 E sin E / cos^3 E and b = 3 / cos^2 E.
+    /// ||Ybar_i|| of (58), corrected (E3): Ybar = a e e^T + b I with a s = 8 E sin E / cos^3 E and b = 3 / cos^2 E
+    /// (the factor 8 E = 4 pi s^2 / k^4 is not clamped).
     pub(super) fn define_hessian_norm(&mut self, i: usize) {
         let (big, cos) = (name(format!("E{i}")), name(format!("cosE{i}")));
         let rank_one = match self.model.blocks[i - 1].constraint {
-            Some(_) => Some(number(8.0) * big.clone() * big.apply(Function::Sin) / cos.pow(3)),
+            Some(_) => {
+                Some(number(8.0) * name(format!("E{i}_free")) * big.apply(Function::Sin) / cos.pow(3))
+            }
             None => None,
         };
         let identity = self.over_cos2(i, number(3.0));

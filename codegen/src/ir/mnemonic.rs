@@ -3,7 +3,7 @@
 use super::{Comparison, Function, Kernel, Operator};
 
 /// Elementwise functions.
-pub(super) const FUNCTIONS: [(Function, &str); 15] = [
+pub(crate) const FUNCTIONS: [(Function, &str); 15] = [
     (Function::Neg, "neg"),
     (Function::Abs, "abs"),
     (Function::Sign, "sign"),
@@ -22,7 +22,7 @@ pub(super) const FUNCTIONS: [(Function, &str); 15] = [
 ];
 
 /// Elementwise operators.
-pub(super) const OPERATORS: [(Operator, &str); 8] = [
+pub(crate) const OPERATORS: [(Operator, &str); 8] = [
     (Operator::Add, "add"),
     (Operator::Sub, "sub"),
     (Operator::Mul, "mul"),
@@ -34,7 +34,7 @@ pub(super) const OPERATORS: [(Operator, &str); 8] = [
 ];
 
 /// Comparisons.
-pub(super) const COMPARISONS: [(Comparison, &str); 6] = [
+pub(crate) const COMPARISONS: [(Comparison, &str); 6] = [
     (Comparison::Lt, "lt"),
     (Comparison::Le, "le"),
     (Comparison::Gt, "gt"),
@@ -44,7 +44,7 @@ pub(super) const COMPARISONS: [(Comparison, &str); 6] = [
 ];
 
 /// Kernels.
-pub(super) const KERNELS: [(Kernel, &str); 5] = [
+pub(crate) const KERNELS: [(Kernel, &str); 5] = [
     (Kernel::SinCosOver, "sin_cos_over"),
     (Kernel::SinCosOverD1, "sin_cos_over_d1"),
     (Kernel::SinCosOverD2, "sin_cos_over_d2"),
@@ -53,11 +53,11 @@ pub(super) const KERNELS: [(Kernel, &str); 5] = [
 ];
 
 /// The word of `item`.
-pub(super) fn word<T: Copy + PartialEq>(table: &[(T, &'static str)], item: T) -> &'static str {
+pub(crate) fn word<T: Copy + PartialEq>(table: &[(T, &'static str)], item: T) -> &'static str {
     table.iter().find(|(entry, _)| *entry == item).expect("invariant: the table names every item").1
 }
 
 /// The item of a word.
-pub(super) fn item<T: Copy>(table: &[(T, &'static str)], word: &str) -> Option<T> {
+pub(crate) fn item<T: Copy>(table: &[(T, &'static str)], word: &str) -> Option<T> {
     table.iter().find(|(_, entry)| *entry == word).map(|&(item, _)| item)
 }

@@ -8,7 +8,7 @@ pub mod basis;
 pub mod build;
 pub mod eval;
 pub mod horner;
-mod mnemonic;
+pub(crate) mod mnemonic;
 pub mod print;
 pub mod random;
 pub mod read;

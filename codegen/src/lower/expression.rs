@@ -70,7 +70,7 @@ impl<C: Context> Lowering<'_, '_, C> {
                 let arguments = arguments.iter().map(lower).collect();
                 let data = &model.polynomials[id.0 as usize];
                 let data = PolynomialData {
-                    name: snake_case(&data.name),
+                    name: data.name.replace('.', "_"),
                     arguments: data.arguments.clone(),
                     terms: data.terms.clone(),
                 };
@@ -145,19 +145,12 @@ impl<C: Context> Lowering<'_, '_, C> {
 
 /// Adds polynomial data to a program unless it is there.
 pub(super) fn intern(program: &mut Program, data: PolynomialData) -> PolynomialId {
-    let at = program
-        .polynomials
-        .iter()
-        .position(|known| *known == data)
-        .unwrap_or_else(|| {
-            program.polynomials.push(data);
-            program.polynomials.len() - 1
-        });
+    let known = program.polynomials.iter().position(|known| *known == data);
+    let at = known.unwrap_or_else(|| {
+        program.polynomials.push(data);
+        program.polynomials.len() - 1
+    });
     PolynomialId(u32::try_from(at).expect("invariant: fewer than 2^32 polynomials"))
-}
-
-fn snake_case(dotted: &str) -> String {
-    dotted.to_lowercase().replace('.', "_")
 }
 
 /// Expressions directly below a node.

@@ -1,0 +1,60 @@
+//! Embeds the runtime library's sources and the locked version of its one dependency, so that `nsv simulate` can build generated code
+//! wherever a Rust toolchain is.
+
+use std::error::Error;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::{env, fs};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?).join("..");
+    let (sources, lock) = (root.join("runtime/src"), root.join("Cargo.lock"));
+    println!("cargo::rerun-if-changed={}", sources.display());
+    println!("cargo::rerun-if-changed={}", lock.display());
+    let mut files = Vec::new();
+    collect(&sources, &mut files)?;
+    files.sort();
+    let mut text = String::from(
+        "/// Path below `src` and text of every file of the runtime library.\npub(super) const RUNTIME: &[(&str, &str)] = &[\n",
+    );
+    for file in files {
+        let name = file
+            .strip_prefix(&sources)?
+            .to_string_lossy()
+            .replace('\\', "/");
+        writeln!(
+            text,
+            "    ({name:?}, include_str!({:?})),",
+            fs::canonicalize(&file)?
+        )?;
+    }
+    let libm = locked(&fs::read_to_string(lock)?, "libm").ok_or("libm is not in Cargo.lock")?;
+    writeln!(
+        text,
+        "];\n\n/// The entry of libm in the workspace's Cargo.lock.\npub(super) const LIBM: &str = {libm:?};"
+    )?;
+    fs::write(
+        PathBuf::from(env::var("OUT_DIR")?).join("embedded.rs"),
+        text,
+    )?;
+    Ok(())
+}
+
+fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> Result<(), Box<dyn Error>> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            collect(&path, files)?;
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(path);
+        }
+    }
+    Ok(())
+}
+
+fn locked(lock: &str, name: &str) -> Option<String> {
+    let heading = format!("name = \"{name}\"");
+    lock.split("[[package]]")
+        .find(|entry| entry.lines().any(|line| line == heading))
+        .map(|entry| format!("[[package]]\n{}\n", entry.trim()))
+}

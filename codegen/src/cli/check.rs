@@ -1,0 +1,133 @@
+//! `nsv check`: every fault of a specification.
+
+use std::path::{Path, PathBuf};
+
+use nsv_spec::diagnostic::Diagnostics;
+use nsv_spec::model::Model;
+use serde_json::{Value, json};
+
+use super::compile::show;
+use super::failure::{Exit, Failure};
+use super::output::{self, note};
+use super::render::records;
+
+/// Check specifications: names, units, shapes, ranges; every fault at once, with its place
+#[derive(clap::Args)]
+pub(crate) struct Args {
+    /// Specifications to check
+    #[arg(required = true, value_name = "SPEC")]
+    specs: Vec<PathBuf>,
+    /// List the defaults that were filled in
+    #[arg(short, long)]
+    verbose: bool,
+    /// How faults are shown
+    #[arg(long, value_enum, default_value_t = Format::Human)]
+    format: Format,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Format {
+    /// Pictures of the source
+    Human,
+    /// One line for each place
+    Short,
+    /// One JSON document on standard output
+    Json,
+}
+
+struct Checked<'a> {
+    path: &'a Path,
+    model: Option<Model>,
+    faults: Diagnostics,
+}
+
+/// Runs the verb.
+pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    let checked: Vec<Checked<'_>> = args.specs.iter().map(|path| check(path)).collect();
+    match args.format {
+        Format::Json => {
+            output::json(&json!({ "specs": checked.iter().map(document).collect::<Vec<_>>() }))?
+        }
+        format => checked
+            .iter()
+            .try_for_each(|one| tell(one, format, args.verbose))?,
+    }
+    match checked.iter().all(|one| one.model.is_some()) {
+        true => Ok(()),
+        false => Err(Failure::Reported(Exit::Spec)),
+    }
+}
+
+fn check(path: &Path) -> Checked<'_> {
+    match nsv_spec::load(path) {
+        Ok((model, warnings)) => {
+            let faults = Diagnostics {
+                sources: model.sources.clone(),
+                items: warnings,
+            };
+            Checked {
+                path,
+                model: Some(model),
+                faults,
+            }
+        }
+        Err(faults) => Checked {
+            path,
+            model: None,
+            faults,
+        },
+    }
+}
+
+fn tell(checked: &Checked<'_>, format: Format, verbose: bool) -> Result<(), Failure> {
+    match format {
+        Format::Short => note(checked.faults.short().trim_end_matches('\n')),
+        _ => show(&checked.faults),
+    }
+    let path = checked.path.display();
+    let Some(model) = &checked.model else {
+        let errors = checked
+            .faults
+            .items
+            .iter()
+            .filter(|item| item.severity == nsv_spec::diagnostic::Severity::Error)
+            .count();
+        note(format_args!(
+            "{path}: {errors} {}",
+            if errors == 1 { "error" } else { "errors" }
+        ));
+        return Ok(());
+    };
+    note(format_args!("{path}: ok, {}", size(model)));
+    if verbose {
+        let lines: String = model
+            .defaults
+            .iter()
+            .map(|line| format!("{line}\n"))
+            .collect();
+        output::data(&lines)?;
+    }
+    Ok(())
+}
+
+fn size(model: &Model) -> String {
+    let (blocks, inputs) = (model.blocks.len(), model.inputs.len());
+    let plural = |count| if count == 1 { "" } else { "s" };
+    format!(
+        "{blocks} block{} of {inputs} channel{}",
+        plural(blocks),
+        plural(inputs)
+    )
+}
+
+fn document(checked: &Checked<'_>) -> Value {
+    let model = checked.model.as_ref();
+    json!({
+        "path": checked.path.to_string_lossy(),
+        "ok": model.is_some(),
+        "name": model.map(|model| &model.name),
+        "hash": model.map(|model| &model.hash),
+        "defaults": model.map(|model| &model.defaults),
+        "diagnostics": records(&checked.faults),
+    })
+}

@@ -1,0 +1,81 @@
+//! From a path to a model and its code, with every fault shown.
+
+use std::path::{Path, PathBuf};
+
+use nsv_codegen::casadi::{Mode, Provider, Settings};
+use nsv_codegen::derive::error::DeriveError;
+use nsv_codegen::driver::{Compiled, compile as compile_model};
+use nsv_spec::diagnostic::Diagnostics;
+use nsv_spec::model::Model;
+
+use super::failure::{Exit, Failure};
+use super::output::{colour, note};
+use super::render::human;
+
+/// Reads and checks a specification; shows its faults.
+pub(crate) fn load(path: &Path) -> Result<Model, Failure> {
+    match nsv_spec::load(path) {
+        Ok((model, warnings)) => {
+            show(&Diagnostics {
+                sources: model.sources.clone(),
+                items: warnings,
+            });
+            Ok(model)
+        }
+        Err(faults) => {
+            show(&faults);
+            Err(Failure::Reported(Exit::Spec))
+        }
+    }
+}
+
+/// Writes the faults to standard error as pictures.
+pub(crate) fn show(diagnostics: &Diagnostics) {
+    if !diagnostics.items.is_empty() {
+        note(human(diagnostics, colour()).trim_end_matches('\n'));
+        note("");
+    }
+}
+
+/// Where partial derivatives may come from and go to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Partials {
+    /// Stored ones only; Python is not run.
+    Stored,
+    /// New ones are taken by CasADi and kept in the user's cache.
+    Cached,
+    /// New ones are also kept beside the specification, to be committed.
+    Committed,
+}
+
+/// The code of a model.
+pub(crate) fn compile(spec: &Path, model: &Model, partials: Partials) -> Result<Compiled, Failure> {
+    let mode = match partials {
+        Partials::Stored => Mode::Offline,
+        Partials::Cached | Partials::Committed => Mode::Provision,
+    };
+    let mut provider = Provider::new(Settings::from_environment(exports(spec), mode), |text| {
+        note(text)
+    });
+    let compiled =
+        compile_model(model, &mut provider).map_err(|error| Failure::new(exit(&error), &error))?;
+    if partials == Partials::Committed {
+        provider
+            .commit()
+            .map_err(|error| Failure::new(Exit::Environment, error))?;
+    }
+    Ok(compiled)
+}
+
+/// The folder of stored derivatives: `partials` beside the specification.
+fn exports(spec: &Path) -> PathBuf {
+    spec.with_file_name("partials")
+}
+
+/// A law that cannot be derived is the specification's fault; derivatives that cannot be had are not.
+fn exit(error: &DeriveError) -> Exit {
+    match error {
+        DeriveError::NetworkOrder => Exit::Spec,
+        DeriveError::Partials(_) => Exit::Environment,
+    }
+}

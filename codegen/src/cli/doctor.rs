@@ -1,0 +1,216 @@
+//! `nsv doctor`: what is installed, what is missing, how to mend it.
+
+use std::path::Path;
+
+use nsv_codegen::casadi::{Mode, Settings, versions};
+
+use super::child;
+use super::failure::{Exit, Failure};
+use super::interrupt::Scratch;
+use super::output;
+use super::runner::{Cache, Package, Toolchain};
+
+/// Say what is installed, what is missing, and how to mend it
+#[derive(clap::Args)]
+pub(crate) struct Args {}
+
+/// One thing that was looked at.
+struct Finding {
+    state: State,
+    what: &'static str,
+    found: String,
+    remedy: Option<String>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum State {
+    Good,
+    /// Needed for specifications whose derivatives are not stored.
+    Optional,
+    /// Needed by every simulation.
+    Missing,
+}
+
+/// Runs the verb.
+pub(crate) fn run(_args: &Args) -> Result<(), Failure> {
+    let mut findings = Vec::new();
+    match Cache::open() {
+        Ok(cache) => {
+            findings.push(good(
+                "cache",
+                format!(
+                    "{}, {} built simulators",
+                    cache.root().display(),
+                    cache.built()
+                ),
+            ));
+            findings.extend(toolchain(&cache));
+        }
+        Err(failure) => findings.push(failed("cache", failure)),
+    }
+    findings.push(python());
+    output::data(&findings.iter().map(line).collect::<String>())?;
+    match findings
+        .iter()
+        .any(|finding| finding.state == State::Missing)
+    {
+        true => Err(Failure::Reported(Exit::Environment)),
+        false => Ok(()),
+    }
+}
+
+fn line(finding: &Finding) -> String {
+    let mark = match finding.state {
+        State::Good => "ok     ",
+        State::Optional => "note   ",
+        State::Missing => "MISSING",
+    };
+    let remedy = finding
+        .remedy
+        .as_ref()
+        .map(|remedy| format!("{:21}{remedy}\n", ""))
+        .unwrap_or_default();
+    format!("{mark}  {:10}  {}\n{remedy}", finding.what, finding.found)
+}
+
+fn good(what: &'static str, found: impl Into<String>) -> Finding {
+    Finding {
+        state: State::Good,
+        what,
+        found: found.into(),
+        remedy: None,
+    }
+}
+
+fn failed(what: &'static str, failure: Failure) -> Finding {
+    let (found, remedy) = match failure {
+        Failure::Message { message, help, .. } => (message, help),
+        other => (format!("{other:?}"), None),
+    };
+    Finding {
+        state: State::Missing,
+        what,
+        found,
+        remedy,
+    }
+}
+
+/// rustc with a linker, cargo, and the one package that runners need.
+fn toolchain(cache: &Cache) -> Vec<Finding> {
+    let toolchain = match Toolchain::find(&cache.simulators()) {
+        Ok(toolchain) => toolchain,
+        Err(failure) => return vec![failed("rustc", failure)],
+    };
+    let scratch = match Scratch::new_in(&cache.simulators()) {
+        Ok(scratch) => scratch,
+        Err(error) => {
+            return vec![failed(
+                "cache",
+                Failure::io("write in", &cache.simulators(), &error),
+            )];
+        }
+    };
+    vec![
+        linker(&toolchain, scratch.path()),
+        cargo(&toolchain, scratch.path()),
+    ]
+}
+
+/// Links an empty program: rustc alone does not make one.
+fn linker(toolchain: &Toolchain, folder: &Path) -> Finding {
+    let source = folder.join("empty.rs");
+    let linked = std::fs::write(&source, "fn main() {}\n")
+        .ok()
+        .and_then(|()| {
+            let mut command = toolchain.rustc(folder);
+            child::run(
+                command.arg(&source).arg("-o").arg(folder.join("empty")),
+                |_| {},
+            )
+            .ok()
+        });
+    match linked {
+        Some(finished) if finished.status.success() => good("rustc", toolchain.name()),
+        finished => Finding {
+            state: State::Missing,
+            what: "rustc",
+            found: format!("{} cannot link a program", toolchain.name()),
+            remedy: Some(match finished {
+                Some(finished) if !finished.stderr.contains("linker `cc` not found") => {
+                    finished.stderr.trim().replace('\n', " ")
+                }
+                _ => "install a C linker, such as the package gcc or build-essential".to_owned(),
+            }),
+        },
+    }
+}
+
+/// Resolves a runner's package offline, which needs libm's sources.
+fn cargo(toolchain: &Toolchain, folder: &Path) -> Finding {
+    let version = child::answer(toolchain.cargo(folder).arg("--version"));
+    let Some(version) = version else {
+        let found = format!("cannot run `{}`", toolchain.cargo_program());
+        return Finding {
+            state: State::Missing,
+            what: "cargo",
+            found,
+            remedy: Some(super::runner::INSTALL.to_owned()),
+        };
+    };
+    let package = Package::new(&[("mod.rs".to_owned(), String::new())].into());
+    let mut command = toolchain.cargo(folder);
+    command.args(["metadata", "--offline", "--locked", "--format-version", "1"]);
+    match package
+        .write(folder)
+        .ok()
+        .and_then(|()| child::answer(&mut command))
+    {
+        Some(_) => good("cargo", version.trim()),
+        None => Finding {
+            state: State::Missing,
+            what: "cargo",
+            found: format!("{} has no copy of the package libm", version.trim()),
+            remedy: Some("run `cargo fetch` once in the nsv workspace while online".to_owned()),
+        },
+    }
+}
+
+/// CasADi, which takes derivatives that are not stored yet.
+fn python() -> Finding {
+    let settings = Settings::from_environment("specs/partials", Mode::Offline);
+    let optional = |found: String, remedy: String| Finding {
+        state: State::Optional,
+        what: "casadi",
+        found,
+        remedy: Some(remedy),
+    };
+    let Some(python) = settings.installed_python() else {
+        let base =
+            child::answer(std::process::Command::new(&settings.base_python).arg("--version"));
+        return match base {
+            Some(version) => optional(
+                "not installed; derivatives of specifications with committed partials need none".to_owned(),
+                format!("nsv installs it with {} when a specification needs it, or set NSV_PYTHON", version.trim()),
+            ),
+            None => optional(
+                format!("not installed, and `{}` cannot be run", settings.base_python.display()),
+                "install Python 3.9 or newer with its venv module, or set NSV_PYTHON to an interpreter with casadi".to_owned(),
+            ),
+        };
+    };
+    match versions(&python, settings.timeout) {
+        Ok(found) => good(
+            "casadi",
+            format!(
+                "{} in {} (Python {})",
+                found.casadi,
+                python.display(),
+                found.python
+            ),
+        ),
+        Err(error) => optional(
+            error.to_string(),
+            "specifications with committed partials work without it".to_owned(),
+        ),
+    }
+}

@@ -1,0 +1,137 @@
+//! Writing files so that readers see the old text or the new one, never a part.
+
+use std::fs::File;
+use std::io::{self, BufWriter, Write as _};
+use std::path::{Path, PathBuf};
+
+use tempfile::{NamedTempFile, TempPath};
+
+use super::failure::{Exit, Failure};
+use super::interrupt::{Scratch, shielded};
+
+/// Replaces a set of files: all texts are on disk before the first old file goes, so a full disk changes nothing.
+pub(crate) fn replace(texts: &[(PathBuf, &str)], removed: &[PathBuf]) -> Result<(), Failure> {
+    shielded(|| {
+        let staged: Vec<(TempPath, &PathBuf)> = texts
+            .iter()
+            .map(|(path, text)| {
+                stage(path, text)
+                    .map(|staged| (staged, path))
+                    .map_err(|error| Failure::io("write", path, &error))
+            })
+            .collect::<Result<_, _>>()?;
+        for (staged, path) in staged {
+            staged
+                .persist(path)
+                .map_err(|error| Failure::io("write", path, &error.error))?;
+        }
+        for path in removed {
+            std::fs::remove_file(path).map_err(|error| Failure::io("remove", path, &error))?;
+        }
+        Ok(())
+    })
+}
+
+/// A temporary sibling of `path` with that text.
+fn stage(path: &Path, text: &str) -> io::Result<TempPath> {
+    if path.is_dir() {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    let folder = folder_of(path);
+    std::fs::create_dir_all(folder)?;
+    let mut file: NamedTempFile = builder().tempfile_in(folder)?;
+    file.write_all(text.as_bytes())?;
+    file.as_file().sync_all()?;
+    Ok(file.into_temp_path())
+}
+
+fn builder() -> tempfile::Builder<'static, 'static> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".nsv-");
+    // Readable by whom the umask lets read, as any other file.
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder
+}
+
+/// Writes one file of any size through `write`; nothing is at `path` before all of it is.
+pub(crate) fn write<E: std::fmt::Display>(
+    path: &Path,
+    write: impl FnOnce(&mut BufWriter<File>) -> Result<(), E>,
+) -> Result<(), Failure> {
+    let failed = |error: &io::Error| Failure::io("write", path, error);
+    if path.is_dir() {
+        return Err(failed(&io::ErrorKind::IsADirectory.into()));
+    }
+    let scratch = Scratch::new_in(folder_of(path)).map_err(|error| failed(&error))?;
+    let staged = scratch.path().join("staged");
+    let mut file = BufWriter::new(File::create(&staged).map_err(|error| failed(&error))?);
+    write(&mut file).map_err(|error| {
+        Failure::new(
+            Exit::Environment,
+            format_args!("cannot write `{}`: {error}", path.display()),
+        )
+    })?;
+    file.flush().map_err(|error| failed(&error))?;
+    drop(file);
+    std::fs::rename(&staged, path).map_err(|error| failed(&error))
+}
+
+fn folder_of(path: &Path) -> &Path {
+    path.parent()
+        .filter(|parent| !parent.as_os_str().is_empty())
+        .unwrap_or(Path::new("."))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn names(folder: &Path) -> Vec<String> {
+        let mut names: Vec<String> = std::fs::read_dir(folder)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned())
+            .collect();
+        names.sort();
+        names
+    }
+
+    #[test]
+    fn a_set_is_replaced() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        std::fs::write(at("old.rs"), "old").unwrap();
+        replace(
+            &[(at("a.rs"), "a"), (at("deep/b.rs"), "b")],
+            &[at("old.rs")],
+        )
+        .unwrap();
+        assert_eq!(names(folder.path()), ["a.rs", "deep"]);
+        assert_eq!(std::fs::read_to_string(at("deep/b.rs")).unwrap(), "b");
+    }
+
+    #[test]
+    fn one_bad_target_leaves_all_files_as_they_were() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        std::fs::write(at("a.rs"), "old").unwrap();
+        std::fs::create_dir(at("b.rs")).unwrap();
+        assert!(replace(&[(at("a.rs"), "new"), (at("b.rs"), "new")], &[]).is_err());
+        assert_eq!(std::fs::read_to_string(at("a.rs")).unwrap(), "old");
+        assert_eq!(names(folder.path()), ["a.rs", "b.rs"]);
+    }
+
+    #[test]
+    fn a_write_that_fails_half_way_leaves_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("out.csv");
+        let failed = write(&path, |file| {
+            let _ = file.write_all(b"half");
+            Err("no more")
+        });
+        assert!(failed.is_err());
+        assert_eq!(names(folder.path()), [""; 0]);
+        write(&path, |file| file.write_all(b"whole")).unwrap();
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "whole");
+    }
+}

@@ -1,0 +1,220 @@
+//! Diagnostics for people and programs.
+
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
+use nsv_spec::diagnostic::{Diagnostic, Diagnostics, FileId, Severity, SourceMap, Span};
+use serde::Serialize;
+
+/// Pictures of the faults in their sources, and a last line that counts them.
+pub(crate) fn human(diagnostics: &Diagnostics, colour: bool) -> String {
+    let renderer = if colour {
+        Renderer::styled()
+    } else {
+        Renderer::plain()
+    };
+    let sources = &diagnostics.sources;
+    let pictures = diagnostics
+        .items
+        .iter()
+        .map(|item| renderer.render(&[group(sources, item)]) + "\n\n");
+    pictures.collect()
+}
+
+fn group<'a>(sources: &'a SourceMap, item: &'a Diagnostic) -> Group<'a> {
+    let level = match item.severity {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+    };
+    let title = level.primary_title(item.message.as_str()).id(item.code);
+    let mut group = Group::with_title(title);
+    for (file, places) in by_file(item) {
+        let source = sources.source(file);
+        let places = places.into_iter().map(|(span, label, kind)| {
+            let span = within(&source.text, span);
+            kind.span(span).label(label)
+        });
+        group = group.element(
+            Snippet::source(&*source.text)
+                .path(source.name.as_str())
+                .annotations(places),
+        );
+    }
+    match &item.help {
+        Some(help) => group.element(Level::HELP.message(help.as_str())),
+        None => group,
+    }
+}
+
+type Place<'a> = (Span, Option<&'a str>, AnnotationKind);
+
+/// The places of a diagnostic by file, the primary one's file first.
+fn by_file(item: &Diagnostic) -> Vec<(FileId, Vec<Place<'_>>)> {
+    let primary = item.span.map(|span| (span, None, AnnotationKind::Primary));
+    let related = item.related.iter().map(|related| {
+        (
+            related.span,
+            Some(related.label.as_str()),
+            AnnotationKind::Context,
+        )
+    });
+    let mut files: Vec<(FileId, Vec<Place<'_>>)> = Vec::new();
+    for place in primary.into_iter().chain(related) {
+        match files.iter_mut().find(|(file, _)| *file == place.0.file) {
+            Some((_, places)) => places.push(place),
+            None => files.push((place.0.file, vec![place])),
+        }
+    }
+    files
+}
+
+/// A span as a range that surely lies in the text.
+fn within(text: &str, span: Span) -> std::ops::Range<usize> {
+    let end = (span.end as usize).min(text.len());
+    (span.start as usize).min(end)..end
+}
+
+/// A diagnostic for programs.
+#[derive(Serialize)]
+pub(crate) struct Record<'a> {
+    code: &'a str,
+    severity: String,
+    message: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    help: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    place: Option<PlaceRecord<'a>>,
+    related: Vec<RelatedRecord<'a>>,
+}
+
+#[derive(Serialize)]
+struct PlaceRecord<'a> {
+    file: &'a str,
+    start: Position,
+    end: Position,
+}
+
+#[derive(Serialize)]
+struct RelatedRecord<'a> {
+    label: &'a str,
+    place: PlaceRecord<'a>,
+}
+
+/// A position in every way that editors count: bytes from 0; lines and columns from 1, columns in characters and UTF-16 units.
+#[derive(Serialize)]
+struct Position {
+    byte: usize,
+    line: usize,
+    column: usize,
+    utf16_column: usize,
+}
+
+/// Diagnostics as records.
+pub(crate) fn records<'a>(diagnostics: &'a Diagnostics) -> Vec<Record<'a>> {
+    let place = |span| place(&diagnostics.sources, span);
+    let record = |item: &'a Diagnostic| {
+        let Diagnostic {
+            code,
+            severity,
+            span,
+            message,
+            help,
+            related,
+        } = item;
+        let related = related.iter().map(|other| RelatedRecord {
+            label: &other.label,
+            place: place(other.span),
+        });
+        Record {
+            code,
+            severity: severity.to_string(),
+            message,
+            help: help.as_deref(),
+            place: span.map(place),
+            related: related.collect(),
+        }
+    };
+    diagnostics.items.iter().map(record).collect()
+}
+
+fn place(sources: &SourceMap, span: Span) -> PlaceRecord<'_> {
+    let source = sources.source(span.file);
+    let range = within(&source.text, span);
+    PlaceRecord {
+        file: &source.name,
+        start: position(&source.text, range.start),
+        end: position(&source.text, range.end),
+    }
+}
+
+fn position(text: &str, byte: usize) -> Position {
+    let before = text.get(..byte).unwrap_or(text);
+    let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    let line = &before[line_start..];
+    Position {
+        byte,
+        line: before.matches('\n').count() + 1,
+        column: line.chars().count() + 1,
+        utf16_column: line.encode_utf16().count() + 1,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn diagnostics() -> Diagnostics {
+        let mut sources = SourceMap::default();
+        let text = "nsv: 1\ntitle: \u{e9}\u{1f680} b\u{f6}se\nmass: 3 kg\n";
+        let spec = sources.add("specs/bad.yaml", text.into());
+        let model = sources.add("specs/models/plant.yaml", "mass: 2 kg\n".into());
+        let at = |file, start, end| Span { file, start, end };
+        let mass = u32::try_from(text.find("mass").unwrap()).unwrap();
+        let title = u32::try_from(text.find("title").unwrap()).unwrap();
+        let twice = Diagnostic::error(
+            "E0102",
+            at(spec, mass, mass + 4),
+            "`mass` is declared twice",
+        )
+        .with_related(at(model, 0, 4), "first declared here")
+        .with_help("remove one of them");
+        let odd = Diagnostic::warning(
+            "W0001",
+            at(spec, title + 7, title + 20),
+            "title is not plain",
+        );
+        let lost = Diagnostic {
+            span: None,
+            ..Diagnostic::error(
+                "E0001",
+                at(spec, 0, 0),
+                "cannot read `x.yaml`: no such file",
+            )
+        };
+        Diagnostics {
+            sources,
+            items: vec![twice, odd, lost],
+        }
+    }
+
+    #[test]
+    fn faults_are_shown_in_their_sources() {
+        insta::assert_snapshot!(human(&diagnostics(), false));
+    }
+
+    #[test]
+    fn records_count_as_editors_do() {
+        let diagnostics = diagnostics();
+        insta::assert_json_snapshot!(records(&diagnostics));
+    }
+
+    #[test]
+    fn a_span_outside_the_text_is_cut() {
+        let mut diagnostics = diagnostics();
+        diagnostics.items[0].span = Some(Span {
+            file: FileId(1),
+            start: 5,
+            end: 4000,
+        });
+        assert!(human(&diagnostics, false).contains("declared twice"));
+        assert!(serde_json::to_string(&records(&diagnostics)).is_ok());
+    }
+}

@@ -1,0 +1,226 @@
+//! The runner as a Rust package that needs nothing but itself and libm.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::io;
+use std::path::Path;
+
+use sha2::{Digest, Sha256};
+
+mod embedded {
+    include!(concat!(env!("OUT_DIR"), "/embedded.rs"));
+}
+
+/// Name of the package and its binary.
+pub(crate) const NAME: &str = "nsv-simulator";
+
+const MANIFEST: &str = r#"[package]
+name = "nsv-simulator"
+version = "0.0.0"
+edition = "2024"
+
+[dependencies]
+nsv-runtime = { path = "runtime", features = ["std"] }
+
+[profile.release]
+opt-level = 3
+codegen-units = 1
+incremental = false
+strip = true
+
+[workspace]
+"#;
+
+const MAIN: &str = "//! Simulates one control problem.
+#![allow(dead_code, reason = \"a simulation calls a part of the generated code\")]
+
+mod spec;
+
+fn main() -> std::process::ExitCode {
+    nsv_runtime::runner::main::<spec::simulator::Simulator>()
+}
+";
+
+/// Files of a package by path, forward slashes between.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Package {
+    files: BTreeMap<String, String>,
+}
+
+impl Package {
+    /// The runner of generated code, given by path inside its module's folder.
+    pub(crate) fn new(generated: &BTreeMap<String, String>) -> Package {
+        let runtime = embedded::RUNTIME
+            .iter()
+            .map(|&(path, text)| (path, text.to_owned()));
+        Package::with_runtime(generated, runtime, manifest_of_runtime())
+    }
+
+    fn with_runtime<'a>(
+        generated: &BTreeMap<String, String>,
+        runtime: impl Iterator<Item = (&'a str, String)>,
+        manifest_of_runtime: String,
+    ) -> Package {
+        let mut files: BTreeMap<String, String> = runtime
+            .map(|(path, text)| (format!("runtime/src/{path}"), text))
+            .collect();
+        files.insert("runtime/Cargo.toml".into(), manifest_of_runtime);
+        files.insert("Cargo.toml".into(), MANIFEST.into());
+        files.insert("Cargo.lock".into(), lock());
+        files.insert("src/main.rs".into(), MAIN.into());
+        files.extend(
+            generated
+                .iter()
+                .map(|(path, text)| (format!("src/spec/{path}"), text.clone())),
+        );
+        Package { files }
+    }
+
+    /// Hash of every file and of the toolchain that will build them, hex.
+    pub(crate) fn key(&self, toolchain: &str) -> String {
+        let mut hash = Sha256::new();
+        let pairs = self
+            .files
+            .iter()
+            .map(|(path, text)| (path.as_str(), text.as_str()));
+        for (path, text) in pairs.chain([("rustc", toolchain)]) {
+            // Lengths first, so that no two different sets run together to the same bytes.
+            hash.update((path.len() as u64).to_le_bytes());
+            hash.update((text.len() as u64).to_le_bytes());
+            hash.update(path);
+            hash.update(text);
+        }
+        let mut hex = String::new();
+        for byte in hash.finalize() {
+            let _ = write!(hex, "{byte:02x}");
+        }
+        hex
+    }
+
+    /// Writes every file below `folder`.
+    pub(crate) fn write(&self, folder: &Path) -> io::Result<()> {
+        for (path, text) in &self.files {
+            let path = folder.join(path);
+            std::fs::create_dir_all(path.parent().unwrap_or(folder))?;
+            std::fs::write(path, text)?;
+        }
+        Ok(())
+    }
+}
+
+/// Stands in for the runtime's own manifest, which inherits from the workspace.
+fn manifest_of_runtime() -> String {
+    let version = env!("CARGO_PKG_VERSION");
+    format!(
+        "[package]\nname = \"nsv-runtime\"\nversion = \"{version}\"\nedition = \"2024\"\n\n\
+         [features]\ndefault = []\nstd = []\n\n[dependencies]\nlibm = \"={}\"\n",
+        libm_version()
+    )
+}
+
+fn lock() -> String {
+    let version = env!("CARGO_PKG_VERSION");
+    format!(
+        "version = 4\n\n{}\n[[package]]\nname = \"nsv-runtime\"\nversion = \"{version}\"\ndependencies = [\n \"libm\",\n]\n\n\
+         [[package]]\nname = \"{NAME}\"\nversion = \"0.0.0\"\ndependencies = [\n \"nsv-runtime\",\n]\n",
+        embedded::LIBM
+    )
+}
+
+fn libm_version() -> &'static str {
+    let line = embedded::LIBM
+        .lines()
+        .find_map(|line| line.strip_prefix("version = \""));
+    line.and_then(|rest| rest.strip_suffix('"'))
+        .expect("invariant: a locked package has a version")
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+
+    /// A package whose runtime is a fake that answers the protocol with the argument list.
+    pub(crate) fn fake(spec: &str) -> Package {
+        let runtime = "#![no_std]\n#[cfg(feature = \"std\")]\nextern crate std;\n#[cfg(feature = \"std\")]\npub mod runner;\n\
+                       pub trait ClosedLoop { const NAME: &'static str; }\n";
+        let runner = "use std::process::ExitCode;\npub fn main<L: crate::ClosedLoop>() -> ExitCode {\n\
+                      std::println!(\"{} {}\", L::NAME, libm::sqrt(4.0));\nExitCode::SUCCESS\n}\n";
+        let generated = [
+            ("mod.rs".to_owned(), "pub mod simulator;\n".to_owned()),
+            ("simulator.rs".to_owned(), spec.to_owned()),
+        ];
+        let runtime = [
+            ("lib.rs", runtime.to_owned()),
+            ("runner/mod.rs", runner.to_owned()),
+        ];
+        Package::with_runtime(
+            &generated.into(),
+            runtime.into_iter(),
+            manifest_of_runtime(),
+        )
+    }
+
+    pub(crate) const SPEC: &str = "pub struct Simulator;\nimpl nsv_runtime::ClosedLoop for Simulator { const NAME: &'static str = \"fake\"; }\n";
+
+    #[test]
+    fn every_source_of_the_runtime_is_embedded() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../runtime/src");
+        let lib = std::fs::read_to_string(root.join("lib.rs")).unwrap();
+        assert!(embedded::RUNTIME.contains(&("lib.rs", lib.as_str())));
+        for (path, text) in embedded::RUNTIME {
+            assert_eq!(
+                *text,
+                std::fs::read_to_string(root.join(path)).unwrap(),
+                "{path}"
+            );
+        }
+    }
+
+    #[test]
+    fn the_manifest_says_what_the_runtime_says() {
+        let original = std::fs::read_to_string(
+            Path::new(env!("CARGO_MANIFEST_DIR")).join("../runtime/Cargo.toml"),
+        )
+        .unwrap();
+        let section = |text: &str, name: &str| -> Vec<String> {
+            let after = text.split(&format!("[{name}]")).nth(1).unwrap_or_default();
+            let lines = after
+                .lines()
+                .skip(1)
+                .take_while(|line| !line.starts_with('['));
+            lines
+                .filter(|line| !line.is_empty())
+                .map(|line| line.split(['.', ' ', '=']).next().unwrap().to_owned())
+                .collect()
+        };
+        for name in ["features", "dependencies"] {
+            assert_eq!(
+                section(&manifest_of_runtime(), name),
+                section(&original, name),
+                "[{name}]"
+            );
+        }
+    }
+
+    #[test]
+    fn the_lock_pins_libm() {
+        assert!(
+            lock().contains("name = \"libm\"") && lock().contains("checksum = "),
+            "{}",
+            lock()
+        );
+        assert!(manifest_of_runtime().contains(&format!("libm = \"={}\"", libm_version())));
+    }
+
+    #[test]
+    fn the_key_knows_every_byte() {
+        let package = fake(SPEC);
+        assert_eq!(package.key("rustc 1"), fake(SPEC).key("rustc 1"));
+        assert_ne!(package.key("rustc 1"), package.key("rustc 2"));
+        assert_ne!(
+            package.key("rustc 1"),
+            fake("pub struct Simulator;").key("rustc 1")
+        );
+        assert_eq!(package.key("").len(), 64);
+    }
+}

@@ -1,0 +1,38 @@
+//! Every phase between a checked model and the text of its code.
+
+use std::collections::BTreeMap;
+
+use nsv_spec::model::Model;
+
+use crate::derive::error::DeriveError;
+use crate::derive::{Partials, derive};
+use crate::emit::{Artifact, module};
+use crate::ir::Program;
+use crate::lower::Programs;
+use crate::opt::optimise;
+use crate::seal::seal;
+
+/// What a model compiles to.
+#[derive(Clone, Debug)]
+pub struct Compiled {
+    /// Text of each file by its path inside the module's folder (`mod.rs`, `controller.rs`, ..), under its [seal](crate::seal).
+    pub files: BTreeMap<String, String>,
+    /// Every named quantity of the law as a program, for `nsv eval`.
+    pub eval: Program,
+}
+
+/// Derives, lowers, optimises and emits: every phase behind the check.
+pub fn compile(model: &Model, partials: &mut dyn Partials) -> Result<Compiled, DeriveError> {
+    let law = derive(model, partials)?;
+    let programs = Programs::new(&law);
+    let artifact = Artifact {
+        model,
+        version: env!("CARGO_PKG_VERSION"),
+        initial: optimise(programs.initial),
+        control: optimise(programs.control),
+        plant: optimise(programs.plant),
+        lyapunov: optimise(programs.lyapunov),
+    };
+    let files = module(&artifact).into_iter().map(|(file, text)| (file, seal(&text))).collect();
+    Ok(Compiled { files, eval: optimise(programs.quantities) })
+}

@@ -1,0 +1,340 @@
+//! Turns what is written into typed expressions of the model, and constant ones into numbers.
+
+use super::Context;
+use super::scope::Place;
+use crate::diagnostic::Span;
+use crate::expr::arena::{ExprId, Node, Shape, Type};
+use crate::expr::syntax::Expr;
+use crate::expr::{self, Expected};
+use crate::model::Matrix;
+use crate::spec::{Code, Formula};
+use crate::unit::Dimension;
+
+/// A formula with its expressions parsed.
+#[derive(Debug)]
+pub(super) enum Parsed {
+    /// One expression.
+    Expr(Expr),
+    /// An array written as a list.
+    List(Vec<Parsed>, Span),
+}
+
+impl Parsed {
+    pub(super) fn span(&self) -> Span {
+        match self {
+            Parsed::Expr(expr) => expr.span(),
+            Parsed::List(_, span) => *span,
+        }
+    }
+
+    /// Every name that the formula uses as a value, with its place.
+    pub(super) fn names(&self) -> Vec<(&str, Span)> {
+        match self {
+            Parsed::Expr(expr) => expr.free_names().collect(),
+            Parsed::List(items, _) => items.iter().flat_map(Parsed::names).collect(),
+        }
+    }
+}
+
+/// A constant expression as numbers.
+#[derive(Clone, Debug)]
+pub(super) struct Numbers {
+    /// Shape.
+    pub(super) shape: Shape,
+    /// SI values, row-major.
+    pub(super) values: Vec<f64>,
+    /// Dimension of each.
+    pub(super) dimensions: Vec<Dimension>,
+    /// Where it is written.
+    pub(super) span: Span,
+}
+
+impl Numbers {
+    /// As a matrix: a vector is a column.
+    pub(super) fn matrix(&self) -> Matrix {
+        let (rows, cols) = self.shape.size();
+        Matrix {
+            rows,
+            cols,
+            data: self.values.clone(),
+        }
+    }
+}
+
+impl Context<'_> {
+    /// Parses one expression.
+    pub(super) fn parse(&mut self, code: &Code) -> Option<Parsed> {
+        // YAML's own numbers that are none.
+        if matches!(
+            code.text
+                .trim_start_matches(['+', '-'])
+                .to_ascii_lowercase()
+                .as_str(),
+            ".nan" | ".inf"
+        ) {
+            self.fault(
+                "E0603",
+                code.base.span,
+                format!("value is {}, expected a finite number", code.text),
+                "write a number",
+            );
+            return None;
+        }
+        let parsed = expr::parse(&code.text, code.base);
+        self.accept(parsed).map(Parsed::Expr)
+    }
+
+    /// Parses every expression of a formula.
+    pub(super) fn parse_formula(&mut self, formula: &Formula) -> Option<Parsed> {
+        match formula {
+            Formula::Code(code) => self.parse(code),
+            Formula::List(items, span) => {
+                let items: Vec<Option<Parsed>> =
+                    items.iter().map(|item| self.parse_formula(item)).collect();
+                let items: Option<Vec<Parsed>> = items.into_iter().collect();
+                Some(Parsed::List(items?, *span))
+            }
+        }
+    }
+
+    /// The meaning of a formula at a place.
+    pub(super) fn elaborate(&mut self, parsed: &Parsed, place: Place) -> Option<ExprId> {
+        match parsed {
+            Parsed::Expr(expr) => {
+                let meaning = expr::elaborate(expr, &mut self.names.view(place), &mut self.arena);
+                self.accept(meaning)
+            }
+            Parsed::List(items, span) => {
+                let items: Vec<Option<ExprId>> = items
+                    .iter()
+                    .map(|item| self.elaborate(item, place))
+                    .collect();
+                let items: Option<Vec<ExprId>> = items.into_iter().collect();
+                self.stack(&items?, *span)
+            }
+        }
+    }
+
+    /// A vector of scalars, or a matrix of rows.
+    fn stack(&mut self, items: &[ExprId], span: Span) -> Option<ExprId> {
+        let mut shapes = Vec::new();
+        for &item in items {
+            match self.arena.shape(item) {
+                Some(shape) => shapes.push(shape),
+                None => {
+                    self.fault(
+                        "E0502",
+                        span,
+                        "entry is a truth value, expected a number",
+                        "choose numbers with `if(condition, a, b)`",
+                    );
+                    return None;
+                }
+            }
+        }
+        let shape = match shapes.first() {
+            Some(Shape::Scalar) => Shape::Vector(items.len()),
+            Some(&Shape::Vector(cols)) => Shape::Matrix(items.len(), cols),
+            _ => return self.ragged(span),
+        };
+        if shapes.iter().any(|one| *one != shapes[0]) {
+            return self.ragged(span);
+        }
+        let entries: Vec<ExprId> = items.iter().flat_map(|&item| self.entries(item)).collect();
+        Some(self.array(entries, shape))
+    }
+
+    fn ragged<T>(&mut self, span: Span) -> Option<T> {
+        self.fault(
+            "E0504",
+            span,
+            "rows of different lengths, expected scalars or rows of one length",
+            "write `[a, b]` or `[[a, b], [c, d]]`",
+        );
+        None
+    }
+
+    /// The entries of an array as scalars.
+    fn entries(&mut self, id: ExprId) -> Vec<ExprId> {
+        let Type::Real { shape, dimensions } = self.arena.ty(id).clone() else {
+            return vec![id];
+        };
+        match (self.arena.node(id).clone(), shape) {
+            (_, Shape::Scalar) => vec![id],
+            (Node::Array(entries), _) => entries,
+            (_, shape) => {
+                let cols = shape.size().1;
+                let element = |(at, dimension)| {
+                    self.arena.intern(
+                        Node::Element(id, at / cols, at % cols),
+                        Type::scalar(dimension),
+                    )
+                };
+                dimensions.into_iter().enumerate().map(element).collect()
+            }
+        }
+    }
+
+    pub(super) fn array(&mut self, entries: Vec<ExprId>, shape: Shape) -> ExprId {
+        let dimension = |&id: &ExprId| self.arena.ty(id).dimension().unwrap_or(Dimension::ONE);
+        let dimensions = entries.iter().map(dimension).collect();
+        self.arena
+            .intern(Node::Array(entries), Type::Real { shape, dimensions })
+    }
+
+    /// The expression in the expected shape, with the expected dimensions. A scalar passes for an array of one entry.
+    pub(super) fn expect(
+        &mut self,
+        id: ExprId,
+        span: Span,
+        expected: &Expected<'_>,
+    ) -> Option<ExprId> {
+        let single = self
+            .arena
+            .shape(id)
+            .is_some_and(|shape| shape.entries() == 1 && shape != expected.shape);
+        let id = if single && expected.shape.entries() == 1 {
+            let entries = self.entries(id);
+            self.array(entries, expected.shape)
+        } else {
+            id
+        };
+        let checked = expr::expect(&self.arena, id, span, expected);
+        self.accept(checked).map(|()| id)
+    }
+
+    /// Parses, elaborates and checks a formula of the model.
+    pub(super) fn formula(
+        &mut self,
+        formula: &Formula,
+        expected: &Expected<'_>,
+    ) -> Option<(ExprId, Parsed)> {
+        let parsed = self.parse_formula(formula)?;
+        let id = self.elaborate(&parsed, Place::Model)?;
+        Some((self.expect(id, parsed.span(), expected)?, parsed))
+    }
+
+    /// The numbers of a constant formula.
+    pub(super) fn numbers(&mut self, formula: &Formula) -> Option<Numbers> {
+        let parsed = self.parse_formula(formula)?;
+        self.numbers_of(&parsed)
+    }
+
+    /// The numbers of a parsed constant formula, all finite.
+    pub(super) fn numbers_of(&mut self, parsed: &Parsed) -> Option<Numbers> {
+        let id = self.elaborate(parsed, Place::Constant)?;
+        let span = parsed.span();
+        let Type::Real { shape, dimensions } = self.arena.ty(id).clone() else {
+            self.fault(
+                "E0502",
+                span,
+                "value is a truth value, expected a number",
+                "choose numbers with `if(condition, a, b)`",
+            );
+            return None;
+        };
+        let values = self.evaluate_constant(id);
+        if let Some(value) = values.iter().find(|value| !value.is_finite()) {
+            self.fault(
+                "E0603",
+                span,
+                format!("value is {value}, expected a finite number"),
+                "look for a division by zero or a root of a negative number",
+            );
+            return None;
+        }
+        let dimensions = dimensions.into_iter().map(Dimension::or_one).collect();
+        Some(Numbers {
+            shape,
+            values,
+            dimensions,
+            span,
+        })
+    }
+
+    /// A scalar quantity of a dimension that must be written.
+    pub(super) fn quantity(
+        &mut self,
+        code: &Code,
+        what: &str,
+        dimension: Dimension,
+    ) -> Option<f64> {
+        let (value, found) = self.scalar(code, what)?;
+        if found == dimension || value == 0.0 && found == Dimension::ONE {
+            return Some(value);
+        }
+        self.unit_mismatch(
+            code.base.span,
+            what,
+            found,
+            dimension,
+            format!("write it with its unit, as in `1 {dimension}`"),
+        );
+        None
+    }
+
+    /// A scalar gain: in its own dimension, or a bare number in SI.
+    pub(super) fn gain(&mut self, code: &Code, what: &str, dimension: Dimension) -> Option<f64> {
+        let (value, found) = self.scalar(code, what)?;
+        self.check_gain_unit(found, code.base.span, what, dimension)?;
+        Some(value)
+    }
+
+    pub(super) fn check_gain_unit(
+        &mut self,
+        found: Dimension,
+        span: Span,
+        what: &str,
+        dimension: Dimension,
+    ) -> Option<()> {
+        if found == dimension || found == Dimension::ONE {
+            return Some(());
+        }
+        self.unit_mismatch(
+            span,
+            what,
+            found,
+            dimension,
+            format!("write it in {dimension}, or as a bare number in SI"),
+        );
+        None
+    }
+
+    pub(super) fn unit_mismatch(
+        &mut self,
+        span: Span,
+        what: &str,
+        found: Dimension,
+        expected: Dimension,
+        help: impl Into<String>,
+    ) {
+        let pure = |dimension, otherwise: String| {
+            if dimension == Dimension::ONE {
+                "a pure number".into()
+            } else {
+                otherwise
+            }
+        };
+        let (found, expected) = (
+            pure(found, format!("in {found}")),
+            pure(expected, expected.to_string()),
+        );
+        let message = format!("unit mismatch: {what} is {found}, expected {expected}");
+        self.fault("E0604", span, message, help);
+    }
+
+    /// A constant scalar with its dimension.
+    pub(super) fn scalar(&mut self, code: &Code, what: &str) -> Option<(f64, Dimension)> {
+        let numbers = self.numbers(&Formula::Code(code.clone()))?;
+        if numbers.shape != Shape::Scalar {
+            self.fault(
+                "E0605",
+                numbers.span,
+                format!("{what} is {}, expected a scalar", numbers.shape),
+                "write one number",
+            );
+            return None;
+        }
+        Some((numbers.values[0], numbers.dimensions[0]))
+    }
+}

@@ -1,0 +1,178 @@
+//! Checks a specification and makes the model. Each file is one guarantee; this one lists them in order.
+
+mod constants;
+mod constraint;
+mod controller;
+mod counts;
+mod cycles;
+mod definitions;
+mod disturbance;
+mod environment;
+mod features;
+mod formula;
+mod gains;
+mod initial;
+mod linear;
+mod names;
+mod network;
+mod noise;
+mod observer;
+mod parameters;
+mod plant;
+mod reference;
+mod scenario;
+mod scope;
+mod states;
+mod structure;
+
+use crate::diagnostic::{Diagnostic, SourceMap, Span};
+use crate::expr::Symbol;
+use crate::expr::arena::Arena;
+use crate::model::{Block, Constant, Definition, Model, Parameter, State};
+use crate::spec::Spec;
+use scope::{Dependence, Names};
+
+/// Makes the model of a specification, with warnings; or reports everything that is wrong with it.
+pub(crate) fn check(
+    spec: &Spec,
+    sources: &SourceMap,
+    hash: String,
+) -> Result<(Model, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let mut context = Context::new(spec);
+    let model = context.model(sources, hash);
+    if let Some(model) = &model
+        && context.faults.is_empty()
+    {
+        context.check_initial(model);
+    }
+    match model {
+        Some(model) if context.faults.is_empty() => Ok((model, context.warnings)),
+        _ => {
+            assert!(
+                !context.faults.is_empty(),
+                "invariant: no model without a fault"
+            );
+            Err(context.faults)
+        }
+    }
+}
+
+/// What is known of the specification so far. A declaration with a fault is `None`; its users stay silent.
+struct Context<'a> {
+    spec: &'a Spec,
+    faults: Vec<Diagnostic>,
+    warnings: Vec<Diagnostic>,
+    defaults: Vec<String>,
+    arena: Arena,
+    names: Names,
+    constants: Vec<Option<Constant>>,
+    parameters: Vec<Option<Parameter>>,
+    definitions: Vec<Definition>,
+    /// States of each block.
+    states: Vec<Option<Vec<State>>>,
+}
+
+impl<'a> Context<'a> {
+    fn new(spec: &'a Spec) -> Self {
+        let mut names = Names::default();
+        names.define(
+            "t",
+            Symbol::Time,
+            Dependence {
+                time: true,
+                block: None,
+            },
+        );
+        names.define("pi", Symbol::Pi, Dependence::default());
+        Context {
+            spec,
+            faults: Vec::new(),
+            warnings: Vec::new(),
+            defaults: Vec::new(),
+            arena: Arena::default(),
+            names,
+            constants: Vec::new(),
+            parameters: Vec::new(),
+            definitions: Vec::new(),
+            states: Vec::new(),
+        }
+    }
+
+    /// Every check that needs no numbers of the whole model, in order.
+    fn model(&mut self, sources: &SourceMap, hash: String) -> Option<Model> {
+        self.check_names();
+        self.check_polynomials();
+        self.check_constants();
+        self.check_parameters();
+        self.check_states();
+        self.check_definitions();
+        let sample_time = self.sample_time();
+        let horizon = self.horizon();
+        let scenario = sample_time
+            .zip(horizon)
+            .and_then(|(sample_time, horizon)| self.scenario(sample_time, horizon));
+        let controller = self.controller(sample_time);
+        let matched = self.match_blocks();
+        if !self.check_counts() {
+            return None;
+        }
+        let inputs = self.check_inputs();
+        let reference = self.check_reference();
+        let mut blocks = Vec::new();
+        for (at, gains) in matched.into_iter().enumerate() {
+            let plant = self.check_plant_block(at, inputs.as_deref());
+            let gains = gains.map(|gains| &self.spec.controller.blocks.value[gains]);
+            blocks.push(gains.and_then(|gains| self.block(at, gains, plant, horizon)));
+        }
+        let blocks: Option<Vec<Block>> = blocks.into_iter().collect();
+        Some(Model {
+            name: self.spec.name.value.clone(),
+            title: self.title(),
+            sources: sources.clone(),
+            hash,
+            exprs: self.arena.clone(),
+            constants: self.constants.iter().cloned().collect::<Option<_>>()?,
+            parameters: self.parameters.iter().cloned().collect::<Option<_>>()?,
+            polynomials: self.names.polynomials.clone(),
+            definitions: self.definitions.clone(),
+            blocks: blocks?,
+            inputs: inputs?,
+            reference: reference?,
+            controller: controller?,
+            scenario: scenario?,
+            defaults: self.defaults.clone(),
+        })
+    }
+
+    fn title(&mut self) -> String {
+        let spec = self.spec;
+        match &spec.title {
+            Some(title) => title.value.clone(),
+            None => {
+                self.default("title".into(), &spec.name.value, "the name");
+                spec.name.value.clone()
+            }
+        }
+    }
+
+    fn fault(
+        &mut self,
+        code: &'static str,
+        span: Span,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        self.faults
+            .push(Diagnostic::error(code, span, message).with_help(help));
+    }
+
+    /// The result of another module, its faults reported here.
+    fn accept<T>(&mut self, result: Result<T, Vec<Diagnostic>>) -> Option<T> {
+        result.map_err(|faults| self.faults.extend(faults)).ok()
+    }
+
+    /// Records a default that was filled in.
+    fn default(&mut self, path: String, value: &str, reason: &str) {
+        self.defaults.push(format!("{path} = {value} ({reason})"));
+    }
+}

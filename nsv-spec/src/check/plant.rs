@@ -1,0 +1,118 @@
+//! Guarantees that F_i and G_i have the shapes and units of the chain: F_i a state per second, G_i a state per second for each
+//! unit of the next state or input.
+
+use super::Context;
+use crate::diagnostic::Span;
+use crate::expr::Expected;
+use crate::expr::arena::{ExprId, Shape};
+use crate::model::{self, Disturbance, Noise};
+use crate::spec::Named;
+use crate::unit::Dimension;
+
+pub(super) const SECOND: Dimension = Dimension::new(0, 0, 1, 0);
+
+/// The plant's side of a block.
+pub(super) struct PlantBlock {
+    pub(super) drift: ExprId,
+    pub(super) gain: ExprId,
+    pub(super) disturbance: Disturbance,
+    pub(super) noise: Option<Noise>,
+}
+
+impl Context<'_> {
+    /// Checks F, G, d and H of a block.
+    pub(super) fn check_plant_block(
+        &mut self,
+        at: usize,
+        inputs: Option<&[model::Input]>,
+    ) -> Option<PlantBlock> {
+        let spec = self.spec;
+        let Named {
+            name,
+            value: written,
+        } = &spec.blocks[at];
+        let width = self.width();
+        let own = self.channel_dimensions(at, inputs)?;
+        let next = self.channel_dimensions(at + 1, inputs);
+        let rates = self.ratios(&own, &[SECOND], name.span)?;
+        let vector = Shape::Vector(width);
+        let what = |term: &str| format!("{term} of block `{}`", name.value);
+        let drift = self.formula(
+            &written.drift,
+            &Expected {
+                what: &what("drift"),
+                shape: vector,
+                dimensions: &rates,
+            },
+        );
+        if let Some((_, parsed)) = &drift {
+            self.check_feedback(parsed, "drift", at);
+        }
+        let gains = next.and_then(|next| self.ratios(&rates, &next, name.span));
+        let gain = gains.and_then(|gains| {
+            self.formula(
+                &written.gain,
+                &Expected {
+                    what: &what("gain"),
+                    shape: Shape::Matrix(width, width),
+                    dimensions: &gains,
+                },
+            )
+        });
+        if let Some((_, parsed)) = &gain {
+            self.check_feedback(parsed, "gain", at);
+        }
+        let disturbance =
+            self.disturbance(written.disturbance.as_ref(), &rates, &what("disturbance"));
+        let noise = match &written.noise {
+            Some(noise) => self.noise(at, noise, &own).map(Some),
+            None => Some(None),
+        };
+        Some(PlantBlock {
+            drift: drift?.0,
+            gain: gain?.0,
+            disturbance: disturbance?,
+            noise: noise?,
+        })
+    }
+
+    /// Dimensions of the states of a block, or of the inputs for the index after the last.
+    fn channel_dimensions(
+        &self,
+        block: usize,
+        inputs: Option<&[model::Input]>,
+    ) -> Option<Vec<Dimension>> {
+        match self.states.get(block) {
+            Some(states) => Some(
+                states
+                    .as_ref()?
+                    .iter()
+                    .map(|state| state.dimension)
+                    .collect(),
+            ),
+            None => Some(inputs?.iter().map(|input| input.dimension).collect()),
+        }
+    }
+
+    /// Every quotient of an entry of `above` by one of `below`, row by row.
+    pub(super) fn ratios(
+        &mut self,
+        above: &[Dimension],
+        below: &[Dimension],
+        span: Span,
+    ) -> Option<Vec<Dimension>> {
+        let ratios: Option<Vec<Dimension>> = above
+            .iter()
+            .flat_map(|a| below.iter().map(|b| a.checked_div(*b)))
+            .collect();
+        if ratios.is_none() {
+            self.fault(
+                "E0606",
+                span,
+                "unit of a state has an exponent out of range",
+                "choose simpler units",
+            );
+        }
+        ratios
+    }
+}

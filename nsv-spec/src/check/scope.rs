@@ -1,0 +1,160 @@
+//! What names mean in the expressions of a specification, and what a name depends on.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::expr::arena::PolynomialId;
+use crate::expr::{Scope, Symbol};
+use crate::model::Polynomial;
+
+/// Most names among which to look for the one that was meant.
+const MOST_SUGGESTIONS: usize = 1000;
+
+/// What the value of a name varies with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Dependence {
+    /// Time.
+    pub(super) time: bool,
+    /// The innermost block among the states that it varies with.
+    pub(super) block: Option<usize>,
+}
+
+impl Dependence {
+    pub(super) fn join(self, other: Self) -> Self {
+        Dependence {
+            time: self.time || other.time,
+            block: self.block.max(other.block),
+        }
+    }
+}
+
+/// Where an expression stands, which decides what it may name at all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Place {
+    /// A number that must be known when the code is generated.
+    Constant,
+    /// Anywhere else; on which states and on time it may depend is checked by [`super::structure`].
+    Model,
+}
+
+/// All names of a specification.
+#[derive(Debug, Default)]
+pub(super) struct Names {
+    symbols: BTreeMap<String, (Symbol, Dependence)>,
+    refused: BTreeSet<String>,
+    /// Polynomial data, derivatives that expressions ask for at the end.
+    pub(super) polynomials: Vec<Polynomial>,
+}
+
+impl Names {
+    /// Gives a name its meaning.
+    pub(super) fn define(&mut self, name: &str, symbol: Symbol, dependence: Dependence) {
+        let symbol = if self.refused.contains(name) {
+            Symbol::Faulty
+        } else {
+            symbol
+        };
+        self.symbols.insert(name.into(), (symbol, dependence));
+    }
+
+    /// Declares a name without meaning, for a fault has been reported; its uses are passed over.
+    pub(super) fn refuse(&mut self, name: &str) {
+        self.refused.insert(name.into());
+        self.symbols
+            .insert(name.into(), (Symbol::Faulty, Dependence::default()));
+    }
+
+    /// What a name depends on.
+    pub(super) fn dependence(&self, name: &str) -> Dependence {
+        self.symbols
+            .get(name)
+            .map(|(_, dependence)| *dependence)
+            .unwrap_or_default()
+    }
+
+    /// The names as seen from a place.
+    pub(super) fn view(&mut self, place: Place) -> View<'_> {
+        View { names: self, place }
+    }
+}
+
+/// The names as seen from one place.
+pub(super) struct View<'a> {
+    names: &'a mut Names,
+    place: Place,
+}
+
+impl View<'_> {
+    fn visible(&self, symbol: &Symbol) -> bool {
+        self.place == Place::Model
+            || matches!(
+                symbol,
+                Symbol::Constant(..) | Symbol::Pi | Symbol::Polynomial(..) | Symbol::Faulty
+            )
+    }
+}
+
+impl Scope for View<'_> {
+    fn resolve(&self, name: &str) -> Option<Symbol> {
+        let (symbol, _) = self.names.symbols.get(name)?;
+        if self.visible(symbol) {
+            return Some(symbol.clone());
+        }
+        Some(Symbol::Unavailable(
+            "this number must be known when the code is generated: it may use constants only"
+                .into(),
+        ))
+    }
+
+    fn names(&self) -> Vec<String> {
+        // Suggestions for every slip in a specification with thousands of names would take minutes.
+        if self.names.symbols.len() > MOST_SUGGESTIONS {
+            return Vec::new();
+        }
+        let visible = self
+            .names
+            .symbols
+            .iter()
+            .filter(|(_, (symbol, _))| self.visible(symbol));
+        visible.map(|(name, _)| name.clone()).collect()
+    }
+
+    fn derivative(&mut self, polynomial: PolynomialId, argument: usize) -> PolynomialId {
+        let of = &self.names.polynomials[polynomial.0 as usize];
+        let name = format!("{}_d{}", of.name, argument + 1);
+        let id = |at: usize| {
+            PolynomialId(u32::try_from(at).expect("invariant: fewer than 2^32 polynomials"))
+        };
+        if let Some(at) = self
+            .names
+            .polynomials
+            .iter()
+            .position(|known| known.name == name)
+        {
+            return id(at);
+        }
+        let derivative = Polynomial {
+            name,
+            terms: differentiate(of, argument),
+            ..of.clone()
+        };
+        self.names.polynomials.push(derivative);
+        id(self.names.polynomials.len() - 1)
+    }
+}
+
+/// d/dz_j of c z_j^a is c a z_j^(a-1); terms without z_j vanish.
+fn differentiate(polynomial: &Polynomial, argument: usize) -> Vec<(f64, Vec<u32>)> {
+    let mut terms = Vec::new();
+    for (coefficient, exponents) in &polynomial.terms {
+        let exponent = exponents[argument];
+        if exponent > 0 {
+            let mut lowered = exponents.clone();
+            lowered[argument] = exponent - 1;
+            terms.push((coefficient * f64::from(exponent), lowered));
+        }
+    }
+    if terms.is_empty() {
+        terms.push((0.0, vec![0; polynomial.arguments.len()]));
+    }
+    terms
+}

@@ -1,0 +1,260 @@
+//! Reads maps by the keys that the vocabulary knows.
+
+use std::collections::BTreeMap;
+
+use crate::diagnostic::{Diagnostic, Span};
+use crate::spec::{Located, Named, Word};
+use crate::suggest::nearest;
+use crate::vocabulary::{Key, Kind as Expects, Section};
+use crate::yaml::{Entry, Kind, Node, excerpt};
+
+/// The known keys of one map.
+pub(super) struct Fields<'a> {
+    section: &'static Section,
+    entries: BTreeMap<&'static str, &'a Entry>,
+    /// The whole map.
+    pub(super) span: Span,
+}
+
+impl<'a> Fields<'a> {
+    /// The entry of a key, which must be in the section's vocabulary.
+    pub(super) fn entry(&self, name: &str) -> Option<&'a Entry> {
+        debug_assert!(
+            self.key(name).is_some(),
+            "invariant: `{name}` is a key of {}",
+            self.section.noun
+        );
+        self.entries.get(name).copied()
+    }
+
+    /// What the vocabulary says of a key.
+    pub(super) fn key(&self, name: &str) -> Option<&'static Key> {
+        self.section.keys.iter().find(|key| key.name == name)
+    }
+}
+
+/// Collects the faults of a specification while it is read.
+#[derive(Default)]
+pub(super) struct Reader {
+    pub(super) faults: Vec<Diagnostic>,
+}
+
+impl Reader {
+    pub(super) fn fault(
+        &mut self,
+        code: &'static str,
+        span: Span,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        self.faults
+            .push(Diagnostic::error(code, span, message).with_help(help));
+    }
+
+    /// The keys of a map: none unknown, none twice, all required ones there.
+    pub(super) fn fields<'a>(&mut self, node: &'a Node, section: &'static Section) -> Fields<'a> {
+        let mut fields = Fields {
+            section,
+            entries: BTreeMap::new(),
+            span: node.span,
+        };
+        let Kind::Map(entries) = &node.kind else {
+            let keys: Vec<&str> = section.keys.iter().map(|key| key.name).collect();
+            let message = format!(
+                "found {}, expected {}: a map",
+                node.describe(),
+                section.noun
+            );
+            self.fault(
+                "E0103",
+                node.span,
+                message,
+                format!("its keys are {}", list(&keys)),
+            );
+            return fields;
+        };
+        for entry in unique(&mut self.faults, entries) {
+            match fields.key(&entry.key.text) {
+                Some(key) => drop(fields.entries.insert(key.name, entry)),
+                None => self.unknown(entry, section),
+            }
+        }
+        for key in section
+            .keys
+            .iter()
+            .filter(|key| key.required && !fields.entries.contains_key(key.name))
+        {
+            let span = entries.first().map_or(node.span, |first| first.key.span);
+            let message = format!("key `{}` is missing in {}", key.name, section.noun);
+            self.fault(
+                "E0104",
+                span,
+                message,
+                format!("add `{}`: {}", key.name, key.doc),
+            );
+        }
+        fields
+    }
+
+    /// The keys of the map under a key; none where that is missing, which has been reported if it is required.
+    pub(super) fn section<'a>(&mut self, parent: &Fields<'a>, name: &str) -> Fields<'a> {
+        let Some(Key {
+            kind: Expects::Section(section),
+            ..
+        }) = parent.key(name)
+        else {
+            unreachable!(
+                "invariant: `{name}` is a section of {}",
+                parent.section.noun
+            )
+        };
+        match parent.entry(name) {
+            Some(entry) => self.fields(&entry.value, section),
+            None => Fields {
+                section,
+                entries: BTreeMap::new(),
+                span: parent.span,
+            },
+        }
+    }
+
+    fn unknown(&mut self, entry: &Entry, section: &'static Section) {
+        let names: Vec<&str> = section.keys.iter().map(|key| key.name).collect();
+        let help = match nearest(&entry.key.text, &names) {
+            Some(meant) => format!("did you mean `{meant}`?"),
+            None => format!("{} has the keys {}", section.noun, list(&names)),
+        };
+        self.fault(
+            "E0101",
+            entry.key.span,
+            format!(
+                "unknown key `{}` in {}",
+                excerpt(&entry.key.text),
+                section.noun
+            ),
+            help,
+        );
+    }
+
+    /// The entries of a map with names chosen by the user.
+    pub(super) fn named<'a>(&mut self, fields: &Fields<'a>, key: &str) -> Vec<&'a Entry> {
+        let Some(entry) = fields.entry(key) else {
+            return Vec::new();
+        };
+        self.entries(&entry.value, &format!("a map from names to {key}"))
+    }
+
+    pub(super) fn entries<'a>(&mut self, node: &'a Node, expected: &str) -> Vec<&'a Entry> {
+        let Kind::Map(entries) = &node.kind else {
+            self.kind(node, expected, "write one `name: value` on each line");
+            return Vec::new();
+        };
+        unique(&mut self.faults, entries)
+    }
+
+    /// A map from names to values that `read` reads.
+    pub(super) fn map<T>(
+        &mut self,
+        fields: &Fields<'_>,
+        key: &str,
+        read: fn(&mut Self, &Node) -> T,
+    ) -> Vec<Named<T>> {
+        let entries = self.named(fields, key);
+        entries
+            .into_iter()
+            .map(|entry| Named {
+                name: name(entry),
+                value: read(self, &entry.value),
+            })
+            .collect()
+    }
+
+    /// A nested map, read by `read`, with the place of its key.
+    pub(super) fn nested<T>(
+        &mut self,
+        fields: &Fields<'_>,
+        key: &str,
+        read: fn(&mut Self, &Node) -> T,
+    ) -> Option<Located<T>> {
+        let entry = fields.entry(key)?;
+        Some(Located {
+            value: read(self, &entry.value),
+            span: entry.key.span,
+        })
+    }
+
+    /// The items of a list.
+    pub(super) fn items<'a>(
+        &mut self,
+        fields: &Fields<'a>,
+        key: &str,
+        expected: &str,
+    ) -> &'a [Node] {
+        match fields.entry(key).map(|entry| &entry.value) {
+            None => &[],
+            Some(Node {
+                kind: Kind::Seq(items),
+                ..
+            }) => items,
+            Some(other) => {
+                self.kind(
+                    other,
+                    expected,
+                    "write `[.., ..]`, or one `- item` on each line",
+                );
+                &[]
+            }
+        }
+    }
+
+    /// Reports a value of a wrong kind.
+    pub(super) fn kind(&mut self, node: &Node, expected: &str, help: &str) {
+        self.fault(
+            "E0103",
+            node.span,
+            format!("found {}, expected {expected}", node.describe()),
+            help,
+        );
+    }
+}
+
+/// The name under which an entry stands.
+pub(super) fn name(entry: &Entry) -> Word {
+    Located {
+        value: entry.key.text.clone(),
+        span: entry.key.span,
+    }
+}
+
+/// Each key once; repeated ones are reported with both places.
+fn unique<'a>(faults: &mut Vec<Diagnostic>, entries: &'a [Entry]) -> Vec<&'a Entry> {
+    let mut first: BTreeMap<&str, Span> = BTreeMap::new();
+    let mut kept = Vec::new();
+    for entry in entries {
+        match first.get(entry.key.text.as_str()) {
+            None => {
+                first.insert(&entry.key.text, entry.key.span);
+                kept.push(entry);
+            }
+            Some(earlier) => faults.push(
+                Diagnostic::error(
+                    "E0102",
+                    entry.key.span,
+                    format!("key `{}` is given twice", excerpt(&entry.key.text)),
+                )
+                .with_related(*earlier, "first given here")
+                .with_help("remove one of them"),
+            ),
+        }
+    }
+    kept
+}
+
+/// `a`, `b` or `c`.
+pub(super) fn list(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
+    match quoted.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),
+        _ => quoted.concat(),
+    }
+}

@@ -1,0 +1,93 @@
+//! Reads a tree into a [`Spec`]: every key known, none twice, every value of the right kind. All faults are reported at once.
+
+mod controller;
+mod data;
+mod fields;
+mod plant;
+mod values;
+
+use crate::diagnostic::Diagnostic;
+use crate::model::{NoiseModel, Scheme};
+use crate::spec::{Located, Scenario, Spec};
+use crate::vocabulary::SPECIFICATION;
+use crate::yaml::Node;
+use fields::{Fields, Reader};
+
+/// Version of the language.
+const VERSION: u64 = 1;
+
+/// Reads a specification.
+pub(crate) fn parse(tree: &Node) -> Result<Spec, Vec<Diagnostic>> {
+    let mut reader = Reader::default();
+    let spec = reader.specification(tree);
+    if reader.faults.is_empty() {
+        Ok(spec)
+    } else {
+        Err(reader.faults)
+    }
+}
+
+impl Reader {
+    fn specification(&mut self, tree: &Node) -> Spec {
+        let fields = self.fields(tree, &SPECIFICATION);
+        self.version(&fields);
+        let empty = Located {
+            value: String::new(),
+            span: tree.span,
+        };
+        let (blocks, inputs) = self.plant(&fields);
+        Spec {
+            name: self.text(&fields, "name").unwrap_or(empty),
+            title: self.text(&fields, "title"),
+            constants: self.map(&fields, "constants", Self::constant),
+            parameters: self.map(&fields, "parameters", Self::parameter),
+            polynomials: self.map(&fields, "polynomials", Self::polynomial_group),
+            definitions: self.map(&fields, "definitions", Self::formula_of),
+            blocks,
+            inputs,
+            reference: Located {
+                value: self.map(&fields, "reference", Self::formula_of),
+                span: fields
+                    .entry("reference")
+                    .map_or(tree.span, |entry| entry.key.span),
+            },
+            controller: self.controller(&fields),
+            scenario: self.scenario(&fields),
+        }
+    }
+
+    fn version(&mut self, fields: &Fields<'_>) {
+        let Some(version) = self.count(fields, "nsv") else {
+            return;
+        };
+        if version.value != VERSION {
+            let message = format!(
+                "language version {} is not known, expected {VERSION}",
+                version.value
+            );
+            self.fault(
+                "E0105",
+                version.span,
+                message,
+                format!("write `nsv: {VERSION}`"),
+            );
+        }
+    }
+
+    fn scenario(&mut self, specification: &Fields<'_>) -> Scenario {
+        let fields = self.section(specification, "scenario");
+        Scenario {
+            horizon: self.code(&fields, "horizon"),
+            substeps: self.count(&fields, "substeps"),
+            scheme: self.choice(
+                &fields,
+                "scheme",
+                &[Scheme::EulerMaruyama, Scheme::Platen, Scheme::RungeKutta4],
+            ),
+            noise: self.choice(&fields, "noise", &[NoiseModel::Sampled, NoiseModel::Wiener]),
+            seed: self.count(&fields, "seed"),
+            runs: self.count(&fields, "runs"),
+            settle: self.optional_code(&fields, "settle"),
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! The JSON Schema of the language, for completion and checks in editors: the vocabulary in another notation.
+
+use serde_json::{Map, Value, json};
+
+use crate::vocabulary::{Kind, SPECIFICATION, Section};
+
+/// JSON Schema (draft 2020-12) of a specification.
+pub fn json_schema() -> Value {
+    let mut sections = Map::new();
+    let mut schema = section(&SPECIFICATION, &mut sections);
+    let root = schema
+        .as_object_mut()
+        .expect("invariant: a section is an object");
+    root.insert(
+        "$schema".into(),
+        json!("https://json-schema.org/draft/2020-12/schema"),
+    );
+    root.insert("title".into(), json!("nsv specification"));
+    root.insert("$defs".into(), Value::Object(sections));
+    schema
+}
+
+/// A map with known keys; sections below it go into `sections` under their names.
+fn section(section: &'static Section, sections: &mut Map<String, Value>) -> Value {
+    let mut properties = Map::new();
+    for key in section.keys {
+        let mut value = kind(&key.kind, sections);
+        if let Some(object) = value.as_object_mut() {
+            object.insert("description".into(), json!(key.doc));
+        }
+        properties.insert(key.name.into(), value);
+    }
+    let required: Vec<&str> = section
+        .keys
+        .iter()
+        .filter(|key| key.required)
+        .map(|key| key.name)
+        .collect();
+    json!({ "type": "object", "properties": properties, "required": required, "additionalProperties": false })
+}
+
+fn kind(kind: &'static Kind, sections: &mut Map<String, Value>) -> Value {
+    match kind {
+        Kind::Text => json!({ "type": "string" }),
+        Kind::Count => json!({ "type": "integer", "minimum": 0 }),
+        Kind::Choice(words) => json!({ "enum": words }),
+        Kind::Quantity => json!({ "type": ["number", "string"] }),
+        Kind::Formula => {
+            sections.entry("formula").or_insert_with(|| {
+                json!({
+                    "description": "an expression: text, a number, or a nested list of these",
+                    "anyOf": [{ "type": ["number", "string"] }, { "type": "array", "minItems": 1, "items": { "$ref": "#/$defs/formula" } }],
+                })
+            });
+            json!({ "$ref": "#/$defs/formula" })
+        }
+        Kind::List(item) => json!({ "type": "array", "items": self::kind(item, sections) }),
+        Kind::Named(value) => json!({
+            "type": "object",
+            "propertyNames": { "pattern": "^[A-Za-z][A-Za-z0-9_]{0,63}$" },
+            "additionalProperties": self::kind(value, sections),
+        }),
+        Kind::Either(kinds) => {
+            json!({ "anyOf": kinds.iter().map(|one| self::kind(one, sections)).collect::<Vec<_>>() })
+        }
+        Kind::Section(below) => {
+            let name = below
+                .noun
+                .trim_start_matches("an ")
+                .trim_start_matches("a ")
+                .replace(' ', "_");
+            if !sections.contains_key(&name) {
+                let value = section(below, sections);
+                sections.insert(name.clone(), value);
+            }
+            json!({ "$ref": format!("#/$defs/{name}") })
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_key_is_described_and_every_reference_resolves() {
+        let schema = json_schema();
+        let mut pending = vec![&schema];
+        while let Some(value) = pending.pop() {
+            if let Some(properties) = value.get("properties").and_then(Value::as_object) {
+                assert!(
+                    properties
+                        .values()
+                        .all(|key| key["description"].is_string()),
+                    "{value}"
+                );
+            }
+            if let Some(reference) = value.get("$ref").and_then(Value::as_str) {
+                assert!(schema.pointer(&reference[1..]).is_some(), "{reference}");
+            }
+            match value {
+                Value::Object(map) => pending.extend(map.values()),
+                Value::Array(items) => pending.extend(items),
+                _ => {}
+            }
+        }
+    }
+}

@@ -1,0 +1,315 @@
+//! The specification as written: every key in its place with its span, nothing resolved or converted.
+
+use crate::diagnostic::{Base, Span};
+use crate::model::{Basis, Integration, NoiseModel, Norm, Scheme, VirtualDerivative};
+
+/// A value with its place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Located<T> {
+    /// The value.
+    pub value: T,
+    /// Where it is written.
+    pub span: Span,
+}
+
+/// A name or a text for people.
+pub type Word = Located<String>;
+
+/// One expression, not yet parsed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Code {
+    /// Its text.
+    pub text: String,
+    /// Where the text stands.
+    pub base: Base,
+}
+
+/// An expression, or an array of them written as a YAML list.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Formula {
+    /// One expression.
+    Code(Code),
+    /// A list.
+    List(Vec<Formula>, Span),
+}
+
+impl Formula {
+    /// Where it is written.
+    pub fn span(&self) -> Span {
+        match self {
+            Formula::Code(code) => code.base.span,
+            Formula::List(_, span) => *span,
+        }
+    }
+}
+
+/// A quantity, or the word `auto`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum AutoCode {
+    /// `auto`
+    Auto(Span),
+    /// A quantity.
+    Code(Code),
+}
+
+/// A name with what is declared under it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Named<T> {
+    /// The name.
+    pub name: Word,
+    /// Its declaration.
+    pub value: T,
+}
+
+/// A whole specification.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spec {
+    /// `name`
+    pub name: Word,
+    /// `title`
+    pub title: Option<Word>,
+    /// `constants`
+    pub constants: Vec<Named<Constant>>,
+    /// `parameters`
+    pub parameters: Vec<Named<Parameter>>,
+    /// `polynomials`
+    pub polynomials: Vec<Named<PolynomialGroup>>,
+    /// `definitions`
+    pub definitions: Vec<Named<Formula>>,
+    /// `plant.blocks`
+    pub blocks: Vec<Named<PlantBlock>>,
+    /// `plant.inputs`
+    pub inputs: Vec<Named<Input>>,
+    /// `reference`, with the place of its key
+    pub reference: Located<Vec<Named<Formula>>>,
+    /// `controller`
+    pub controller: Controller,
+    /// `scenario`
+    pub scenario: Scenario,
+}
+
+/// A constant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Constant {
+    /// Its value.
+    pub value: Formula,
+    /// `unit`
+    pub unit: Option<Word>,
+    /// `source`
+    pub source: Option<Word>,
+}
+
+/// A parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// Its value.
+    pub value: Code,
+    /// `unit`
+    pub unit: Option<Word>,
+    /// `dispersion`
+    pub dispersion: Option<Dispersion>,
+    /// `source`
+    pub source: Option<Word>,
+}
+
+/// Distribution of a parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Dispersion {
+    /// Least and largest value.
+    Uniform(Code, Code),
+    /// Mean and standard deviation.
+    Normal(Code, Code),
+}
+
+/// A group of polynomial data.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PolynomialGroup {
+    /// `arguments`
+    pub arguments: Vec<Word>,
+    /// `source`
+    pub source: Option<Word>,
+    /// `parts`: coefficient and exponents of each term
+    pub parts: Vec<Named<Vec<(f64, Vec<u32>)>>>,
+}
+
+/// A block of the plant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlantBlock {
+    /// `states`
+    pub states: Vec<Named<State>>,
+    /// `drift`
+    pub drift: Formula,
+    /// `gain`
+    pub gain: Formula,
+    /// `disturbance`
+    pub disturbance: Option<Located<Disturbance>>,
+    /// `noise`
+    pub noise: Option<Located<Noise>>,
+}
+
+/// A state channel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// Initial value.
+    pub initial: Code,
+    /// `unit`
+    pub unit: Option<Word>,
+}
+
+/// A disturbance.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Disturbance {
+    /// `bounded`
+    Bounded(Formula),
+    /// `exosystem`
+    Exosystem(Vec<Exosystem>),
+}
+
+/// The exosystem of a channel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Exosystem {
+    /// `M`
+    pub m: Formula,
+    /// `N`
+    pub n: Option<Formula>,
+    /// `L`
+    pub l: Formula,
+    /// `initial`
+    pub initial: Option<Formula>,
+    /// The whole.
+    pub span: Span,
+}
+
+/// The noise of a block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Noise {
+    /// `effectiveness`
+    pub effectiveness: Formula,
+    /// `intensity`
+    pub intensity: Formula,
+}
+
+/// A control input.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Input {
+    /// `limit`
+    pub limit: Code,
+    /// `safe`
+    pub safe: Option<Code>,
+}
+
+/// The controller.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Controller {
+    /// `sample_time`
+    pub sample_time: Code,
+    /// `virtual_derivative`
+    pub virtual_derivative: Option<Located<VirtualDerivative>>,
+    /// `norm`
+    pub norm: Option<Located<Norm>>,
+    /// `integration`
+    pub integration: Option<Located<Integration>>,
+    /// `barrier_margin`
+    pub barrier_margin: Option<Code>,
+    /// `parameters`
+    pub parameters: Vec<Named<Code>>,
+    /// `blocks`, with the place of its key
+    pub blocks: Located<Vec<Named<ControllerBlock>>>,
+}
+
+/// The gains of a block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ControllerBlock {
+    /// `K`
+    pub k: Formula,
+    /// `kbar`
+    pub kbar: AutoCode,
+    /// `C`
+    pub c: Formula,
+    /// `filter`
+    pub filter: Option<Formula>,
+    /// `eta_1`
+    pub eta_1: Option<Code>,
+    /// `eta_2`
+    pub eta_2: Option<Code>,
+    /// `eta_3`
+    pub eta_3: Option<Code>,
+    /// `eta_noise`
+    pub eta_noise: Option<Code>,
+    /// `observer`
+    pub observer: Option<Formula>,
+    /// `constraint`
+    pub constraint: Option<Formula>,
+    /// `network`
+    pub network: Option<Located<Network>>,
+    /// `error_bound`
+    pub error_bound: Option<Located<ErrorBound>>,
+    /// `noise_bound`
+    pub noise_bound: Option<Located<NoiseBound>>,
+}
+
+/// A network.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Network {
+    /// `order`
+    pub order: Located<u64>,
+    /// `basis`
+    pub basis: Option<Located<Basis>>,
+    /// `inputs`
+    pub inputs: Vec<Formula>,
+    /// `scale`
+    pub scale: Option<Formula>,
+    /// `iota`
+    pub iota: Formula,
+    /// `Gamma`
+    pub gamma: Code,
+    /// `lambda`
+    pub lambda: Code,
+}
+
+/// The law of eps_hat.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ErrorBound {
+    /// `iota`
+    pub iota: Code,
+    /// `b`
+    pub b: Formula,
+}
+
+/// The laws of sigma_hat and phi.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NoiseBound {
+    /// `tau`
+    pub tau: Code,
+    /// `lambda`
+    pub lambda: Code,
+    /// `varsigma`
+    pub varsigma: Code,
+    /// `phi.initial`
+    pub phi_initial: Code,
+    /// `phi.kappa`
+    pub phi_kappa: Code,
+    /// `phi.threshold`
+    pub phi_threshold: Code,
+    /// `phi.min`
+    pub phi_min: Option<AutoCode>,
+}
+
+/// The scenario.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scenario {
+    /// `horizon`
+    pub horizon: Code,
+    /// `substeps`
+    pub substeps: Option<Located<u64>>,
+    /// `scheme`
+    pub scheme: Option<Located<Scheme>>,
+    /// `noise`
+    pub noise: Option<Located<NoiseModel>>,
+    /// `seed`
+    pub seed: Option<Located<u64>>,
+    /// `runs`
+    pub runs: Option<Located<u64>>,
+    /// `settle`
+    pub settle: Option<Code>,
+}

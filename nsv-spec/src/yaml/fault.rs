@@ -1,0 +1,121 @@
+//! Says what is wrong with a YAML text in the words of this crate.
+
+use serde_saphyr::Error;
+use serde_saphyr::budget::BudgetBreach;
+
+use super::read::{MAX_DEPTH, MAX_NODES};
+use crate::diagnostic::{Diagnostic, FileId, Span};
+
+/// The diagnostic for an error of the YAML library.
+pub(super) fn diagnostic(error: &Error, text: &str, file: FileId) -> Diagnostic {
+    let error = error.without_snippet();
+    let span = span(error, text, file);
+    let fault =
+        |code, message: String, help: &str| Diagnostic::error(code, span, message).with_help(help);
+    match error {
+        Error::AliasError { error: inner, .. } => diagnostic(inner, text, file),
+        Error::Budget {
+            breach: BudgetBreach::Depth { .. },
+            ..
+        } => too_deep(span),
+        Error::Budget {
+            breach: BudgetBreach::Documents { .. },
+            ..
+        }
+        | Error::MultipleDocuments { .. } => fault(
+            "E0008",
+            "found a second YAML document, expected one".into(),
+            "remove the line `---` and what follows it",
+        ),
+        Error::Budget { .. }
+        | Error::AliasReplayCounterOverflow { .. }
+        | Error::AliasReplayLimitExceeded { .. }
+        | Error::AliasExpansionLimitExceeded { .. }
+        | Error::AliasReplayStackDepthExceeded { .. } => fault(
+            "E0006",
+            format!(
+                "file expands to too much data, expected at most {MAX_NODES} values and few aliases"
+            ),
+            "write the values out instead of nesting aliases",
+        ),
+        Error::RecursiveReferencesRequireWeakTypes { .. } => fault(
+            "E0009",
+            "alias refers to a value that contains it".into(),
+            "write the value out",
+        ),
+        Error::UnknownAnchor { .. } => fault(
+            "E0009",
+            "alias refers to an anchor that does not exist".into(),
+            "a value that starts with `*` is an alias in YAML; quote it if it is text",
+        ),
+        Error::MergeKeyNotAllowed { .. } => fault(
+            "E0009",
+            "merge key `<<` is not supported".into(),
+            "write the keys out, or move shared sections to an included file",
+        ),
+        Error::UnsupportedTag { tag, .. } => fault(
+            "E0007",
+            format!("found tag `{tag}`, expected a value without tag"),
+            "remove the tag; a value that starts with `!` must be quoted",
+        ),
+        Error::Unexpected { .. } | Error::NullIntoString { .. } => fault(
+            "E0010",
+            "found a key that is not text".into(),
+            "every key is a plain word",
+        ),
+        other => syntax(other, span),
+    }
+}
+
+/// Brackets nested too deep, which the library reports in two ways.
+fn too_deep(span: Span) -> Diagnostic {
+    Diagnostic::error(
+        "E0005",
+        span,
+        format!("values are nested too deep, expected at most {MAX_DEPTH} levels"),
+    )
+    .with_help("a specification needs eight levels; look for a bracket that is never closed")
+}
+
+fn syntax(error: &Error, span: Span) -> Diagnostic {
+    let mut message = error.to_string();
+    if let Some(at) = message.rfind(" at line ") {
+        message.truncate(at);
+    }
+    let message = message.replace("`:'", "`:`").replace('\'', "`");
+    if message.contains("recursion limit") || message.contains("nesting") {
+        return too_deep(span);
+    }
+    let help = if message.contains("mapping values are not allowed") {
+        "put a blank after `:` only between key and value, indent keys of one map alike, and quote text that contains `: `"
+    } else if message.contains("unclosed bracket") {
+        "close the bracket"
+    } else if message.contains("unclosed quote") {
+        "close the quote"
+    } else {
+        "quote text that contains one of `: # { } [ ] , & * ! | > % @`"
+    };
+    Diagnostic::error("E0004", span, format!("not valid YAML: {message}")).with_help(help)
+}
+
+fn span(error: &Error, text: &str, file: FileId) -> Span {
+    let span = error.location().map(|location| location.span());
+    // The scanner counts characters; only later stages know bytes.
+    let start = span.map_or(0, |span| match span.byte_offset() {
+        Some(byte) => usize::try_from(byte).unwrap_or(text.len()),
+        None => text
+            .char_indices()
+            .nth(usize::try_from(span.offset()).unwrap_or(usize::MAX))
+            .map_or(text.len(), |(byte, _)| byte),
+    });
+    let start = start.min(text.len());
+    let end = text[start..]
+        .chars()
+        .next()
+        .map_or(start, |c| start + c.len_utf8());
+    Span {
+        file,
+        start: start as u32,
+        end: end as u32,
+    }
+}
