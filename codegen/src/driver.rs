@@ -5,9 +5,13 @@ use std::fmt;
 
 use nsv_spec::model::Model;
 
-use crate::derive::Partials;
 use crate::derive::error::DeriveError;
+use crate::derive::{Partials, derive};
+use crate::emit::{self, Artifact};
 use crate::ir::Program;
+use crate::lower::Programs;
+use crate::opt::optimise;
+use crate::seal::seal;
 
 /// What a model compiles to.
 #[derive(Clone, Debug)]
@@ -23,24 +27,48 @@ pub struct Compiled {
 pub enum CompileError {
     /// The law could not be derived.
     Derive(DeriveError),
-    /// The phases are not linked into this build.
-    NoPhases,
 }
 
 impl fmt::Display for CompileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             CompileError::Derive(error) => error.fmt(f),
-            CompileError::NoPhases => {
-                f.write_str("the phases behind the check are not linked into this build of nsv")
-            }
         }
     }
 }
 
 impl std::error::Error for CompileError {}
 
-/// Derives, optimises and emits.
-pub fn compile(_model: &Model, _partials: &mut dyn Partials) -> Result<Compiled, CompileError> {
-    Err(CompileError::NoPhases)
+impl From<DeriveError> for CompileError {
+    fn from(error: DeriveError) -> Self {
+        CompileError::Derive(error)
+    }
+}
+
+/// Derives the law, lowers it to programs, optimises them and emits their text.
+pub fn compile(model: &Model, partials: &mut dyn Partials) -> Result<Compiled, CompileError> {
+    let law = derive(model, partials)?;
+    let programs = Programs::new(&law);
+    let artifact = Artifact {
+        model,
+        version: env!("CARGO_PKG_VERSION"),
+        initial: optimise(programs.initial),
+        control: optimise(programs.control),
+        plant: optimise(programs.plant),
+        lyapunov: optimise(programs.lyapunov),
+    };
+    let texts = emit::module(&artifact).into_iter();
+    Ok(Compiled {
+        files: texts.map(|(path, text)| (path, seal(&text))).collect(),
+        eval: optimise(programs.quantities),
+    })
+}
+
+/// The text of the library that declares the given modules, name and title of each, under its [seal](crate::seal).
+pub fn library(modules: &BTreeMap<String, String>) -> String {
+    let modules: Vec<(&str, &str)> = modules
+        .iter()
+        .map(|(name, title)| (name.as_str(), title.as_str()))
+        .collect();
+    seal(&emit::library(&modules))
 }

@@ -76,8 +76,6 @@ fn exports(spec: &Path) -> PathBuf {
 fn exit(error: &CompileError) -> Exit {
     match error {
         CompileError::Derive(DeriveError::NetworkOrder) => Exit::Spec,
-        CompileError::Derive(DeriveError::Partials(_)) | CompileError::NoPhases => {
-            Exit::Environment
-        }
+        CompileError::Derive(DeriveError::Partials(_)) => Exit::Environment,
     }
 }
