@@ -39,8 +39,8 @@ fn codes(faults: &Diagnostics) -> Vec<&str> {
 
 fn gallery() -> Vec<PathBuf> {
     let mut files: Vec<PathBuf> = fs::read_dir("tests/bad")
-        .unwrap()
-        .map(|entry| entry.unwrap().path())
+        .expect("the gallery")
+        .map(|entry| entry.expect("a directory entry").path())
         .collect();
     files.retain(|path| path.is_file());
     files.sort();
@@ -118,6 +118,38 @@ fn what_is_not_utf8_is_refused() {
     refuse("utf16.yaml", b"\xff\xfen\0s\0v\0", &["E0002"]);
     refuse("latin1.yaml", b"nsv: 1\ntitle: caf\xe9\n", &["E0002"]);
     refuse("nul.yaml", b"nsv: 1\ntitle: \0\n", &["E0004"]);
+}
+
+/// Far more than anyone writes, and thousands of slips.
+#[test]
+fn ten_thousand_definitions_are_read_in_a_moment() {
+    let spec = |definitions: String| {
+        let text = fs::read_to_string("tests/bad/wrong_unit.yaml").unwrap();
+        text.replace(
+            "name: bad\n",
+            &format!("name: bad\ndefinitions:\n{definitions}"),
+        )
+    };
+    let chain: String = (1..10_000)
+        .map(|i| format!("  a{i}: a{} + x\n", i - 1))
+        .collect();
+    let texts = [
+        spec(format!("  a0: x\n{chain}")),
+        spec((0..2_000).map(|i| format!("  a{i}: b{i} + x\n")).collect()),
+        spec((0..2_000).map(|i| format!("  a{i}: x +\n")).collect()),
+        spec((0..2_000).map(|_| "  a: x\n").collect()),
+        spec(format!("  a0: a9999\n{chain}")),
+    ];
+    for text in texts {
+        let start = Instant::now();
+        let faults = load_bytes("large.yaml", text.as_bytes()).unwrap_err();
+        assert!(
+            start.elapsed() < MOMENT,
+            "{:?} for {}",
+            start.elapsed(),
+            faults.items[0].message
+        );
+    }
 }
 
 #[test]

@@ -9,7 +9,7 @@ use nsv_spec::{load, load_str};
 fn pendulum() -> Model {
     let (model, warnings) = load(Path::new("tests/good/pendulum.yaml"))
         .map_err(|faults| faults.short())
-        .unwrap();
+        .expect("a good specification");
     assert_eq!(warnings, []);
     model
 }

@@ -20,7 +20,7 @@ fn specifications() -> Vec<PathBuf> {
         };
         files.extend(
             entries
-                .map(|entry| entry.unwrap().path())
+                .map(|entry| entry.expect("a directory entry").path())
                 .filter(|path| path.extension().is_some_and(|end| end == "yaml")),
         );
     }

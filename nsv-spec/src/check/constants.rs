@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::Context;
 use super::cycles::order;
-use super::formula::{Numbers, Parsed};
+use super::formula::Parsed;
+use super::numbers::Numbers;
 use super::scope::Dependence;
 use crate::diagnostic::Base;
 use crate::diagnostic::Diagnostic;

@@ -1,8 +1,8 @@
 //! Guarantees that every gain has its shape, its unit and its sign.
 
 use super::Context;
-use super::formula::Numbers;
 use super::linear;
+use super::numbers::Numbers;
 use crate::diagnostic::Span;
 use crate::expr::arena::Shape;
 use crate::model::{ErrorBound, Matrix, NoiseBound, PhiFloor};

@@ -16,6 +16,7 @@ mod linear;
 mod names;
 mod network;
 mod noise;
+mod numbers;
 mod observer;
 mod parameters;
 mod plant;

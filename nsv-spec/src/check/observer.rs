@@ -1,8 +1,8 @@
 //! Guarantees that a disturbance observer fits its block and converges.
 
 use super::Context;
-use super::formula::Numbers;
 use super::linear::{minus_product, rightmost_eigenvalue};
+use super::numbers::Numbers;
 use crate::expr::arena::Shape;
 use crate::model::{Disturbance, Exosystem, Matrix};
 use crate::spec::Formula;

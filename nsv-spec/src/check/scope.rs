@@ -1,13 +1,16 @@
 //! What names mean in the expressions of a specification, and what a name depends on.
 
+use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::expr::arena::PolynomialId;
 use crate::expr::{Scope, Symbol};
 use crate::model::Polynomial;
 
-/// Most names among which to look for the one that was meant.
-const MOST_SUGGESTIONS: usize = 1000;
+/// Most names among which to look for the one that was meant, and how often to look at all: suggestions for every slip in a
+/// specification with thousands of names and slips would take minutes.
+const MOST_NAMES: usize = 2000;
+const MOST_SUGGESTIONS: usize = 20;
 
 /// What the value of a name varies with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -41,6 +44,8 @@ pub(super) enum Place {
 pub(super) struct Names {
     symbols: BTreeMap<String, (Symbol, Dependence)>,
     refused: BTreeSet<String>,
+    /// How many suggestions have been asked for.
+    asked: Cell<usize>,
     /// Polynomial data, derivatives that expressions ask for at the end.
     pub(super) polynomials: Vec<Polynomial>,
 }
@@ -106,8 +111,9 @@ impl Scope for View<'_> {
     }
 
     fn names(&self) -> Vec<String> {
-        // Suggestions for every slip in a specification with thousands of names would take minutes.
-        if self.names.symbols.len() > MOST_SUGGESTIONS {
+        let asked = self.names.asked.get() + 1;
+        self.names.asked.set(asked);
+        if asked > MOST_SUGGESTIONS || self.names.symbols.len() > MOST_NAMES {
             return Vec::new();
         }
         let visible = self

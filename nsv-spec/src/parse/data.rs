@@ -2,14 +2,12 @@
 
 use super::fields::{Fields, Reader, name};
 use crate::diagnostic::Span;
-use crate::spec::{Code, Constant, Dispersion, Named, Parameter, PolynomialGroup};
+use crate::spec::{Code, Constant, Dispersion, Named, Parameter, PolynomialGroup, Terms};
 use crate::vocabulary::{CONSTANT, PARAMETER, POLYNOMIAL};
 use crate::yaml::{Kind, Node};
 
 /// Largest exponent in polynomial data.
 const MAX_EXPONENT: u32 = 32;
-
-type Terms = Vec<(f64, Vec<u32>)>;
 
 impl Reader {
     pub(super) fn constant(&mut self, node: &Node) -> Constant {

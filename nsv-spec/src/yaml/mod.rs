@@ -4,8 +4,10 @@
 
 mod fault;
 mod read;
+mod text;
 
-pub use read::{MAX_BYTES, read, text};
+pub use read::read;
+pub use text::{MAX_BYTES, text};
 
 use crate::diagnostic::Span;
 

@@ -1,7 +1,6 @@
-//! Reads YAML with `serde-saphyr`: bytes to text, text to a tree, within limits that no honest file comes near.
+//! Reads YAML with `serde-saphyr`: text to a tree, within limits that no honest file comes near.
 
 use std::fmt;
-use std::sync::Arc;
 
 use serde::Deserialize;
 use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
@@ -12,58 +11,12 @@ use super::fault;
 use super::{Entry, Key, Kind, Node, Scalar};
 use crate::diagnostic::{Diagnostic, FileId, Span};
 
-/// Largest file that is read, bytes. The flagship plant with all its aerodynamic data is 30 kB.
-pub const MAX_BYTES: usize = 1 << 20;
 /// Deepest nesting; a specification needs eight levels.
 pub(super) const MAX_DEPTH: usize = 32;
 /// Most maps, lists and scalars in one file, aliases expanded.
 pub(super) const MAX_NODES: usize = 100_000;
 /// Most aliases in one file.
 const MAX_ALIASES: usize = 1_000;
-
-/// The bytes of a file as text, or why they are none.
-pub fn text(bytes: &[u8], file: FileId) -> Result<Arc<str>, Diagnostic> {
-    let start = Span {
-        file,
-        start: 0,
-        end: 0,
-    };
-    if bytes.len() > MAX_BYTES {
-        let message = format!(
-            "file has {} bytes, expected at most {MAX_BYTES}",
-            bytes.len()
-        );
-        return Err(Diagnostic::error("E0001", start, message)
-            .with_help("move data that is not part of the model out of the specification"));
-    }
-    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-        return Err(
-            Diagnostic::error("E0002", start, "file is UTF-16, expected UTF-8")
-                .with_help("save the file as UTF-8"),
-        );
-    }
-    if bytes.starts_with(&[0xef, 0xbb, 0xbf]) {
-        return Err(Diagnostic::error(
-            "E0003",
-            start,
-            "file starts with a byte order mark, expected plain UTF-8",
-        )
-        .with_help("save the file as UTF-8 without byte order mark"));
-    }
-    match std::str::from_utf8(bytes) {
-        Ok(text) => Ok(text.into()),
-        Err(error) => {
-            let at = error.valid_up_to();
-            let message = format!("byte {at} (0x{:02x}) is not UTF-8", bytes[at]);
-            let at = Span {
-                file,
-                start: at as u32,
-                end: at as u32,
-            };
-            Err(Diagnostic::error("E0002", at, message).with_help("save the file as UTF-8"))
-        }
-    }
-}
 
 /// The tree of a YAML text.
 pub fn read(text: &str, file: FileId) -> Result<Node, Diagnostic> {
@@ -94,7 +47,7 @@ fn options() -> Options {
             max_anchors: MAX_ALIASES,
             max_documents: 1,
             max_recorded_anchor_events: MAX_NODES,
-            max_recorded_anchor_bytes: 4 * MAX_BYTES,
+            max_recorded_anchor_bytes: 4 * super::MAX_BYTES,
         },
         alias_limits: serde_saphyr::alias_limits! {
             max_total_replayed_events: MAX_NODES,
