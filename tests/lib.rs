@@ -1,1 +1,0 @@
-//! Cross-crate tests of nsv live in `tests/`; this library is empty.
