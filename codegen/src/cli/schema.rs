@@ -9,5 +9,5 @@ pub(crate) struct Args {}
 
 /// Runs the verb.
 pub(crate) fn run(_args: &Args) -> Result<(), Failure> {
-    output::json(&nsv_spec::schema::json_schema())
+    output::json(&nsv_spec::json_schema())
 }

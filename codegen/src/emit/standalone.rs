@@ -5,7 +5,7 @@ use quote::quote;
 
 use crate::emit::comment::{Comments, code, docs};
 use crate::emit::function::{Function, Record, Results};
-use crate::emit::module::FUNCTION_IMPORTS;
+use crate::emit::module::{ALLOW, FUNCTION_IMPORTS};
 use crate::emit::names::{Fields, ident, type_name};
 use crate::emit::polynomial::Library;
 use crate::emit::record::{self, Field};

@@ -1,10 +1,11 @@
 //! How generated files on disk differ from what their specifications give.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use nsv_codegen::seal::{Seal, inspect};
 
+use super::target::{Target, read};
 use crate::cli::failure::Failure;
 
 /// How a file on disk differs from what its specification gives.
@@ -41,67 +42,56 @@ impl Difference {
 }
 
 /// Every file that is not as it should be.
-pub(super) fn compare(
-    wanted: &BTreeMap<PathBuf, String>,
-    folders: &BTreeSet<PathBuf>,
-) -> Result<BTreeMap<PathBuf, Difference>, Failure> {
+pub(super) fn compare(target: &Target) -> Result<BTreeMap<PathBuf, Difference>, Failure> {
     let mut differences = BTreeMap::new();
-    for (path, text) in wanted {
-        if !path.exists() {
-            differences.insert(path.clone(), Difference::Missing);
-            continue;
-        }
-        let found = read(path)?;
-        let difference = match inspect(&found) {
-            _ if found == *text => continue,
-            Seal::Intact => Difference::Stale,
-            Seal::Broken => Difference::Edited,
-            // lib.rs is written by hand except for the line we add.
-            Seal::Missing
-                if path
-                    .parent()
-                    .is_some_and(|parent| !folders.contains(parent))
-                    && path.ends_with("lib.rs") =>
-            {
-                Difference::Stale
-            }
-            Seal::Missing => Difference::Foreign,
+    for (path, text) in &target.files {
+        let found = if path.exists() {
+            Some(read(path)?)
+        } else {
+            None
+        };
+        let difference = match found {
+            None => Difference::Missing,
+            Some(found) if found == *text => continue,
+            Some(found) => match inspect(&found) {
+                Seal::Intact => Difference::Stale,
+                Seal::Broken => Difference::Edited,
+                Seal::Missing if target.blank.contains(path) => Difference::Stale,
+                Seal::Missing => Difference::Foreign,
+            },
         };
         differences.insert(path.clone(), difference);
     }
-    for folder in folders {
-        for path in sources_in(folder)? {
-            if !wanted.contains_key(&path) {
-                let difference = if inspect(&read(&path)?) == Seal::Intact {
-                    Difference::LeftOver
-                } else {
-                    Difference::Foreign
-                };
-                differences.insert(path, difference);
-            }
+    for folder in &target.folders {
+        for path in sources(folder)?
+            .into_iter()
+            .filter(|path| !target.files.contains_key(path))
+        {
+            let difference = match inspect(&read(&path)?) {
+                Seal::Intact => Difference::LeftOver,
+                Seal::Broken => Difference::Edited,
+                Seal::Missing => Difference::Foreign,
+            };
+            differences.insert(path, difference);
         }
     }
     Ok(differences)
 }
 
-fn sources_in(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+/// Every Rust file below a folder that may not be there.
+fn sources(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
     if !folder.is_dir() {
         return Ok(Vec::new());
     }
-    let failed = |error: &std::io::Error| Failure::io("read", folder, error);
+    let failed = |error: std::io::Error| Failure::io("read", folder, &error);
     let mut files = Vec::new();
-    for entry in std::fs::read_dir(folder).map_err(|error| failed(&error))? {
-        let path = entry.map_err(|error| failed(&error))?.path();
+    for entry in std::fs::read_dir(folder).map_err(failed)? {
+        let path = entry.map_err(failed)?.path();
         if path.is_dir() {
-            files.extend(sources_in(&path)?);
+            files.extend(sources(&path)?);
         } else if path.extension().is_some_and(|extension| extension == "rs") {
             files.push(path);
         }
     }
     Ok(files)
-}
-
-/// The text of a file.
-pub(super) fn read(path: &Path) -> Result<String, Failure> {
-    std::fs::read_to_string(path).map_err(|error| Failure::io("read", path, &error))
 }

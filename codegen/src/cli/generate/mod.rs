@@ -1,17 +1,18 @@
 //! `nsv generate`: writes the code of specifications, or checks that what is written is theirs.
 
 mod difference;
-mod modules;
+mod library;
+mod target;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::compile::{Partials, compile, load};
 use super::failure::{Exit, Failure};
 use super::files::replace;
 use super::output::note;
-use difference::{Difference, compare, read};
-use modules::with_module;
+use difference::{Difference, compare};
+use target::Target;
 
 /// Write the code of specifications, one module each
 #[derive(clap::Args)]
@@ -29,78 +30,49 @@ pub(crate) struct Args {
 
 /// Runs the verb.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let mut wanted: BTreeMap<PathBuf, String> = BTreeMap::new();
-    let mut folders: BTreeSet<PathBuf> = BTreeSet::new();
+    let partials = if args.check {
+        Partials::Stored
+    } else {
+        Partials::Committed
+    };
+    let mut target = Target::default();
     for spec in &args.specs {
         let model = load(spec)?;
         let out = match &args.out {
             Some(out) => out.clone(),
             None => workspace_output(spec)?,
         };
-        let folder = out.join(&model.name);
-        if !folders.insert(folder.clone()) {
-            return Err(Failure::new(
-                Exit::Usage,
-                format_args!("two specifications are named `{}`", model.name),
-            ));
-        }
-        let compiled = compile(
-            spec,
-            &model,
-            if args.check {
-                Partials::Stored
-            } else {
-                Partials::Committed
-            },
+        target.add(
+            &out,
+            &model.name,
+            &model.title,
+            compile(spec, &model, partials)?.files,
         )?;
-        wanted.extend(
-            compiled
-                .files
-                .into_iter()
-                .map(|(path, text)| (folder.join(path), text)),
-        );
-        if let Some((path, text)) = registration(&out, &model.name, &wanted)? {
-            wanted.insert(path, text);
-        }
     }
-    let differences = compare(&wanted, &folders)?;
+    let differences = compare(&target)?;
     match args.check {
         true => verdict(&differences),
-        false => write(&wanted, &folders, &differences),
+        false => write(&target, &differences),
     }
 }
 
 /// `generated/src` of the nearest ancestor that has one.
 fn workspace_output(spec: &Path) -> Result<PathBuf, Failure> {
     let absolute = std::path::absolute(spec).map_err(|error| Failure::io("find", spec, &error))?;
-    let found = absolute
+    let candidates = absolute
         .ancestors()
         .skip(1)
-        .map(|folder| folder.join("generated/src"))
-        .find(|out| out.join("lib.rs").is_file());
-    found.ok_or_else(|| {
-        let message = format_args!(
-            "no `generated/src/lib.rs` beside `{}` or above it",
-            spec.display()
-        )
-        .to_string();
-        Failure::new(Exit::Usage, message).with_help("name a folder with --out DIR")
-    })
-}
-
-/// `lib.rs` of the output with the module declared, if there is such a file and it does not declare it yet.
-fn registration(
-    out: &Path,
-    name: &str,
-    wanted: &BTreeMap<PathBuf, String>,
-) -> Result<Option<(PathBuf, String)>, Failure> {
-    let path = out.join("lib.rs");
-    let text = match wanted.get(&path) {
-        Some(text) => text.clone(),
-        None if path.is_file() => read(&path)?,
-        None => return Ok(None),
-    };
-    Ok(with_module(&text, name).map(|text| (path, text)))
+        .map(|folder| folder.join("generated/src"));
+    candidates
+        .into_iter()
+        .find(|out| out.join("lib.rs").is_file())
+        .ok_or_else(|| {
+            let message = format!(
+                "no `generated/src/lib.rs` beside `{}` or above it",
+                spec.display()
+            );
+            Failure::new(Exit::Usage, message).with_help("name a folder with --out DIR")
+        })
 }
 
 fn verdict(differences: &BTreeMap<PathBuf, Difference>) -> Result<(), Failure> {
@@ -108,6 +80,59 @@ fn verdict(differences: &BTreeMap<PathBuf, Difference>) -> Result<(), Failure> {
         note("generated code is up to date");
         return Ok(());
     }
+    let help = match differences.values().any(|difference| difference.precious()) {
+        true => "what was written by hand is lost when you remove it and run `nsv generate`",
+        false => "run `nsv generate`",
+    };
+    Err(refuse(differences.iter(), help))
+}
+
+fn write(target: &Target, differences: &BTreeMap<PathBuf, Difference>) -> Result<(), Failure> {
+    let mut precious = differences
+        .iter()
+        .filter(|(_, difference)| difference.precious())
+        .peekable();
+    if precious.peek().is_some() {
+        return Err(refuse(
+            precious,
+            "nothing was written; move or remove these files, then run `nsv generate` again",
+        ));
+    }
+    let left_over = differences
+        .iter()
+        .filter(|(_, difference)| **difference == Difference::LeftOver);
+    let removed: Vec<PathBuf> = left_over.map(|(path, _)| path.clone()).collect();
+    let changed = target
+        .files
+        .iter()
+        .filter(|(path, _)| differences.contains_key(*path));
+    let changed: Vec<(PathBuf, &str)> = changed
+        .map(|(path, text)| (path.clone(), text.as_str()))
+        .collect();
+    replace(&changed, &removed)?;
+    for folder in &target.folders {
+        let all = target
+            .files
+            .keys()
+            .filter(|path| path.starts_with(folder))
+            .count();
+        let written = changed
+            .iter()
+            .filter(|(path, _)| path.starts_with(folder))
+            .count();
+        note(format_args!(
+            "{}: {all} files, {written} of them written now",
+            folder.display()
+        ));
+    }
+    Ok(())
+}
+
+/// Names the files and what is wrong with them.
+fn refuse<'d>(
+    differences: impl Iterator<Item = (&'d PathBuf, &'d Difference)>,
+    help: &str,
+) -> Failure {
     for (path, difference) in differences {
         note(format_args!(
             "error: `{}` {}",
@@ -115,61 +140,8 @@ fn verdict(differences: &BTreeMap<PathBuf, Difference>) -> Result<(), Failure> {
             difference.words()
         ));
     }
-    let help = match differences.values().any(|difference| difference.precious()) {
-        true => "what was written by hand is lost when you remove it and run `nsv generate`",
-        false => "run `nsv generate`",
-    };
     note(format_args!("  = help: {help}"));
-    Err(Failure::Reported(Exit::Check))
-}
-
-fn write(
-    wanted: &BTreeMap<PathBuf, String>,
-    folders: &BTreeSet<PathBuf>,
-    differences: &BTreeMap<PathBuf, Difference>,
-) -> Result<(), Failure> {
-    let precious: Vec<_> = differences
-        .iter()
-        .filter(|(_, difference)| difference.precious())
-        .collect();
-    if !precious.is_empty() {
-        for (path, difference) in precious {
-            note(format_args!(
-                "error: `{}` {}",
-                path.display(),
-                difference.words()
-            ));
-        }
-        note(
-            "  = help: nothing was written; move or remove these files, then run `nsv generate` again",
-        );
-        return Err(Failure::Reported(Exit::Check));
-    }
-    let removed: Vec<PathBuf> = differences
-        .iter()
-        .filter(|(_, d)| **d == Difference::LeftOver)
-        .map(|(path, _)| path.clone())
-        .collect();
-    let changed = wanted
-        .iter()
-        .filter(|(path, _)| differences.contains_key(*path));
-    let changed: Vec<(PathBuf, &str)> = changed
-        .map(|(path, text)| (path.clone(), text.as_str()))
-        .collect();
-    replace(&changed, &removed)?;
-    for folder in folders {
-        let (all, new) = (
-            wanted.keys().filter(|path| path.starts_with(folder)),
-            changed.iter().filter(|(path, _)| path.starts_with(folder)),
-        );
-        note(format_args!(
-            "{}: {} files, {} of them written now",
-            folder.display(),
-            all.count(),
-            new.count()
-        ));
-    }
-    Ok(())
+    Failure::Reported(Exit::Check)
 }
 
 #[cfg(test)]
@@ -189,89 +161,135 @@ mod tests {
             }
         }
 
-        fn folder(&self) -> PathBuf {
-            self.root.path().join("loop")
+        fn at(&self, path: &str) -> PathBuf {
+            self.root.path().join(path)
         }
 
-        fn wanted(&self, body: &str) -> BTreeMap<PathBuf, String> {
-            [
-                ("mod.rs", seal("pub mod plant;\n")),
-                ("plant.rs", seal(body)),
-            ]
-            .map(|(name, text)| (self.folder().join(name), text))
-            .into()
+        /// A module `arm` of two files.
+        fn target(&self, body: &str) -> Target {
+            let files = [("mod.rs", "pub mod plant;\n"), ("plant.rs", body)];
+            let mut target = Target::default();
+            let files = files
+                .map(|(name, text)| (name.to_owned(), seal(text)))
+                .into();
+            target
+                .add(self.root.path(), "arm", "An arm", files)
+                .unwrap();
+            target
         }
 
-        fn differences(&self, wanted: &BTreeMap<PathBuf, String>) -> Vec<(String, Difference)> {
-            let found = compare(wanted, &[self.folder()].into()).unwrap();
+        fn differences(&self, target: &Target) -> Vec<(String, Difference)> {
+            let found = compare(target).unwrap().into_iter();
             found
-                .into_iter()
                 .map(|(path, d)| (path.file_name().unwrap().to_string_lossy().into_owned(), d))
                 .collect()
         }
 
-        fn write(&self, wanted: &BTreeMap<PathBuf, String>) -> Result<(), Failure> {
-            let folders = [self.folder()].into();
-            super::write(wanted, &folders, &compare(wanted, &folders).unwrap())
+        fn write(&self, target: &Target) -> Result<(), Failure> {
+            super::write(target, &compare(target).unwrap())
+        }
+
+        fn check(&self, target: &Target, expected: &[(&str, Difference)]) {
+            let expected: Vec<_> = expected
+                .iter()
+                .map(|(name, difference)| ((*name).to_owned(), *difference))
+                .collect();
+            assert_eq!(self.differences(target), expected);
         }
     }
 
     #[test]
     fn what_was_written_is_up_to_date() {
         let output = Output::new();
-        let wanted = output.wanted("// 1\n");
-        assert_eq!(output.differences(&wanted).len(), 2);
-        output.write(&wanted).unwrap();
-        assert_eq!(output.differences(&wanted), []);
+        let target = output.target("// 1\n");
+        output.check(
+            &target,
+            &[
+                ("mod.rs", Difference::Missing),
+                ("plant.rs", Difference::Missing),
+            ],
+        );
+        output.write(&target).unwrap();
+        output.check(&target, &[]);
         assert!(verdict(&BTreeMap::new()).is_ok());
     }
 
     #[test]
     fn a_change_of_the_specification_makes_the_file_stale() {
         let output = Output::new();
-        output.write(&output.wanted("// 1\n")).unwrap();
-        let newer = output.wanted("// 2\n");
-        assert_eq!(
-            output.differences(&newer),
-            [("plant.rs".to_owned(), Difference::Stale)]
-        );
+        output.write(&output.target("// 1\n")).unwrap();
+        let newer = output.target("// 2\n");
+        output.check(&newer, &[("plant.rs", Difference::Stale)]);
         output.write(&newer).unwrap();
-        assert_eq!(output.differences(&newer), []);
+        output.check(&newer, &[]);
     }
 
     #[test]
     fn work_by_hand_is_never_overwritten() {
         let output = Output::new();
-        output.write(&output.wanted("// 1\n")).unwrap();
-        let path = output.folder().join("plant.rs");
-        let edited = std::fs::read_to_string(&path).unwrap() + "// mine\n";
-        std::fs::write(&path, &edited).unwrap();
-        std::fs::write(output.folder().join("extra.rs"), "// mine too\n").unwrap();
-        let newer = output.wanted("// 2\n");
-        let expected = [
-            ("extra.rs".to_owned(), Difference::Foreign),
-            ("plant.rs".to_owned(), Difference::Edited),
-        ];
-        assert_eq!(output.differences(&newer), expected);
+        output.write(&output.target("// 1\n")).unwrap();
+        let edited = std::fs::read_to_string(output.at("arm/plant.rs")).unwrap() + "// mine\n";
+        std::fs::write(output.at("arm/plant.rs"), &edited).unwrap();
+        std::fs::write(output.at("arm/extra.rs"), "// mine too\n").unwrap();
+        let newer = output.target("// 2\n");
+        output.check(
+            &newer,
+            &[
+                ("extra.rs", Difference::Foreign),
+                ("plant.rs", Difference::Edited),
+            ],
+        );
         assert!(matches!(
             output.write(&newer),
             Err(Failure::Reported(Exit::Check))
         ));
-        assert_eq!(std::fs::read_to_string(&path).unwrap(), edited);
+        assert_eq!(
+            std::fs::read_to_string(output.at("arm/plant.rs")).unwrap(),
+            edited
+        );
     }
 
     #[test]
     fn files_that_are_no_longer_made_go() {
         let output = Output::new();
-        let mut older = output.wanted("// 1\n");
-        older.insert(output.folder().join("lyapunov.rs"), seal("// V\n"));
+        let mut older = output.target("// 1\n");
+        older
+            .files
+            .insert(output.at("arm/lyapunov.rs"), seal("// V\n"));
         output.write(&older).unwrap();
-        let wanted = output.wanted("// 1\n");
-        assert_eq!(
-            output.differences(&wanted),
-            [("lyapunov.rs".to_owned(), Difference::LeftOver)]
+        let target = output.target("// 1\n");
+        output.check(&target, &[("lyapunov.rs", Difference::LeftOver)]);
+        output.write(&target).unwrap();
+        assert!(!output.at("arm/lyapunov.rs").exists());
+    }
+
+    #[test]
+    fn the_library_declares_its_modules() {
+        let output = Output::new();
+        std::fs::write(output.at("lib.rs"), "//! Nothing yet.\n#![no_std]\n").unwrap();
+        let target = output.target("// 1\n");
+        let missing = [
+            ("lib.rs", Difference::Stale),
+            ("mod.rs", Difference::Missing),
+            ("plant.rs", Difference::Missing),
+        ];
+        output.check(&target, &missing);
+        output.write(&target).unwrap();
+        output.check(&output.target("// 1\n"), &[]);
+        assert!(
+            std::fs::read_to_string(output.at("lib.rs"))
+                .unwrap()
+                .contains("pub mod arm;")
         );
-        output.write(&wanted).unwrap();
-        assert!(!output.folder().join("lyapunov.rs").exists());
+    }
+
+    #[test]
+    fn a_library_of_somebody_else_is_left_alone() {
+        let output = Output::new();
+        for text in ["pub mod mine;\n", "pub fn f() {}\n"] {
+            std::fs::write(output.at("lib.rs"), text).unwrap();
+            output.write(&output.target("// 1\n")).unwrap();
+            assert_eq!(std::fs::read_to_string(output.at("lib.rs")).unwrap(), text);
+        }
     }
 }
