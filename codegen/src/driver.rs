@@ -1,13 +1,12 @@
 //! Every phase between a checked model and the text of its code.
 
 use std::collections::BTreeMap;
-use std::fmt;
 
 use nsv_spec::model::Model;
 
 use crate::derive::error::DeriveError;
 use crate::derive::{Partials, derive};
-use crate::emit::{self, Artifact};
+use crate::emit::{Artifact, module};
 use crate::ir::Program;
 use crate::lower::Programs;
 use crate::opt::optimise;
@@ -22,31 +21,8 @@ pub struct Compiled {
     pub eval: Program,
 }
 
-/// Why a checked model has no code.
-#[derive(Debug)]
-pub enum CompileError {
-    /// The law could not be derived.
-    Derive(DeriveError),
-}
-
-impl fmt::Display for CompileError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            CompileError::Derive(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for CompileError {}
-
-impl From<DeriveError> for CompileError {
-    fn from(error: DeriveError) -> Self {
-        CompileError::Derive(error)
-    }
-}
-
-/// Derives the law, lowers it to programs, optimises them and emits their text.
-pub fn compile(model: &Model, partials: &mut dyn Partials) -> Result<Compiled, CompileError> {
+/// Derives, lowers, optimises and emits: every phase behind the check.
+pub fn compile(model: &Model, partials: &mut dyn Partials) -> Result<Compiled, DeriveError> {
     let law = derive(model, partials)?;
     let programs = Programs::new(&law);
     let artifact = Artifact {
@@ -57,18 +33,12 @@ pub fn compile(model: &Model, partials: &mut dyn Partials) -> Result<Compiled, C
         plant: optimise(programs.plant),
         lyapunov: optimise(programs.lyapunov),
     };
-    let texts = emit::module(&artifact).into_iter();
-    Ok(Compiled {
-        files: texts.map(|(path, text)| (path, seal(&text))).collect(),
-        eval: optimise(programs.quantities),
-    })
+    let files = module(&artifact).into_iter().map(|(file, text)| (file, seal(&text))).collect();
+    Ok(Compiled { files, eval: optimise(programs.quantities) })
 }
 
 /// The text of the library that declares the given modules, name and title of each, under its [seal](crate::seal).
 pub fn library(modules: &BTreeMap<String, String>) -> String {
-    let modules: Vec<(&str, &str)> = modules
-        .iter()
-        .map(|(name, title)| (name.as_str(), title.as_str()))
-        .collect();
-    seal(&emit::library(&modules))
+    let modules: Vec<(&str, &str)> = modules.iter().map(|(name, title)| (name.as_str(), title.as_str())).collect();
+    seal(&crate::emit::library(&modules))
 }

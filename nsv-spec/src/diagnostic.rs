@@ -127,7 +127,10 @@ impl Diagnostic {
 
     /// A warning at a place.
     pub fn warning(code: &'static str, span: Span, message: impl Into<String>) -> Self {
-        Self { severity: Severity::Warning, ..Self::error(code, span, message) }
+        Self {
+            severity: Severity::Warning,
+            ..Self::error(code, span, message)
+        }
     }
 
     /// The same with a remedy.
@@ -159,7 +162,10 @@ impl SourceMap {
     /// Adds a file.
     pub fn add(&mut self, name: impl Into<String>, text: Arc<str>) -> FileId {
         let id = FileId(u32::try_from(self.files.len()).expect("invariant: fewer than 2^32 files"));
-        self.files.push(Source { name: name.into(), text });
+        self.files.push(Source {
+            name: name.into(),
+            text,
+        });
         id
     }
 
@@ -172,9 +178,16 @@ impl SourceMap {
     pub fn location(&self, span: Span) -> (usize, usize) {
         let before = &self.source(span.file).text.as_bytes()[..span.start as usize];
         let line = before.iter().filter(|&&byte| byte == b'\n').count() + 1;
-        let line_start = before.iter().rposition(|&byte| byte == b'\n').map_or(0, |newline| newline + 1);
+        let line_start = before
+            .iter()
+            .rposition(|&byte| byte == b'\n')
+            .map_or(0, |newline| newline + 1);
         // Continuation bytes of UTF-8 start no character.
-        let column = before[line_start..].iter().filter(|&&byte| byte & 0xc0 != 0x80).count() + 1;
+        let column = before[line_start..]
+            .iter()
+            .filter(|&&byte| byte & 0xc0 != 0x80)
+            .count()
+            + 1;
         (line, column)
     }
 }
@@ -191,7 +204,9 @@ impl fmt::Display for Severity {
 impl Diagnostics {
     /// Whether any of them rejects the specification.
     pub fn has_errors(&self) -> bool {
-        self.items.iter().any(|item| item.severity == Severity::Error)
+        self.items
+            .iter()
+            .any(|item| item.severity == Severity::Error)
     }
 
     /// Every fault as `file:line:col: error[E0102]: message`, related places and help indented below it.
@@ -203,9 +218,16 @@ impl Diagnostics {
         let mut text = String::new();
         for item in &self.items {
             let at = item.span.map(place).unwrap_or_default();
-            text.push_str(&format!("{at}{}[{}]: {}\n", item.severity, item.code, item.message));
+            text.push_str(&format!(
+                "{at}{}[{}]: {}\n",
+                item.severity, item.code, item.message
+            ));
             for related in &item.related {
-                text.push_str(&format!("  {}note: {}\n", place(related.span), related.label));
+                text.push_str(&format!(
+                    "  {}note: {}\n",
+                    place(related.span),
+                    related.label
+                ));
             }
             if let Some(help) = &item.help {
                 text.push_str(&format!("  help: {help}\n"));

@@ -23,9 +23,20 @@ pub fn read_file(path: &Path, sources: &mut SourceMap) -> Result<Node, Vec<Diagn
     let name = path.display().to_string();
     let bytes = read_capped(path).map_err(|error| {
         let message = format!("cannot read `{name}`: {}", reason(&error));
-        vec![Diagnostic { span: None, ..Diagnostic::error("E0011", Span { file: FileId(0), start: 0, end: 0 }, message) }]
+        vec![Diagnostic {
+            span: None,
+            ..Diagnostic::error(
+                "E0011",
+                Span {
+                    file: FileId(0),
+                    start: 0,
+                    end: 0,
+                },
+                message,
+            )
+        }]
     })?;
-    let root = path.parent().map_or_else(|| PathBuf::from("."), |parent| if parent.as_os_str().is_empty() { ".".into() } else { parent.into() });
+    let root = path.parent().map_or_else(PathBuf::new, Path::to_path_buf);
     let canonical = fs::canonicalize(path).unwrap_or_else(|_| path.into());
     let tree = parse(&name, &bytes, sources)?;
     let joiner = Joiner {
@@ -39,21 +50,36 @@ pub fn read_file(path: &Path, sources: &mut SourceMap) -> Result<Node, Vec<Diagn
 }
 
 /// Reads a specification that is not in a file and therefore cannot include any.
-pub fn read_text(name: &str, text: &[u8], sources: &mut SourceMap) -> Result<Node, Vec<Diagnostic>> {
+pub fn read_text(
+    name: &str,
+    text: &[u8],
+    sources: &mut SourceMap,
+) -> Result<Node, Vec<Diagnostic>> {
     let tree = parse(name, text, sources)?;
-    Joiner { root: None, sources, open: Vec::new(), read: Vec::new(), faults: Vec::new() }.join_all(tree)
+    Joiner {
+        root: None,
+        sources,
+        open: Vec::new(),
+        read: Vec::new(),
+        faults: Vec::new(),
+    }
+    .join_all(tree)
 }
 
 /// Registers a file and parses it. A file that is not text is registered empty, so that faults can name it.
 fn parse(name: &str, bytes: &[u8], sources: &mut SourceMap) -> Result<Node, Vec<Diagnostic>> {
-    let file = FileId(u32::try_from(sources.files.len()).expect("invariant: at most MAX_FILES files"));
+    let file =
+        FileId(u32::try_from(sources.files.len()).expect("invariant: at most MAX_FILES files"));
     match yaml::text(bytes, file) {
         Ok(text) => {
             sources.add(name, text.clone());
             yaml::read(&text, file).map_err(|fault| vec![fault])
         }
         Err(fault) => {
-            sources.add(name, String::from_utf8_lossy(&bytes[..bytes.len().min(MAX_BYTES)]).into());
+            sources.add(
+                name,
+                String::from_utf8_lossy(&bytes[..bytes.len().min(MAX_BYTES)]).into(),
+            );
             Err(vec![fault])
         }
     }
@@ -68,6 +94,15 @@ fn read_capped(path: &Path) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)
+}
+
+/// The empty path, of the directory of a file named without one, by its other name.
+fn here(path: &Path) -> &Path {
+    if path.as_os_str().is_empty() {
+        Path::new(".")
+    } else {
+        path
+    }
 }
 
 fn reason(error: &std::io::Error) -> String {
@@ -92,16 +127,24 @@ struct Joiner<'a> {
 impl Joiner<'_> {
     fn join_all(mut self, mut tree: Node) -> Result<Node, Vec<Diagnostic>> {
         self.join(&mut tree, Path::new(""));
-        if self.faults.is_empty() { Ok(tree) } else { Err(self.faults) }
+        if self.faults.is_empty() {
+            Ok(tree)
+        } else {
+            Err(self.faults)
+        }
     }
 
     /// Merges everything that `tree` includes into it, and removes its `include` key. `below` is the directory of the file,
     /// relative to that of the specification.
     fn join(&mut self, tree: &mut Node, below: &Path) {
         for (name, span) in self.take_list(tree) {
-            let Some(path) = self.resolve(&name, span, below) else { continue };
+            let Some(path) = self.resolve(&name, span, below) else {
+                continue;
+            };
             let name = below.join(&name);
-            let Some(mut fragment) = self.fragment(&name.display().to_string(), &path, span) else { continue };
+            let Some(mut fragment) = self.fragment(&name.display().to_string(), &path, span) else {
+                continue;
+            };
             self.open.push(path);
             self.join(&mut fragment, name.parent().unwrap_or(below));
             self.open.pop();
@@ -111,16 +154,25 @@ impl Joiner<'_> {
 
     /// The entries of `include`, which is taken out of the tree.
     fn take_list(&mut self, tree: &mut Node) -> Vec<(String, Span)> {
-        let Kind::Map(entries) = &mut tree.kind else { return Vec::new() };
+        let Kind::Map(entries) = &mut tree.kind else {
+            return Vec::new();
+        };
         // A second `include` stays, and is reported as a duplicate key.
-        let Some(at) = entries.iter().position(|entry| entry.key.text == "include") else { return Vec::new() };
+        let Some(at) = entries.iter().position(|entry| entry.key.text == "include") else {
+            return Vec::new();
+        };
         let node = entries.remove(at).value;
         let items = match node.kind {
             Kind::Seq(items) => items,
             Kind::Scalar(_) => vec![node],
             Kind::Null => Vec::new(),
             Kind::Map(_) => {
-                self.fault("E0020", node.span, "found a map, expected a list of files", "write `include: [models/plant.yaml]`");
+                self.fault(
+                    "E0020",
+                    node.span,
+                    "found a map, expected a list of files",
+                    "write `include: [models/plant.yaml]`",
+                );
                 Vec::new()
             }
         };
@@ -128,7 +180,12 @@ impl Joiner<'_> {
         for item in items {
             match item.kind {
                 Kind::Scalar(scalar) => names.push((scalar.text, item.span)),
-                _ => self.fault("E0020", item.span, format!("found {}, expected a file name", item.describe()), "write `include: [models/plant.yaml]`"),
+                _ => self.fault(
+                    "E0020",
+                    item.span,
+                    format!("found {}, expected a file name", item.describe()),
+                    "write `include: [models/plant.yaml]`",
+                ),
             }
         }
         names
@@ -138,25 +195,48 @@ impl Joiner<'_> {
     fn resolve(&mut self, name: &str, span: Span, below: &Path) -> Option<PathBuf> {
         const STAY: &str = "included files are named relative to the file that includes them and lie below the specification's directory";
         let Some(root) = self.root.clone() else {
-            self.fault("E0020", span, "found an include in a specification that is not in a file", "save the specification to a file");
+            self.fault(
+                "E0020",
+                span,
+                "found an include in a specification that is not in a file",
+                "save the specification to a file",
+            );
             return None;
         };
         let shown = excerpt(name);
-        let plain = Path::new(name).components().all(|part| matches!(part, Component::Normal(_)));
+        let plain = Path::new(name)
+            .components()
+            .all(|part| matches!(part, Component::Normal(_)));
         if !plain || name.is_empty() || name.contains(['\\', '\0', ':']) {
-            self.fault("E0020", span, format!("path `{shown}` is not allowed: expected a relative path without `..`"), STAY);
+            self.fault(
+                "E0020",
+                span,
+                format!("path `{shown}` is not allowed: expected a relative path without `..`"),
+                STAY,
+            );
             return None;
         }
-        let resolved = fs::canonicalize(root.join(below).join(name)).and_then(|path| Ok((path, fs::canonicalize(&root)?)));
+        let resolved = fs::canonicalize(root.join(below).join(name))
+            .and_then(|path| Ok((path, fs::canonicalize(here(&root))?)));
         let (path, root) = match resolved {
             Ok(found) => found,
             Err(error) => {
-                self.fault("E0021", span, format!("cannot read `{shown}`: {}", reason(&error)), STAY);
+                self.fault(
+                    "E0021",
+                    span,
+                    format!("cannot read `{shown}`: {}", reason(&error)),
+                    STAY,
+                );
                 return None;
             }
         };
         if !path.starts_with(&root) {
-            self.fault("E0020", span, format!("path `{shown}` leads out of the specification's directory through a link"), STAY);
+            self.fault(
+                "E0020",
+                span,
+                format!("path `{shown}` leads out of the specification's directory through a link"),
+                STAY,
+            );
             return None;
         }
         Some(path)
@@ -166,11 +246,18 @@ impl Joiner<'_> {
     fn fragment(&mut self, name: &str, path: &Path, span: Span) -> Option<Node> {
         let shown = excerpt(name);
         if self.open.iter().any(|open| open == path) {
-            self.fault("E0022", span, format!("file `{shown}` includes itself"), "remove one of the includes of the circle");
+            self.fault(
+                "E0022",
+                span,
+                format!("file `{shown}` includes itself"),
+                "remove one of the includes of the circle",
+            );
             return None;
         }
         if let Some((_, first)) = self.read.iter().find(|(read, _)| read == path) {
-            let fault = Diagnostic::error("E0022", span, format!("file `{shown}` is included twice")).with_help("remove one of the includes");
+            let fault =
+                Diagnostic::error("E0022", span, format!("file `{shown}` is included twice"))
+                    .with_help("remove one of the includes");
             self.faults.push(match first {
                 Some(first) => fault.with_related(*first, "first included here"),
                 None => fault,
@@ -178,25 +265,45 @@ impl Joiner<'_> {
             return None;
         }
         if self.read.len() >= MAX_FILES {
-            self.fault("E0023", span, format!("specification has more than {MAX_FILES} files"), "join some of the included files");
+            self.fault(
+                "E0023",
+                span,
+                format!("specification has more than {MAX_FILES} files"),
+                "join some of the included files",
+            );
             return None;
         }
         if self.open.len() > MAX_DEPTH {
-            self.fault("E0023", span, format!("includes are nested deeper than {MAX_DEPTH} files"), "include the file from the specification itself");
+            self.fault(
+                "E0023",
+                span,
+                format!("includes are nested deeper than {MAX_DEPTH} files"),
+                "include the file from the specification itself",
+            );
             return None;
         }
         self.read.push((path.into(), Some(span)));
         let bytes = match read_capped(path) {
             Ok(bytes) => bytes,
             Err(error) => {
-                self.fault("E0021", span, format!("cannot read `{shown}`: {}", reason(&error)), "check the name and the permissions of the file");
+                self.fault(
+                    "E0021",
+                    span,
+                    format!("cannot read `{shown}`: {}", reason(&error)),
+                    "check the name and the permissions of the file",
+                );
                 return None;
             }
         };
-        let tree = match parse(name, &bytes, self.sources) {
+        let place = self.root.clone().unwrap_or_default().join(name);
+        let tree = match parse(&place.display().to_string(), &bytes, self.sources) {
             Ok(tree) => tree,
             Err(faults) => {
-                self.faults.extend(faults.into_iter().map(|fault| fault.with_related(span, "included here")));
+                self.faults.extend(
+                    faults
+                        .into_iter()
+                        .map(|fault| fault.with_related(span, "included here")),
+                );
                 return None;
             }
         };
@@ -210,17 +317,25 @@ impl Joiner<'_> {
             Kind::Map(entries) => {
                 let misplaced = |entry: &Entry| NOT_IN_FRAGMENTS.contains(&entry.key.text.as_str());
                 for entry in entries.iter().filter(|entry| misplaced(entry)) {
-                    let message = format!("found `{}` in an included file, expected it in the specification only", entry.key.text);
-                    let fault = Diagnostic::error("E0024", entry.key.span, message).with_related(span, "included here");
-                    self.faults.push(fault.with_help("move it to the specification"));
+                    let message = format!(
+                        "found `{}` in an included file, expected it in the specification only",
+                        entry.key.text
+                    );
+                    let fault = Diagnostic::error("E0024", entry.key.span, message)
+                        .with_related(span, "included here");
+                    self.faults
+                        .push(fault.with_help("move it to the specification"));
                 }
                 entries.retain(|entry| !misplaced(entry));
                 Some(tree)
             }
             _ => {
                 let message = format!("found {}, expected a map of sections", tree.describe());
-                let fault = Diagnostic::error("E0024", tree.span, message).with_related(span, "included here");
-                self.faults.push(fault.with_help("write sections such as `constants:` and `definitions:`"));
+                let fault = Diagnostic::error("E0024", tree.span, message)
+                    .with_related(span, "included here");
+                self.faults.push(
+                    fault.with_help("write sections such as `constants:` and `definitions:`"),
+                );
                 None
             }
         }
@@ -228,16 +343,27 @@ impl Joiner<'_> {
 
     /// Adds the keys of `fragment` to `tree`, map by map.
     fn merge(&mut self, tree: &mut Node, fragment: Node, path: &str) {
-        let (Kind::Map(into), Kind::Map(from)) = (&mut tree.kind, fragment.kind) else { return };
+        let (Kind::Map(into), Kind::Map(from)) = (&mut tree.kind, fragment.kind) else {
+            return;
+        };
         let mut index = BTreeMap::new();
         for (at, entry) in into.iter().enumerate() {
             index.entry(entry.key.text.clone()).or_insert(at);
         }
         for entry in from {
-            let name = if path.is_empty() { entry.key.text.clone() } else { format!("{path}.{}", entry.key.text) };
+            let name = if path.is_empty() {
+                entry.key.text.clone()
+            } else {
+                format!("{path}.{}", entry.key.text)
+            };
             match index.get(&entry.key.text).map(|&at| &mut into[at]) {
                 None => into.push(entry),
-                Some(old) if matches!((&old.value.kind, &entry.value.kind), (Kind::Map(_), Kind::Map(_))) => {
+                Some(old)
+                    if matches!(
+                        (&old.value.kind, &entry.value.kind),
+                        (Kind::Map(_), Kind::Map(_))
+                    ) =>
+                {
                     self.merge(&mut old.value, entry.value, &name);
                 }
                 Some(old) => self.faults.push(twice(&name, &entry, old)),
@@ -246,12 +372,17 @@ impl Joiner<'_> {
     }
 
     fn fault(&mut self, code: &'static str, span: Span, message: impl Into<String>, help: &str) {
-        self.faults.push(Diagnostic::error(code, span, message).with_help(help));
+        self.faults
+            .push(Diagnostic::error(code, span, message).with_help(help));
     }
 }
 
 fn twice(name: &str, new: &Entry, old: &Entry) -> Diagnostic {
-    Diagnostic::error("E0025", new.key.span, format!("`{name}` is given in two files"))
-        .with_related(old.key.span, "also given here")
-        .with_help("remove one of them; only maps are merged")
+    Diagnostic::error(
+        "E0025",
+        new.key.span,
+        format!("`{name}` is given in two files"),
+    )
+    .with_related(old.key.span, "also given here")
+    .with_help("remove one of them; only maps are merged")
 }

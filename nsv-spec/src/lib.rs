@@ -14,7 +14,7 @@ mod hash;
 mod include;
 pub mod model;
 mod parse;
-mod schema;
+pub mod schema;
 pub mod spec;
 mod suggest;
 pub mod unit;
@@ -48,7 +48,10 @@ pub fn load_bytes(name: &str, bytes: &[u8]) -> Result<(Model, Vec<Diagnostic>), 
     build(tree, sources)
 }
 
-fn build(tree: Result<Node, Vec<Diagnostic>>, sources: SourceMap) -> Result<(Model, Vec<Diagnostic>), Diagnostics> {
+fn build(
+    tree: Result<Node, Vec<Diagnostic>>,
+    sources: SourceMap,
+) -> Result<(Model, Vec<Diagnostic>), Diagnostics> {
     let model = tree
         .and_then(|tree| parse::parse(&tree))
         .and_then(|spec| check::check(&spec, &sources, hash::of(&sources)));

@@ -8,8 +8,13 @@ use crate::vocabulary::{Kind, SPECIFICATION, Section};
 pub fn json_schema() -> Value {
     let mut sections = Map::new();
     let mut schema = section(&SPECIFICATION, &mut sections);
-    let root = schema.as_object_mut().expect("invariant: a section is an object");
-    root.insert("$schema".into(), json!("https://json-schema.org/draft/2020-12/schema"));
+    let root = schema
+        .as_object_mut()
+        .expect("invariant: a section is an object");
+    root.insert(
+        "$schema".into(),
+        json!("https://json-schema.org/draft/2020-12/schema"),
+    );
     root.insert("title".into(), json!("nsv specification"));
     root.insert("$defs".into(), Value::Object(sections));
     schema
@@ -25,7 +30,12 @@ fn section(section: &'static Section, sections: &mut Map<String, Value>) -> Valu
         }
         properties.insert(key.name.into(), value);
     }
-    let required: Vec<&str> = section.keys.iter().filter(|key| key.required).map(|key| key.name).collect();
+    let required: Vec<&str> = section
+        .keys
+        .iter()
+        .filter(|key| key.required)
+        .map(|key| key.name)
+        .collect();
     json!({ "type": "object", "properties": properties, "required": required, "additionalProperties": false })
 }
 
@@ -50,9 +60,15 @@ fn kind(kind: &'static Kind, sections: &mut Map<String, Value>) -> Value {
             "propertyNames": { "pattern": "^[A-Za-z][A-Za-z0-9_]{0,63}$" },
             "additionalProperties": self::kind(value, sections),
         }),
-        Kind::Either(kinds) => json!({ "anyOf": kinds.iter().map(|one| self::kind(one, sections)).collect::<Vec<_>>() }),
+        Kind::Either(kinds) => {
+            json!({ "anyOf": kinds.iter().map(|one| self::kind(one, sections)).collect::<Vec<_>>() })
+        }
         Kind::Section(below) => {
-            let name = below.noun.trim_start_matches("an ").trim_start_matches("a ").replace(' ', "_");
+            let name = below
+                .noun
+                .trim_start_matches("an ")
+                .trim_start_matches("a ")
+                .replace(' ', "_");
             if !sections.contains_key(&name) {
                 let value = section(below, sections);
                 sections.insert(name.clone(), value);
@@ -72,7 +88,12 @@ mod tests {
         let mut pending = vec![&schema];
         while let Some(value) = pending.pop() {
             if let Some(properties) = value.get("properties").and_then(Value::as_object) {
-                assert!(properties.values().all(|key| key["description"].is_string()), "{value}");
+                assert!(
+                    properties
+                        .values()
+                        .all(|key| key["description"].is_string()),
+                    "{value}"
+                );
             }
             if let Some(reference) = value.get("$ref").and_then(Value::as_str) {
                 assert!(schema.pointer(&reference[1..]).is_some(), "{reference}");

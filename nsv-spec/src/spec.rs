@@ -1,7 +1,7 @@
 //! The specification as written: every key in its place with its span, nothing resolved or converted.
 
 use crate::diagnostic::{Base, Span};
-use crate::model::{Basis, Integration, Norm, NoiseModel, Scheme, VirtualDerivative};
+use crate::model::{Basis, Integration, NoiseModel, Norm, Scheme, VirtualDerivative};
 
 /// A value with its place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -121,6 +121,9 @@ pub enum Dispersion {
     Normal(Code, Code),
 }
 
+/// Coefficient and exponents of each term of a polynomial.
+pub type Terms = Vec<(f64, Vec<u32>)>;
+
 /// A group of polynomial data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PolynomialGroup {
@@ -128,8 +131,8 @@ pub struct PolynomialGroup {
     pub arguments: Vec<Word>,
     /// `source`
     pub source: Option<Word>,
-    /// `parts`: coefficient and exponents of each term
-    pub parts: Vec<Named<Vec<(f64, Vec<u32>)>>>,
+    /// `parts`
+    pub parts: Vec<Named<Terms>>,
 }
 
 /// A block of the plant.

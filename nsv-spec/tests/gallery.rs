@@ -24,7 +24,11 @@ fn check(name: &str, faults: &Diagnostics, elapsed: Duration, expected: &[&str])
     for item in &faults.items {
         assert_eq!(item.severity, Severity::Error);
         assert!(item.help.is_some(), "{name}: every fault has a remedy");
-        assert!(!item.message.ends_with('.') && !item.message.starts_with(char::is_uppercase), "{name}: {}", item.message);
+        assert!(
+            !item.message.ends_with('.') && !item.message.starts_with(char::is_uppercase),
+            "{name}: {}",
+            item.message
+        );
     }
     insta::assert_snapshot!(name.trim_end_matches(".yaml"), faults.short());
 }
@@ -34,7 +38,10 @@ fn codes(faults: &Diagnostics) -> Vec<&str> {
 }
 
 fn gallery() -> Vec<PathBuf> {
-    let mut files: Vec<PathBuf> = fs::read_dir("tests/bad").unwrap().map(|entry| entry.unwrap().path()).collect();
+    let mut files: Vec<PathBuf> = fs::read_dir("tests/bad")
+        .expect("the gallery")
+        .map(|entry| entry.expect("a directory entry").path())
+        .collect();
     files.retain(|path| path.is_file());
     files.sort();
     files
@@ -47,14 +54,21 @@ fn every_bad_specification_is_refused_for_its_own_reason() {
     let mut surprises = String::new();
     for path in files {
         let text = fs::read_to_string(&path).unwrap();
-        let expected = text.lines().next().and_then(|line| line.strip_prefix("# expected: ")).expect("an announcement");
+        let expected = text
+            .lines()
+            .next()
+            .and_then(|line| line.strip_prefix("# expected: "))
+            .expect("an announcement");
         let start = Instant::now();
         let faults = load(&path).expect_err(&path.display().to_string());
         let expected: Vec<&str> = expected.split(' ').collect();
         let name = path.file_name().unwrap().to_str().unwrap();
         match codes(&faults) == expected {
             true => check(name, &faults, start.elapsed(), &expected),
-            false => surprises.push_str(&format!("{name}, expected {expected:?}:\n{}", faults.short())),
+            false => surprises.push_str(&format!(
+                "{name}, expected {expected:?}:\n{}",
+                faults.short()
+            )),
         }
     }
     assert!(surprises.is_empty(), "{surprises}");
@@ -63,12 +77,19 @@ fn every_bad_specification_is_refused_for_its_own_reason() {
 #[test]
 fn a_missing_file_is_reported_without_a_place() {
     let faults = load(Path::new("tests/bad/nowhere.yaml")).unwrap_err();
-    assert_eq!(faults.short(), "error[E0011]: cannot read `tests/bad/nowhere.yaml`: no such file\n");
+    assert_eq!(
+        faults.short(),
+        "error[E0011]: cannot read `tests/bad/nowhere.yaml`: no such file\n"
+    );
 }
 
 #[test]
 fn ten_megabytes_are_refused() {
-    refuse("ten_megabytes.yaml", "a: 1\n".repeat(2_000_000).as_bytes(), &["E0001"]);
+    refuse(
+        "ten_megabytes.yaml",
+        "a: 1\n".repeat(2_000_000).as_bytes(),
+        &["E0001"],
+    );
 }
 
 #[test]
@@ -83,7 +104,10 @@ fn an_alias_bomb_is_refused() {
     let mut text = String::from("a0: &a0 [x, x, x, x, x, x, x, x, x, x]\n");
     for level in 1..12 {
         let below = format!("*a{}, ", level - 1).repeat(10);
-        text.push_str(&format!("a{level}: &a{level} [{}]\n", below.trim_end_matches(", ")));
+        text.push_str(&format!(
+            "a{level}: &a{level} [{}]\n",
+            below.trim_end_matches(", ")
+        ));
     }
     refuse("alias_bomb.yaml", text.as_bytes(), &["E0006"]);
 }
@@ -96,11 +120,51 @@ fn what_is_not_utf8_is_refused() {
     refuse("nul.yaml", b"nsv: 1\ntitle: \0\n", &["E0004"]);
 }
 
+/// Far more than anyone writes, and thousands of slips.
+#[test]
+fn ten_thousand_definitions_are_read_in_a_moment() {
+    let spec = |definitions: String| {
+        let text = fs::read_to_string("tests/bad/wrong_unit.yaml").unwrap();
+        text.replace(
+            "name: bad\n",
+            &format!("name: bad\ndefinitions:\n{definitions}"),
+        )
+    };
+    let chain: String = (1..10_000)
+        .map(|i| format!("  a{i}: a{} + x\n", i - 1))
+        .collect();
+    let texts = [
+        spec(format!("  a0: x\n{chain}")),
+        spec((0..2_000).map(|i| format!("  a{i}: b{i} + x\n")).collect()),
+        spec((0..2_000).map(|i| format!("  a{i}: x +\n")).collect()),
+        spec((0..2_000).map(|_| "  a: x\n").collect()),
+        spec(format!("  a0: a9999\n{chain}")),
+    ];
+    for text in texts {
+        let start = Instant::now();
+        let faults = load_bytes("large.yaml", text.as_bytes()).unwrap_err();
+        assert!(
+            start.elapsed() < MOMENT,
+            "{:?} for {}",
+            start.elapsed(),
+            faults.items[0].message
+        );
+    }
+}
+
 #[test]
 fn deep_and_long_expressions_are_refused() {
-    let spec = |drift: &str| fs::read_to_string("tests/bad/wrong_unit.yaml").unwrap().replace("drift: x", &format!("drift: \"{drift}\""));
+    let spec = |drift: &str| {
+        fs::read_to_string("tests/bad/wrong_unit.yaml")
+            .unwrap()
+            .replace("drift: x", &format!("drift: \"{drift}\""))
+    };
     let deep = format!("{}x{}", "(".repeat(100_000), ")".repeat(100_000));
-    for text in [spec(&deep), spec(&"x + ".repeat(100_000)), spec(&"-".repeat(100_000))] {
+    for text in [
+        spec(&deep),
+        spec(&"x + ".repeat(100_000)),
+        spec(&"-".repeat(100_000)),
+    ] {
         let start = Instant::now();
         let faults = load_bytes("deep.yaml", text.as_bytes()).unwrap_err();
         assert!(start.elapsed() < MOMENT);
@@ -115,20 +179,67 @@ fn a_link_out_of_the_directory_is_refused() {
     let inside = directory.path().join("inside");
     fs::create_dir(&inside).unwrap();
     fs::write(directory.path().join("secret.yaml"), "constants: {a: 1}\n").unwrap();
-    std::os::unix::fs::symlink(directory.path().join("secret.yaml"), inside.join("link.yaml")).unwrap();
-    let text = fs::read_to_string("tests/bad/include_missing.yaml").unwrap().replace("fragments/nothing.yaml", "link.yaml");
+    std::os::unix::fs::symlink(
+        directory.path().join("secret.yaml"),
+        inside.join("link.yaml"),
+    )
+    .unwrap();
+    let text = fs::read_to_string("tests/bad/include_missing.yaml")
+        .unwrap()
+        .replace("fragments/nothing.yaml", "link.yaml");
     let path = inside.join("spec.yaml");
     fs::write(&path, text).unwrap();
     let faults = load(&path).unwrap_err();
     assert_eq!(faults.items[0].code, "E0020");
-    assert_eq!(faults.items[0].message, "path `link.yaml` leads out of the specification's directory through a link");
+    assert_eq!(
+        faults.items[0].message,
+        "path `link.yaml` leads out of the specification's directory through a link"
+    );
 }
 
-/// Text between bytes of every bad specification, cut off anywhere, never makes the reader panic.
+/// A specification cut off anywhere is refused, not fatal.
 #[test]
 fn no_prefix_of_a_specification_panics() {
     let text = fs::read_to_string("tests/good/pendulum.yaml").unwrap();
-    for end in (0..text.len()).step_by(7).filter(|&end| text.is_char_boundary(end)) {
+    for end in (0..text.len())
+        .step_by(7)
+        .filter(|&end| text.is_char_boundary(end))
+    {
         drop(load_bytes("prefix.yaml", &text.as_bytes()[..end]));
+    }
+}
+
+/// Neither is one with pieces moved about: each piece makes sense somewhere, which gets it deep into the checks.
+#[test]
+fn no_shuffled_specification_panics() {
+    let rounds = std::env::var("NSV_FUZZ_ROUNDS")
+        .ok()
+        .and_then(|rounds| rounds.parse().ok())
+        .unwrap_or(400);
+    let mut texts: Vec<String> = gallery()
+        .iter()
+        .map(|path| fs::read_to_string(path).unwrap())
+        .collect();
+    texts.push(fs::read_to_string("tests/good/pendulum.yaml").unwrap());
+    let pieces: Vec<&str> = texts
+        .iter()
+        .flat_map(|text| text.split_inclusive([' ', ',', '\n', ']', '}', '(']))
+        .collect();
+    let mut state: u64 = 1;
+    let mut below = |bound: usize| {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % bound
+    };
+    for _ in 0..rounds {
+        let mut parts: Vec<&str> = texts[below(texts.len())]
+            .split_inclusive([' ', ',', '\n', ']', '}', '('])
+            .collect();
+        for _ in 0..=below(3) {
+            let at = below(parts.len());
+            parts[at] = pieces[below(pieces.len())];
+        }
+        drop(load_bytes("shuffled.yaml", parts.concat().as_bytes()));
     }
 }

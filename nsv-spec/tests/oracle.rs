@@ -9,9 +9,20 @@ use serde_yaml::Value;
 
 fn specifications() -> Vec<PathBuf> {
     let mut files = Vec::new();
-    for directory in ["tests/good", "tests/bad/fragments", "../specs", "../specs/models"] {
-        let Ok(entries) = fs::read_dir(directory) else { continue };
-        files.extend(entries.map(|entry| entry.unwrap().path()).filter(|path| path.extension().is_some_and(|end| end == "yaml")));
+    for directory in [
+        "tests/good",
+        "tests/bad/fragments",
+        "../specs",
+        "../specs/models",
+    ] {
+        let Ok(entries) = fs::read_dir(directory) else {
+            continue;
+        };
+        files.extend(
+            entries
+                .map(|entry| entry.expect("a directory entry").path())
+                .filter(|path| path.extension().is_some_and(|end| end == "yaml")),
+        );
     }
     files.retain(|path| !path.ends_with("broken.yaml"));
     files.sort();
@@ -27,10 +38,14 @@ fn assert_same(ours: &Node, theirs: &Value, path: &Path) {
             let ours: f64 = ours.text.parse().expect(&place);
             assert_eq!(Some(ours), theirs.as_f64(), "{place}");
         }
-        (Kind::Scalar(ours), Value::Bool(theirs)) => assert_eq!(ours.text, theirs.to_string(), "{place}"),
+        (Kind::Scalar(ours), Value::Bool(theirs)) => {
+            assert_eq!(ours.text, theirs.to_string(), "{place}")
+        }
         (Kind::Seq(ours), Value::Sequence(theirs)) => {
             assert_eq!(ours.len(), theirs.len(), "{place}");
-            ours.iter().zip(theirs).for_each(|(ours, theirs)| assert_same(ours, theirs, path));
+            ours.iter()
+                .zip(theirs)
+                .for_each(|(ours, theirs)| assert_same(ours, theirs, path));
         }
         (Kind::Map(ours), Value::Mapping(theirs)) => {
             assert_eq!(ours.len(), theirs.len(), "{place}");

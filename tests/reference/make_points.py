@@ -17,10 +17,12 @@ from law import evaluate, initial_state, upto
 from lyapunov import generator, noise_columns, plant_rates, value
 from problem import Exosystem
 from real import exact
+from every_term import every_term, single_block
 from specs import SPECS
 
 POINTS = Path(__file__).parents[1] / "points"
 RANDOM_POINTS = 20
+ALL = SPECS | {"every_term": every_term, "single_block": single_block}
 
 # Typical size of h<i>, zeta<i> and of far-away states, per spec.
 SIZES = {
@@ -28,7 +30,14 @@ SIZES = {
     "pendulum": {"h1": 3.0, "zeta1": 0.3, "zeta2": 1.0, "x1": 2.0, "x2": 5.0},
     "two_link_arm": {"h1": 2.0, "zeta1": 0.2, "zeta2": 0.5, "x1": 2.0, "x2": 4.0},
     "motor_arm": {"h1": 2.0, "h2": 4.0, "zeta1": 0.1, "zeta2": 0.5, "zeta3": 1.0, "x1": 2.0, "x2": 5.0, "x3": 5.0},
+    "every_term": {"h1": 1.0, "h2": 1.0, "zeta1": 0.2, "zeta2": 0.2, "zeta3": 0.2, "x1": 2.0, "x2": 2.0, "x3": 2.0},
+    "single_block": {"zeta1": 0.2, "x1": 2.0},
 }
+
+
+def target(problem, state, i):
+    """h_{i-1}, what block i follows."""
+    return problem.reference[0](state["t"]) if i == 1 else state[f"h{i - 1}"]
 
 
 class Sampler:
@@ -55,7 +64,7 @@ class Sampler:
         for i, block in enumerate(problem.blocks, 1):
             zeta = state[f"zeta{i}"] = self.vector(problem.width, quiet * self.size[f"zeta{i}"])
             k = block.constraint[0](state["t"]) if block.constraint else 1.0
-            h = problem.reference[0](state["t"]) if i == 1 else state[f"h{i - 1}"]
+            h = target(problem, state, i)
             state[f"x{i}"] = h + zeta + self.direction() * k * ratio()
             if block.network:
                 state[f"W{i}"] = rng.standard_normal((len(block.network.exponents), problem.width)) * weights * quiet
@@ -90,7 +99,7 @@ def adversarial(sampler):
     state = sampler.state(lambda: 0.0, t=0.0)
     for i in range(1, n + 1):
         state[f"zeta{i}"] = np.zeros(problem.width)
-        state[f"x{i}"] = problem.reference[0](0.0) if i == 1 else state[f"h{i - 1}"]
+        state[f"x{i}"] = target(problem, state, i)
     yield "zero error", state
     yield "error of 1e-9 of the constraint", sampler.state(lambda: 1e-9)
     yield "error of 1e-3 of the constraint", sampler.state(lambda: 1e-3)
@@ -101,7 +110,6 @@ def adversarial(sampler):
 
     state = sampler.state(uniform)  # far from the reference; zeta keeps the errors small
     for i in range(1, n + 1):
-        h = problem.reference[0](state["t"]) if i == 1 else state[f"h{i - 1}"]
         far = sampler.vector(problem.width, sampler.size[f"x{i}"])
         state[f"zeta{i}"] = state[f"zeta{i}"] + far - state[f"x{i}"]
         state[f"x{i}"] = far
@@ -117,8 +125,7 @@ def adversarial(sampler):
         yield "phi at its floor", state
         state = sampler.state(uniform)
         for i in noisy:
-            h, zeta = state[f"h{i - 1}"], state[f"zeta{i}"]
-            state[f"x{i}"] = h + zeta + sampler.direction() * problem.blocks[i - 1].noise_bound.phi_threshold / 2
+            state[f"x{i}"] = target(problem, state, i) + state[f"zeta{i}"] + sampler.direction() * problem.blocks[i - 1].noise_bound.phi_threshold / 2
         yield "error below the threshold of phi", state
 
 
@@ -196,7 +203,7 @@ def plain(x):
 
 def points(name):
     """All points of a spec."""
-    problem = SPECS[name]()
+    problem = ALL[name]()
     rng = np.random.default_rng(2024)
     sampler = Sampler(name, problem, rng)
     wild, calm = (lambda: rng.uniform(0.05, 0.9)), (lambda: rng.uniform(0, 0.3))
@@ -219,7 +226,7 @@ def points(name):
 def main():
     """Writes one file per spec, one point per line."""
     POINTS.mkdir(exist_ok=True)
-    for name in SPECS:
+    for name in ALL:
         lines = ",\n".join(json.dumps(point) for point in points(name))
         (POINTS / f"{name}.json").write_text(f'{{"spec": "{name}", "points": [\n{lines}\n]}}\n')
 

@@ -29,6 +29,8 @@ cos = _both(np.cos, mpmath.cos)
 tan = _both(np.tan, mpmath.tan)
 tanh = _both(np.tanh, mpmath.tanh)
 exp = _both(np.exp, mpmath.exp)
+log = _both(np.log, mpmath.log)
+atan = _both(np.arctan, mpmath.atan)
 sqrt = _both(np.sqrt, mpmath.sqrt)
 
 

@@ -137,7 +137,7 @@ def motor_arm():
     weight = lambda p: (m / 2 + p["load_mass"]) * l * g
     position = Block(
         "position", np.array([0.1]), lambda x, p: 0 * x[0], lambda x, p: np.array([[1.0]]),
-        K=np.array([6.0]), kbar=float(np.sqrt((2 * 0.3 / 0.35) ** 2 + 1e-6)), C=20 * np.eye(1), filter=np.array([0.02]),
+        K=np.array([6.0]), kbar=1.72, C=20 * np.eye(1), filter=np.array([0.02]),
         eta_2=1.0, eta_3=1.0, constraint=funnel(0.3, 0.05, 2.0),
     )
     speed = Block(

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use nsv_codegen::casadi::{Mode, Provider, Settings};
 use nsv_codegen::derive::error::DeriveError;
-use nsv_codegen::driver::{CompileError, Compiled, compile as compile_model};
+use nsv_codegen::driver::{Compiled, compile as compile_model};
 use nsv_spec::diagnostic::Diagnostics;
 use nsv_spec::model::Model;
 
@@ -79,9 +79,9 @@ fn exports(spec: &Path) -> PathBuf {
 }
 
 /// A law that cannot be derived is the specification's fault; derivatives that cannot be had are not.
-fn exit(error: &CompileError) -> Exit {
+fn exit(error: &DeriveError) -> Exit {
     match error {
-        CompileError::Derive(DeriveError::NetworkOrder) => Exit::Spec,
-        CompileError::Derive(DeriveError::Partials(_)) => Exit::Environment,
+        DeriveError::NetworkOrder => Exit::Spec,
+        DeriveError::Partials(_) => Exit::Environment,
     }
 }

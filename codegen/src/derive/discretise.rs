@@ -68,7 +68,7 @@ impl Law<'_> {
     fn define_next(&mut self, state: &str, increment: Symbol) {
         self.define(
             format!("{state}_next"),
-            format!("{state}(t + dt)"),
+            format!("{state}(t + dt) = {state} + Gamma {state}'"),
             name(state) + increment,
         );
     }

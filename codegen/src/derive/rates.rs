@@ -29,6 +29,15 @@ pub(crate) struct Direction {
 const TIME: &str = "dot";
 
 impl Direction {
+    /// A rate in symbols, for comments: primes along time and the flows, `D` along a line.
+    fn rate_text(&self, quantity: &str, order: usize) -> String {
+        match (self.straight, self.tag.as_str()) {
+            (false, TIME) => format!("{quantity}{}", "'".repeat(order)),
+            (false, tag) => format!("{quantity}{} along the {tag}", "'".repeat(order)),
+            (true, tag) => format!("D^{order} {quantity} along {}", tag.trim_end_matches('_')),
+        }
+    }
+
     /// Time alone.
     pub fn time() -> Self {
         Self {
@@ -194,18 +203,11 @@ impl<'p, 'm> Rates<'p, 'm> {
         if let Term::Name(existing) = rate.term() {
             return existing.clone();
         }
-        let suffix = if order == 1 {
-            String::new()
-        } else {
-            order.to_string()
-        };
+        let suffix = if order == 1 { String::new() } else { order.to_string() };
         let result = format!("{quantity}_{}{suffix}", direction.tag);
         self.law.define(
             result.clone(),
-            format!(
-                "rate of order {order} of {quantity} along `{}`",
-                direction.tag
-            ),
+            direction.rate_text(quantity, order),
             rate,
         );
         self.made.insert(

@@ -4,13 +4,13 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::comment::{Comments, code, docs, prose};
-use crate::emit::types::{index, type_of, type_of_shape};
 use crate::emit::function::{Function, Record, Results};
 use crate::emit::interface::Interface;
 use crate::emit::literal::{float, row};
 use crate::emit::names::{Fields, ident};
 use crate::emit::polynomial::Library;
 use crate::emit::state::{State, all, state_fields};
+use crate::emit::types::{index, type_of, type_of_shape};
 use crate::ir::{Program, Shape, ValueId};
 
 /// The controller's programs and names.
@@ -76,7 +76,15 @@ impl Controller<'_> {
             library: self.library,
         };
         let mut items = self.constants();
-        items.extend(State { blocks: &self.interface.blocks, initial: self.initial, control: self.control, fields: &states }.items());
+        items.extend(
+            State {
+                blocks: &self.interface.blocks,
+                initial: self.initial,
+                control: self.control,
+                fields: &states,
+            }
+            .items(),
+        );
         items.push(self.output(&control));
         items.push(self.controller_struct());
         items.push(self.controller_impl(&initial, &control));

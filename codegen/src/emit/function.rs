@@ -7,7 +7,6 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::comment::{Comments, code, docs};
-use crate::emit::count::Counts;
 use crate::emit::expression::Names;
 use crate::emit::names::{Fields, Scope, camel, ident, snake};
 use crate::emit::plan::Plan;
@@ -16,6 +15,7 @@ use crate::emit::quantity;
 use crate::emit::source::prologue;
 use crate::emit::types::{literal_array, type_of, type_of_shape};
 use crate::ir::{Op, Origin, Program, Shape, Type, ValueId};
+use crate::opt::cost;
 
 /// A struct that stands for all inputs `prefix.NAME`, or for all outputs `prefix.NAME`.
 #[derive(Clone, Copy, Debug)]
@@ -123,7 +123,7 @@ impl Function<'_> {
         let mut lines = self.docs.to_vec();
         lines.extend([
             String::new(),
-            format!("Operations: {}.", Counts::of(self.program)),
+            format!("Operations: {}.", cost::count(self.program)),
         ]);
         let docs = docs(&lines);
         quote! {

@@ -31,6 +31,8 @@ pub(crate) struct Interface {
     pub(crate) scheme: Scheme,
     /// How noise enters.
     pub(crate) noise: NoiseModel,
+    /// Sources of polynomial data, by its name.
+    pub(crate) sources: Vec<(String, String)>,
 }
 
 /// A run-time parameter.
@@ -101,6 +103,11 @@ impl Interface {
             substeps: model.scenario.substeps,
             scheme: model.scenario.scheme,
             noise: model.scenario.noise,
+            sources: model
+                .polynomials
+                .iter()
+                .map(|data| (data.name.clone(), data.doc.clone()))
+                .collect(),
         }
     }
 
@@ -153,45 +160,11 @@ fn input(input: &nsv_spec::model::Input) -> Input {
     }
 }
 
-/// A dimension as a product of SI base units, `dimensionless` for none.
+/// The SI unit of a dimension, in the language's own notation.
 fn unit(dimension: Dimension) -> String {
-    let names = ["kg", "m", "s", "A", "K", "mol", "cd"];
-    let factors = names
-        .iter()
-        .zip(dimension.halves)
-        .filter(|(_, halves)| *halves != 0);
-    let factors: Vec<String> = factors
-        .map(|(name, halves)| match halves {
-            2 => (*name).to_owned(),
-            halves if halves % 2 == 0 => format!("{name}^{}", halves / 2),
-            halves => format!("{name}^({halves}/2)"),
-        })
-        .collect();
-    if factors.is_empty() {
+    if dimension == Dimension::default() {
         "dimensionless".to_owned()
     } else {
-        factors.join(" ")
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn units_are_products_of_base_units() {
-        assert_eq!(unit(Dimension::default()), "dimensionless");
-        assert_eq!(
-            unit(Dimension {
-                halves: [2, 4, -4, 0, 0, 0, 0]
-            }),
-            "kg m^2 s^-2"
-        );
-        assert_eq!(
-            unit(Dimension {
-                halves: [0, 2, -1, 0, 0, 0, 0]
-            }),
-            "m s^(-1/2)"
-        );
+        dimension.to_string()
     }
 }

@@ -6,7 +6,6 @@
 
 mod comment;
 mod controller;
-mod count;
 mod expression;
 mod function;
 mod interface;
@@ -28,7 +27,6 @@ mod state;
 mod telemetry;
 mod types;
 
-pub use count::Counts;
 pub use module::{Artifact, library, module};
 pub use standalone::standalone;
 

@@ -8,7 +8,6 @@ use quote::quote;
 
 use crate::emit::comment::{Comments, clean, code, docs, prose};
 use crate::emit::controller::Controller;
-use crate::emit::count::Counts;
 use crate::emit::function::{Function, Record, Results};
 use crate::emit::interface::Interface;
 use crate::emit::names::{Fields, ident, snake};
@@ -19,6 +18,7 @@ use crate::emit::source::Source;
 use crate::emit::state::state_fields;
 use crate::emit::{lyapunov, params};
 use crate::ir::Program;
+use crate::opt::cost;
 
 /// Everything that a module is emitted from.
 #[derive(Clone, Debug)]
@@ -79,14 +79,8 @@ pub(crate) struct Programs<'a> {
 /// Lints that the emitted files allow.
 pub(crate) const ALLOW: [(&str, &str); 3] = [
     ("non_snake_case", "names are those of the equations"),
-    (
-        "clippy::too_many_arguments",
-        "as in the equations",
-    ),
-    (
-        "clippy::approx_constant",
-        "numbers are as specified",
-    ),
+    ("clippy::too_many_arguments", "as in the equations"),
+    ("clippy::approx_constant", "numbers are as specified"),
 ];
 
 /// What a function of a program may mention.
@@ -139,13 +133,13 @@ const IMPORTS: [(&str, &[&str]); 6] = [
             "super::controller::Output",
             "super::controller::SAMPLE_TIME",
             "super::controller::State",
-            "super::lyapunov::lyapunov",
+            "super::lyapunov",
             "super::params::Params",
             "super::plant::INITIAL_STATE",
             "super::plant::NOISE_CHANNELS",
             "super::plant::Plant",
             "super::plant::STATES",
-            "super::plant::plant",
+            "super::plant",
         ],
     ),
 ];
@@ -177,7 +171,7 @@ pub(crate) fn files(interface: &Interface, programs: &Programs<'_>) -> BTreeMap<
             "polynomials",
             about,
             &[],
-            library.items(),
+            library.items(&interface.sources),
             &Comments::default(),
         );
     }
@@ -297,7 +291,7 @@ impl Texts<'_> {
         header.extend(
             programs
                 .iter()
-                .map(|program| format!("{}: {}", clean(&program.name), Counts::of(program))),
+                .map(|program| format!("{}: {}", clean(&program.name), cost::count(program))),
         );
         header
     }
@@ -345,7 +339,7 @@ impl Texts<'_> {
                 let name = ident(name);
                 quote!(pub mod #name;)
             });
-        let (hash, version) = (&self.interface.hash, &self.interface.version);
+        let (hash, version) = (clean(&self.interface.hash), clean(&self.interface.version));
         let (hash_docs, version_docs) = (
             docs(&["SHA-256 of the specification."]),
             docs(&["Version of the generator."]),

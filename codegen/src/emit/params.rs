@@ -41,14 +41,32 @@ fn field_docs(parameter: &Parameter) -> Vec<String> {
     let number = |value: f64| format!("{value:?}");
     let dispersion = match parameter.dispersion {
         None => String::new(),
-        Some(Dispersion::Uniform(low, high)) => format!(", dispersed uniformly between {} and {}", number(low), number(high)),
+        Some(Dispersion::Uniform(low, high)) => format!(
+            ", dispersed uniformly between {} and {}",
+            number(low),
+            number(high)
+        ),
         Some(Dispersion::Normal(mean, deviation)) => {
-            format!(", dispersed normally with mean {} and standard deviation {}", number(mean), number(deviation))
+            format!(
+                ", dispersed normally with mean {} and standard deviation {}",
+                number(mean),
+                number(deviation)
+            )
         }
     };
-    let source = if parameter.doc.is_empty() { String::new() } else { format!(" Source: {}.", prose(&parameter.doc)) };
-    let (unit, plant, design) = (prose(&parameter.unit), number(parameter.plant), number(parameter.design));
-    vec![format!("Unit: {unit}. Plant {plant}{dispersion}; controller {design}.{source}")]
+    let source = if parameter.doc.is_empty() {
+        String::new()
+    } else {
+        format!(" Source: {}.", prose(&parameter.doc))
+    };
+    let (unit, plant, design) = (
+        prose(&parameter.unit),
+        number(parameter.plant),
+        number(parameter.design),
+    );
+    vec![format!(
+        "Unit: {unit}. Plant {plant}{dispersion}; controller {design}.{source}"
+    )]
 }
 
 fn implementation(interface: &Interface, fields: &[Field]) -> TokenStream {

@@ -121,10 +121,20 @@ fn bound(program: &Program, live: &[bool], labels: &BTreeMap<ValueId, String>) -
 fn weigh(op: &Op, weights: &mut [usize], bound: &mut [bool]) -> usize {
     let operands = op.operands();
     loop {
-        let weight = 1 + literal_size(op) + operands.iter().map(|operand| weights[operand.0 as usize]).sum::<usize>();
-        let heaviest = operands.iter().map(|operand| operand.0 as usize).max_by_key(|&operand| weights[operand]);
+        let weight = 1
+            + literal_size(op)
+            + operands
+                .iter()
+                .map(|operand| weights[operand.0 as usize])
+                .sum::<usize>();
+        let heaviest = operands
+            .iter()
+            .map(|operand| operand.0 as usize)
+            .max_by_key(|&operand| weights[operand]);
         match heaviest {
-            Some(operand) if weight > WEIGHT && weights[operand] > 1 && !matches!(op, Op::Array(_)) => {
+            Some(operand)
+                if weight > WEIGHT && weights[operand] > 1 && !matches!(op, Op::Array(_)) =>
+            {
                 bound[operand] = true;
                 weights[operand] = 1;
             }

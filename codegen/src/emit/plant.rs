@@ -6,12 +6,12 @@ use quote::quote;
 use nsv_spec::model::NoiseModel;
 
 use crate::emit::comment::{Comments, code, docs};
-use crate::emit::types::index;
 use crate::emit::function::{Function, Record, Results};
 use crate::emit::interface::Interface;
 use crate::emit::literal::row;
 use crate::emit::names::Fields;
 use crate::emit::polynomial::Library;
+use crate::emit::types::index;
 use crate::ir::{Program, Shape};
 
 /// The plant's program and names.

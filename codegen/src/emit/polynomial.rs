@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
-use crate::emit::comment::{code, docs};
+use crate::emit::comment::{code, docs, prose};
 use crate::emit::expression::{Fragment, Level};
 use crate::emit::literal;
 use crate::emit::names::{Scope, snake};
@@ -54,7 +54,7 @@ impl Library {
                 let data = &program.polynomials[id.0 as usize];
                 if self.polynomials.iter().all(|(known, _)| known != data) {
                     self.polynomials
-                        .push((data.clone(), scope.claim(&snake(&data.name))));
+                        .push((data.clone(), scope.claim(&data.name)));
                 }
                 return;
             }
@@ -69,8 +69,7 @@ impl Library {
             .iter()
             .position(|(known, _)| known == basis)
             .unwrap_or_else(|| {
-                self.bases
-                    .push((basis.clone(), scope.claim(&snake(&basis.name))));
+                self.bases.push((basis.clone(), scope.claim(&basis.name)));
                 self.bases.len() - 1
             });
         self.called.insert((position, order));
@@ -105,12 +104,12 @@ impl Library {
         program.bases.iter().map(path).collect()
     }
 
-    /// The functions.
-    pub(crate) fn items(&self) -> Vec<TokenStream> {
+    /// The functions. `sources` tells where data comes from, by its name in the specification.
+    pub(crate) fn items(&self, sources: &[(String, String)]) -> Vec<TokenStream> {
         let polynomials = self
             .polynomials
             .iter()
-            .map(|(data, name)| polynomial(data, name));
+            .map(|(data, name)| polynomial(data, name, source(data, sources)));
         let bases = self.called.iter().map(|&(position, order)| {
             let (basis, name) = &self.bases[position];
             monomials(basis, name, order)
@@ -119,7 +118,27 @@ impl Library {
     }
 }
 
-fn polynomial(data: &PolynomialData, name: &Ident) -> TokenStream {
+/// The source of polynomial data, or of that whose derivative it is.
+fn source<'s>(data: &PolynomialData, sources: &'s [(String, String)]) -> Option<&'s str> {
+    let of = |name: &str| {
+        sources.iter().find(|(known, _)| {
+            known == name || known.replace('.', "_") == name || snake(known) == name
+        })
+    };
+    let (_, source) =
+        std::iter::successors(Some(data.name.as_str()), |name| primitive(name)).find_map(of)?;
+    Some(source.as_str()).filter(|source| !source.is_empty())
+}
+
+/// `name` for `name_d1`, a partial derivative.
+fn primitive(name: &str) -> Option<&str> {
+    let shorter = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    shorter
+        .strip_suffix("_d")
+        .filter(|_| shorter.len() < name.len())
+}
+
+fn polynomial(data: &PolynomialData, name: &Ident, source: Option<&str>) -> TokenStream {
     let horner = Horner::new(data);
     let (additions, multiplications) = horner.operations();
     let mut scope = Scope::default();
@@ -143,9 +162,10 @@ fn polynomial(data: &PolynomialData, name: &Ident) -> TokenStream {
         let unused = format_ident!("_{argument}");
         quote!(#unused: T)
     });
+    let source = source.map_or_else(String::new, |source| format!(" Source: {}.", prose(source)));
     let docs = docs(&[
         format!(
-            "Polynomial data {} in {}, by Horner's scheme.",
+            "Polynomial data {} in {}, by Horner's scheme.{source}",
             code(&data.name),
             list(&data.arguments)
         ),

@@ -4,8 +4,8 @@ use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
 use crate::emit::comment::docs;
-use crate::emit::types::type_of_shape;
 use crate::emit::names::ident;
+use crate::emit::types::type_of_shape;
 use crate::ir::Shape;
 
 /// A field.

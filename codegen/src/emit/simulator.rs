@@ -6,13 +6,13 @@ use quote::{ToTokens, format_ident, quote};
 use nsv_spec::model::{NoiseModel, Scheme};
 
 use crate::emit::comment::docs;
-use crate::emit::types::index;
 use crate::emit::function::Function;
 use crate::emit::interface::Interface;
 use crate::emit::literal::float;
 use crate::emit::names::ident;
 use crate::emit::plant::noise_channels;
 use crate::emit::telemetry::{Column, columns};
+use crate::emit::types::index;
 use crate::ir::Program;
 
 /// What the simulator is made of.
@@ -101,7 +101,8 @@ impl Simulator<'_> {
             docs(&["Output of the controller at the sample."]),
         );
         let draw = (self.channels() > 0).then(|| {
-            let docs = docs(&["Standard normal draws of all channels; zeros in a run without noise."]);
+            let docs =
+                docs(&["Standard normal draws of all channels; zeros in a run without noise."]);
             let numbers = (0..self.channels()).map(index);
             quote! {
                 #docs
@@ -178,7 +179,8 @@ impl Simulator<'_> {
     fn new(&self) -> TokenStream {
         let measured: Vec<TokenStream> = self.segments_of(&quote!(x)).collect();
         let noisy = self.channels() > 0;
-        let process = noisy.then(|| quote!(let process = Noise::process(options.seed, options.run);));
+        let process =
+            noisy.then(|| quote!(let process = Noise::process(options.seed, options.run);));
         let noise = noisy.then(|| quote!(noise: options.noise.then_some(process),));
         quote! {
             fn new(options: &Options) -> Self {
@@ -257,11 +259,11 @@ impl Simulator<'_> {
         let blocks = self.blocks();
         let plant = mentioned("rate").then(|| {
             let (name, arguments) = (self.plant.name(), self.arguments(self.plant));
-            quote!(let rate = #name(#(#arguments),*);)
+            quote!(let rate = plant::#name(#(#arguments),*);)
         });
         let lyapunov = mentioned("lyapunov").then(|| {
             let (name, arguments) = (self.lyapunov.name(), self.arguments(self.lyapunov));
-            quote!(let lyapunov = #name(#(#arguments),*);)
+            quote!(let lyapunov = lyapunov::#name(#(#arguments),*);)
         });
         quote! {
             fn telemetry(&self, row: &mut [f64]) {

@@ -6,8 +6,8 @@ use quote::quote;
 use crate::emit::comment::{Comments, module_docs};
 use crate::emit::names::ident;
 
-/// Modules that emitted code imports and calls by path; a variable may have the same name.
-const MODULES: [&str; 3] = ["kernel", "polynomials", "sde"];
+/// Modules that emitted code calls by path; a variable may have the same name.
+const MODULES: [&str; 5] = ["kernel", "lyapunov", "plant", "polynomials", "sde"];
 
 /// Methods of masks: their trait is not named where they are called.
 const MASK_METHODS: [&str; 5] = ["and", "or", "not", "any", "all"];
@@ -73,7 +73,7 @@ fn mentions_path(tokens: &TokenStream, name: &str) -> bool {
 }
 
 /// Whether `tokens` contain `name(`.
-fn calls_method(tokens: &TokenStream, name: &str) -> bool {
+fn calls(tokens: &TokenStream, name: &str) -> bool {
     has_pair(tokens, &|first, second| {
         matches!(first, TokenTree::Ident(ident) if ident == name)
             && matches!(second, TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis)
@@ -115,8 +115,7 @@ fn imports(paths: &[&str], code: &TokenStream) -> Vec<TokenStream> {
             .expect("invariant: an import is a path");
         let needed = match name {
             "Mask" => {
-                mentions_path(code, name)
-                    || MASK_METHODS.iter().any(|method| calls_method(code, method))
+                mentions_path(code, name) || MASK_METHODS.iter().any(|method| calls(code, method))
             }
             name if MODULES.contains(&name) => mentions_path(code, name),
             name => mentions(code, name),

@@ -47,10 +47,7 @@ pub fn standalone(program: &Program) -> String {
     let source = Source {
         header: &[],
         docs: &lines,
-        allow: &[
-            ("non_snake_case", "names follow the equations"),
-            ("clippy::too_many_arguments", "as many as the program has"),
-        ],
+        allow: &ALLOW,
         imports: &FUNCTION_IMPORTS,
         items,
     };
@@ -97,7 +94,10 @@ fn definition(program: &Program, record: &Record<'_>) -> TokenStream {
 }
 
 fn polynomials(library: &Library) -> TokenStream {
-    let (items, docs) = (library.items(), docs(&["Polynomial data and monomials."]));
+    let (items, docs) = (
+        library.items(&[]),
+        docs(&["Polynomial data and monomials."]),
+    );
     let code = quote!(#(#items)*);
     let vector = crate::emit::source::mentions(&code, "Vector").then(|| {
         let name = ident("Vector");

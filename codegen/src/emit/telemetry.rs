@@ -3,9 +3,9 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use crate::emit::types::index;
 use crate::emit::interface::Interface;
 use crate::emit::names::ident;
+use crate::emit::types::index;
 use crate::ir::{Program, Shape};
 
 /// A column.

@@ -64,30 +64,68 @@ fn interface() -> Interface {
         substeps: 4,
         scheme: Scheme::RungeKutta4,
         noise: NoiseModel::Sampled,
+        sources: vec![("CL.alpha".to_owned(), "paper, Table 2".to_owned())],
     }
 }
 
-/// The files of a small hand-written module.
-fn pitch() -> BTreeMap<String, String> {
-    let [initial, control, plant, lyapunov] = [
+/// The programs of a small hand-written module.
+fn programs() -> [Program; 4] {
+    [
         include_str!("samples/pitch.initial.txt"),
         include_str!("samples/pitch.control.txt"),
         include_str!("samples/pitch.plant.txt"),
         include_str!("samples/pitch.lyapunov.txt"),
     ]
+    .map(program)
+}
+
+/// Its files.
+fn pitch(interface: &Interface) -> BTreeMap<String, String> {
+    let [initial, control, plant, lyapunov] = programs();
+    files(
+        interface,
+        &Programs {
+            initial: &initial,
+            control: &control,
+            plant: &plant,
+            lyapunov: &lyapunov,
+        },
+    )
+}
+
+/// A module of one scalar block without parameters, noise, constraint or polynomials.
+fn bare() -> BTreeMap<String, String> {
+    let [initial, control, plant, lyapunov] = [
+        "program initial\ninput t: real\ninput x1: vec1\n%0: vec1 = const [0.0]\noutput zeta1 = %0",
+        "program control\ninput t: real\ninput x1: vec1\ninput state.zeta1: vec1\n%0: vec1 = input x1\n%1: vec1 = input state.zeta1\n\
+         %2: vec1 = neg %0\noutput u = %2\noutput u_sat = %2\noutput y_r = %1\noutput e1 = %0\noutput next.zeta1 = %1",
+        "program plant\ninput t: real\ninput x: vec1\ninput u_sat: vec1\n%0: vec1 = input u_sat\noutput drift = %0",
+        "program lyapunov\ninput t: real\ninput x1: vec1\n%0: vec1 = input x1\n%1: real = sum_squares %0\n%2: real = neg %1\n\
+         output V = %1\noutput LV = %2",
+    ]
     .map(program);
-    let programs = Programs {
-        initial: &initial,
-        control: &control,
-        plant: &plant,
-        lyapunov: &lyapunov,
+    let mut interface = Interface {
+        name: "bare".to_owned(),
+        parameters: vec![],
+        ..interface()
     };
-    files(&interface(), &programs)
+    interface.blocks.truncate(1);
+    interface.blocks[0].states.truncate(1);
+    interface.inputs.truncate(1);
+    files(
+        &interface,
+        &Programs {
+            initial: &initial,
+            control: &control,
+            plant: &plant,
+            lyapunov: &lyapunov,
+        },
+    )
 }
 
 #[test]
 fn a_module_reads_beside_its_equations() {
-    for (name, text) in pitch() {
+    for (name, text) in pitch(&interface()) {
         insta::assert_snapshot!(name.replace('.', "_"), text);
     }
 }
@@ -248,16 +286,99 @@ fn compiled_programs_agree_with_evaluation_to_the_last_bit() {
 
 #[test]
 fn an_emitted_module_flies() {
-    let mut files: BTreeMap<String, String> = pitch()
-        .into_iter()
-        .map(|(name, text)| (format!("pitch/{name}"), text))
-        .collect();
-    let library = super::library(&[("pitch", "Pitch and yaw")])
-        .replace("#![no_std]", "#![no_std]\n#![deny(warnings, missing_docs)]");
+    let wiener = Interface {
+        name: "wiener".to_owned(),
+        noise: NoiseModel::Wiener,
+        scheme: Scheme::Platen,
+        ..interface()
+    };
+    let mut files = BTreeMap::new();
+    for (name, module) in [
+        ("pitch", pitch(&interface())),
+        ("wiener", pitch(&wiener)),
+        ("bare", bare()),
+    ] {
+        files.extend(
+            module
+                .into_iter()
+                .map(|(file, text)| (format!("{name}/{file}"), text)),
+        );
+    }
+    let library = super::library(&[
+        ("bare", "Bare"),
+        ("pitch", "Pitch and yaw"),
+        ("wiener", "The same with Wiener noise"),
+    ]);
+    let library = library.replace("#![no_std]", "#![no_std]\n#![deny(warnings, missing_docs)]");
     files.insert("lib.rs".to_owned(), library);
     files.insert(
         "main.rs".to_owned(),
         include_str!("samples/flight.rs").to_owned(),
     );
     assert_eq!(run(&files).trim(), "ok");
+}
+
+/// What a hostile specification would put where it names or describes things.
+const HOSTILE: [&str; 7] = [
+    "*/ fn evil() { std::process::exit(1) } /*",
+    "x\"); std::process::exit(1); (\"",
+    "line\nstd::process::exit(1);\n",
+    "nsv_comment!(0);",
+    "```\nstd::process::exit(1)\n```",
+    "\u{202e}\u{2066}// right to left",
+    "]] #![allow(warnings)] {{ \\",
+];
+
+#[test]
+fn hostile_text_stays_in_comments_and_names() {
+    for text in HOSTILE {
+        let mut interface = interface();
+        interface.title = text.to_owned();
+        interface.version = text.to_owned();
+        interface.hash = text.to_owned();
+        interface.sources[0].1 = text.to_owned();
+        interface.parameters[0].doc = text.to_owned();
+        interface.parameters[0].unit = text.to_owned();
+        interface.blocks[0].name = text.to_owned();
+        let [initial, mut control, mut plant, lyapunov] = programs();
+        for origin in &mut control.origins {
+            origin.group = text.to_owned();
+            origin.equation = text.to_owned();
+        }
+        control.polynomials[0].arguments[0] = text.to_owned();
+        for instruction in &mut plant.instructions {
+            if let Some(name) = &mut instruction.name {
+                name.push_str(text);
+            }
+        }
+        let programs = Programs {
+            initial: &initial,
+            control: &control,
+            plant: &plant,
+            lyapunov: &lyapunov,
+        };
+        for (file, emitted) in files(&interface, &programs) {
+            check_harmless(&file, &emitted);
+        }
+    }
+}
+
+/// The text is Rust of the expected items only, on lines without control or direction characters, and no doc test runs.
+fn check_harmless(file: &str, text: &str) {
+    let parsed = syn::parse_file(text).unwrap_or_else(|error| panic!("{file}: {error}\n{text}"));
+    let evil = parsed
+        .items
+        .iter()
+        .any(|item| matches!(item, syn::Item::Fn(function) if function.sig.ident == "evil"));
+    assert!(!evil && !text.contains("```"), "{file}\n{text}");
+    assert!(
+        text.chars()
+            .all(|c| c == '\n' || !c.is_control() && !('\u{2000}'..='\u{206f}').contains(&c)),
+        "{file}"
+    );
+    for line in text.lines().filter(|line| line.contains("process::exit")) {
+        let line = line.trim_start();
+        let in_text = line.starts_with("//") || line.starts_with("pub const");
+        assert!(in_text, "{file}: {line}");
+    }
 }

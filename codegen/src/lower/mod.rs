@@ -95,9 +95,11 @@ impl<'l, 'm, C: Context> Lowering<'l, 'm, C> {
                 let rhs =
                     rhs.unwrap_or_else(|| panic!("invariant: `{quantity}` is defined or an input"));
                 let value = self.symbol(&rhs);
-                let origin = equation
-                    .map(|equation| equation.origin.clone())
-                    .unwrap_or_default();
+                let given = || Origin {
+                    group: "given".into(),
+                    equation: String::new(),
+                };
+                let origin = equation.map_or_else(given, |equation| equation.origin.clone());
                 self.label(value, quantity, &origin);
                 value
             }

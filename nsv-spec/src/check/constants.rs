@@ -4,39 +4,61 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::Context;
 use super::cycles::order;
-use super::formula::{Numbers, Parsed};
+use super::formula::Parsed;
+use super::numbers::Numbers;
 use super::scope::Dependence;
+use crate::diagnostic::Base;
 use crate::diagnostic::Diagnostic;
 use crate::expr::Symbol;
 use crate::expr::arena::{ConstantId, Shape, Type};
 use crate::model::Constant;
 use crate::spec::{Code, Formula, Named, Word};
 use crate::unit::{Dimension, Unit, parse_unit};
-use crate::diagnostic::Base;
 
 impl Context<'_> {
     /// Computes every constant.
     pub(super) fn check_constants(&mut self) {
         let spec = self.spec;
-        let parsed: Vec<Option<Parsed>> = spec.constants.iter().map(|constant| self.parse_formula(&constant.value.value)).collect();
+        let parsed: Vec<Option<Parsed>> = spec
+            .constants
+            .iter()
+            .map(|constant| self.parse_formula(&constant.value.value))
+            .collect();
         let sorted = self.sort(&spec.constants, &parsed, "constant");
         self.constants = vec![None; spec.constants.len()];
         for at in sorted {
-            let Named { name, value: declared } = &spec.constants[at];
-            let numbers = parsed[at].as_ref().and_then(|parsed| self.numbers_of(parsed));
-            let constant = numbers.and_then(|numbers| self.constant(name, &declared.value, declared.unit.as_ref(), numbers));
+            let Named {
+                name,
+                value: declared,
+            } = &spec.constants[at];
+            let numbers = parsed[at]
+                .as_ref()
+                .and_then(|parsed| self.numbers_of(parsed));
+            let constant = numbers.and_then(|numbers| {
+                self.constant(name, &declared.value, declared.unit.as_ref(), numbers)
+            });
             let Some((shape, constant)) = constant else {
                 self.names.refuse(&name.value);
                 continue;
             };
             let id = ConstantId(u32::try_from(at).expect("invariant: fewer than 2^32 constants"));
             let symbol = Symbol::Constant(id, Type::uniform(shape, constant.dimension));
-            self.names.define(&name.value, symbol, Dependence::default());
-            self.constants[at] = Some(Constant { doc: text(declared.source.as_ref()), ..constant });
+            self.names
+                .define(&name.value, symbol, Dependence::default());
+            self.constants[at] = Some(Constant {
+                doc: text(declared.source.as_ref()),
+                ..constant
+            });
         }
     }
 
-    fn constant(&mut self, name: &Word, written: &Formula, unit: Option<&Word>, numbers: Numbers) -> Option<(Shape, Constant)> {
+    fn constant(
+        &mut self,
+        name: &Word,
+        written: &Formula,
+        unit: Option<&Word>,
+        numbers: Numbers,
+    ) -> Option<(Shape, Constant)> {
         let numbers = match unit {
             Some(unit) => self.in_unit(written, numbers, unit)?,
             None => numbers,
@@ -44,31 +66,64 @@ impl Context<'_> {
         let dimension = numbers.dimensions[0];
         if numbers.dimensions.iter().any(|other| *other != dimension) {
             let help = "declare one constant for each unit";
-            self.fault("E0606", numbers.span, format!("constant `{}` has entries of different units", name.value), help);
+            self.fault(
+                "E0606",
+                numbers.span,
+                format!("constant `{}` has entries of different units", name.value),
+                help,
+            );
             return None;
         }
         let (value, scalar) = (numbers.matrix(), numbers.shape == Shape::Scalar);
-        Some((numbers.shape, Constant { name: name.value.clone(), value, scalar, dimension, doc: String::new(), span: name.span }))
+        Some((
+            numbers.shape,
+            Constant {
+                name: name.value.clone(),
+                value,
+                scalar,
+                dimension,
+                doc: String::new(),
+                span: name.span,
+            },
+        ))
     }
 
     /// Bare numbers in the unit that is given beside them.
     fn in_unit(&mut self, written: &Formula, numbers: Numbers, unit: &Word) -> Option<Numbers> {
         let parsed = self.unit(unit)?;
-        if let Some(found) = numbers.dimensions.iter().find(|&&found| found != Dimension::ONE) {
-            let message = format!("value has a unit of its own ({found}) beside `unit: {}`", unit.value);
+        if let Some(found) = numbers
+            .dimensions
+            .iter()
+            .find(|&&found| found != Dimension::ONE)
+        {
+            let message = format!(
+                "value has a unit of its own ({found}) beside `unit: {}`",
+                unit.value
+            );
             self.fault("E0606", numbers.span, message, "give the unit in one place");
             return None;
         }
         let mut codes = Vec::new();
         leaves(written, &mut codes);
         let exact = codes.len() == numbers.values.len();
-        let convert = |(at, value): (usize, &f64)| convert(codes.get(at).filter(|_| exact).copied(), *value, &parsed);
+        let convert = |(at, value): (usize, &f64)| {
+            convert(codes.get(at).filter(|_| exact).copied(), *value, &parsed)
+        };
         let values: Vec<f64> = numbers.values.iter().enumerate().map(convert).collect();
         if values.iter().any(|value| !value.is_finite()) {
-            self.fault("E0603", numbers.span, "value is not finite in SI", "look for a wrong exponent");
+            self.fault(
+                "E0603",
+                numbers.span,
+                "value is not finite in SI",
+                "look for a wrong exponent",
+            );
             return None;
         }
-        Some(Numbers { dimensions: vec![parsed.dimension; values.len()], values, ..numbers })
+        Some(Numbers {
+            dimensions: vec![parsed.dimension; values.len()],
+            values,
+            ..numbers
+        })
     }
 
     /// A unit given under its own key.
@@ -77,31 +132,63 @@ impl Context<'_> {
             Ok(unit) => Some(unit),
             Err(error) => {
                 let exact = unit.value.len() == (unit.span.end - unit.span.start) as usize;
-                self.faults.push(error.diagnostic(&Base { span: unit.span, exact }));
+                self.faults.push(error.diagnostic(&Base {
+                    span: unit.span,
+                    exact,
+                }));
                 None
             }
         }
     }
 
     /// The order in which to compute declarations; circles are reported and left out with all that hangs on them.
-    pub(super) fn sort<T>(&mut self, declared: &[Named<T>], parsed: &[Option<Parsed>], noun: &str) -> Vec<usize> {
-        let index: BTreeMap<&str, usize> = declared.iter().enumerate().rev().map(|(at, item)| (item.name.value.as_str(), at)).collect();
+    pub(super) fn sort<T>(
+        &mut self,
+        declared: &[Named<T>],
+        parsed: &[Option<Parsed>],
+        noun: &str,
+    ) -> Vec<usize> {
+        let index: BTreeMap<&str, usize> = declared
+            .iter()
+            .enumerate()
+            .rev()
+            .map(|(at, item)| (item.name.value.as_str(), at))
+            .collect();
         let uses: Vec<BTreeSet<usize>> = parsed
             .iter()
-            .map(|parsed| parsed.iter().flat_map(Parsed::names).filter_map(|(name, _)| index.get(name).copied()).collect())
+            .map(|parsed| {
+                parsed
+                    .iter()
+                    .flat_map(Parsed::names)
+                    .filter_map(|(name, _)| index.get(name).copied())
+                    .collect()
+            })
             .collect();
         let order = order(&uses);
         for &at in &order.unsorted {
             self.names.refuse(&declared[at].name.value);
         }
         for circle in &order.circles {
-            let names: Vec<&str> = circle.iter().chain(&circle[..1]).map(|&at| declared[at].name.value.as_str()).collect();
-            let message = format!("{noun} `{}` depends on itself: {}", names[0], names.join(" -> "));
+            let names: Vec<&str> = circle
+                .iter()
+                .chain(&circle[..1])
+                .map(|&at| declared[at].name.value.as_str())
+                .collect();
+            let message = format!(
+                "{noun} `{}` depends on itself: {}",
+                names[0],
+                names.join(" -> ")
+            );
             let mut fault = Diagnostic::error("E0117", declared[circle[0]].name.span, message);
             for &at in &circle[1..] {
-                fault = fault.with_related(declared[at].name.span, format!("`{}` is declared here", declared[at].name.value));
+                fault = fault.with_related(
+                    declared[at].name.span,
+                    format!("`{}` is declared here", declared[at].name.value),
+                );
             }
-            self.faults.push(fault.with_help("break the circle: at least one of them must not use the next"));
+            self.faults.push(
+                fault.with_help("break the circle: at least one of them must not use the next"),
+            );
         }
         order.sorted
     }
@@ -109,8 +196,12 @@ impl Context<'_> {
 
 /// A bare number in a unit, rounded once if its digits are known.
 pub(super) fn convert(code: Option<&Code>, value: f64, unit: &Unit) -> f64 {
-    let digits = code.map(|code| code.text.trim()).filter(|text| text.parse::<f64>().is_ok_and(|parsed| parsed == value));
-    digits.and_then(|digits| unit.si(digits)).unwrap_or(value * unit.scale)
+    let digits = code
+        .map(|code| code.text.trim())
+        .filter(|text| text.parse::<f64>().is_ok_and(|parsed| parsed == value));
+    digits
+        .and_then(|digits| unit.si(digits))
+        .unwrap_or(value * unit.scale)
 }
 
 fn leaves<'a>(formula: &'a Formula, all: &mut Vec<&'a Code>) {

@@ -1,7 +1,7 @@
 //! Guarantees that every plant block has its part of the controller, and joins the two.
 
 use super::Context;
-use super::plant::PlantBlock;
+use super::plant::{PlantBlock, SECOND};
 use crate::diagnostic::Diagnostic;
 use crate::model::{Block, Controller, Integration, Norm, VirtualDerivative};
 use crate::spec::{Code, ControllerBlock, Named};
@@ -9,7 +9,6 @@ use crate::suggest::nearest;
 use crate::unit::Dimension;
 
 const PER_SECOND: Dimension = Dimension::new(0, 0, -1, 0);
-const SECOND: Dimension = Dimension::new(0, 0, 1, 0);
 /// Default and largest margin of the barrier, rad.
 const MARGIN: f64 = 1e-3;
 const LARGEST_MARGIN: f64 = 0.5;
@@ -22,22 +21,46 @@ impl Context<'_> {
             self.default("controller.norm".into(), "frobenius", "the paper's");
             Norm::Frobenius
         });
-        let virtual_derivative = written.virtual_derivative.map(|choice| choice.value).unwrap_or_else(|| {
-            self.default("controller.virtual_derivative".into(), "filter", "the paper's");
-            VirtualDerivative::Filter
-        });
-        let integration = written.integration.map(|choice| choice.value).unwrap_or_else(|| {
-            self.default("controller.integration".into(), "exponential", "stable for every step size");
-            Integration::Exponential
-        });
+        let virtual_derivative = written
+            .virtual_derivative
+            .map(|choice| choice.value)
+            .unwrap_or_else(|| {
+                self.default(
+                    "controller.virtual_derivative".into(),
+                    "filter",
+                    "the paper's",
+                );
+                VirtualDerivative::Filter
+            });
+        let integration = written
+            .integration
+            .map(|choice| choice.value)
+            .unwrap_or_else(|| {
+                self.default(
+                    "controller.integration".into(),
+                    "exponential",
+                    "stable for every step size",
+                );
+                Integration::Exponential
+            });
         let barrier_margin = match &written.barrier_margin {
             Some(code) => self.barrier_margin(code),
             None => {
-                self.default("controller.barrier_margin".into(), "1e-3", "E is clamped at pi/2 - 1e-3");
+                self.default(
+                    "controller.barrier_margin".into(),
+                    "1e-3",
+                    "E is clamped at pi/2 - 1e-3",
+                );
                 Some(MARGIN)
             }
         };
-        Some(Controller { sample_time: sample_time?, norm, virtual_derivative, integration, barrier_margin: barrier_margin? })
+        Some(Controller {
+            sample_time: sample_time?,
+            norm,
+            virtual_derivative,
+            integration,
+            barrier_margin: barrier_margin?,
+        })
     }
 
     fn barrier_margin(&mut self, code: &Code) -> Option<f64> {
@@ -45,8 +68,15 @@ impl Context<'_> {
         if margin > 0.0 && margin <= LARGEST_MARGIN {
             return Some(margin);
         }
-        let message = format!("barrier margin is {margin}, expected more than 0 and at most {LARGEST_MARGIN}");
-        self.fault("E0602", code.base.span, message, "write a small angle such as 1e-3");
+        let message = format!(
+            "barrier margin is {margin}, expected more than 0 and at most {LARGEST_MARGIN}"
+        );
+        self.fault(
+            "E0602",
+            code.base.span,
+            message,
+            "write a small angle such as 1e-3",
+        );
         None
     }
 
@@ -55,22 +85,36 @@ impl Context<'_> {
         let (plant, gains) = (&self.spec.blocks, &self.spec.controller.blocks);
         for own in &gains.value {
             if !plant.iter().any(|block| block.name.value == own.name.value) {
-                let names: Vec<&str> = plant.iter().map(|block| block.name.value.as_str()).collect();
+                let names: Vec<&str> = plant
+                    .iter()
+                    .map(|block| block.name.value.as_str())
+                    .collect();
                 let help = match nearest(&own.name.value, &names) {
                     Some(meant) => format!("did you mean `{meant}`?"),
                     None => format!("the plant's blocks are `{}`", names.join("`, `")),
                 };
-                let message = format!("controller block `{}` is no block of the plant", own.name.value);
-                self.faults.push(Diagnostic::error("E0114", own.name.span, message).with_help(help));
+                let message = format!(
+                    "controller block `{}` is no block of the plant",
+                    own.name.value
+                );
+                self.faults
+                    .push(Diagnostic::error("E0114", own.name.span, message).with_help(help));
             }
         }
         let mut matched = Vec::new();
         for block in plant {
-            let at = gains.value.iter().position(|own| own.name.value == block.name.value);
+            let at = gains
+                .value
+                .iter()
+                .position(|own| own.name.value == block.name.value);
             if at.is_none() {
                 let message = format!("controller has no gains for block `{}`", block.name.value);
-                let fault = Diagnostic::error("E0114", gains.span, message).with_related(block.name.span, "the block is declared here");
-                self.faults.push(fault.with_help(format!("add `{}:` with its gains under `controller.blocks`", block.name.value)));
+                let fault = Diagnostic::error("E0114", gains.span, message)
+                    .with_related(block.name.span, "the block is declared here");
+                self.faults.push(fault.with_help(format!(
+                    "add `{}:` with its gains under `controller.blocks`",
+                    block.name.value
+                )));
             }
             matched.push(at);
         }
@@ -89,9 +133,14 @@ impl Context<'_> {
         let name = &self.spec.blocks[at].name;
         let what = |key: &str| format!("`{key}` of block `{}`", name.value);
         let own = &gains.value;
-        let constraint = own.constraint.as_ref().map(|formula| (self.constraint(at, formula), formula.span()));
+        let constraint = own
+            .constraint
+            .as_ref()
+            .map(|formula| (self.constraint(at, formula), formula.span()));
         let positive = match (constraint, horizon) {
-            (Some((Some(id), span)), Some(horizon)) => self.check_constraint(id, span, &name.value, horizon),
+            (Some((Some(id), span)), Some(horizon)) => {
+                self.check_constraint(id, span, &name.value, horizon)
+            }
             _ => Some(()),
         };
         let constraint = match constraint {
@@ -104,7 +153,10 @@ impl Context<'_> {
             (Some(constraint), Some(())) => self.kbar(&own.kbar, constraint, &name.value, horizon),
             _ => None,
         };
-        let filter = own.filter.as_ref().map(|formula| self.channel_gains(formula, &what("filter"), SECOND));
+        let filter = own
+            .filter
+            .as_ref()
+            .map(|formula| self.channel_gains(formula, &what("filter"), SECOND));
         let etas = [&own.eta_1, &own.eta_2, &own.eta_3, &own.eta_noise];
         let keys = ["eta_1", "eta_2", "eta_3", "eta_noise"];
         let mut eta = |i: usize| match etas[i] {
@@ -113,11 +165,23 @@ impl Context<'_> {
             None => Some(1.0),
         };
         let (eta_1, eta_2, eta_3, eta_noise) = (eta(0), eta(1), eta(2), eta(3));
-        let network = own.network.as_ref().map(|network| self.network(at, network));
-        let error_bound = own.error_bound.as_ref().map(|bound| self.error_bound(at, &bound.value));
-        let noise_bound = own.noise_bound.as_ref().map(|bound| self.noise_bound(at, &bound.value));
+        let network = own
+            .network
+            .as_ref()
+            .map(|network| self.network(at, network));
+        let error_bound = own
+            .error_bound
+            .as_ref()
+            .map(|bound| self.error_bound(at, &bound.value));
+        let noise_bound = own
+            .noise_bound
+            .as_ref()
+            .map(|bound| self.noise_bound(at, &bound.value));
         let plant = plant?;
-        let observer = own.observer.as_ref().map(|formula| self.observer(formula, &plant.disturbance, &name.value));
+        let observer = own
+            .observer
+            .as_ref()
+            .map(|formula| self.observer(formula, &plant.disturbance, &name.value));
         Some(Block {
             name: name.value.clone(),
             states: self.states[at].clone()?,

@@ -31,7 +31,11 @@ pub(super) fn order(uses: &[BTreeSet<usize>]) -> Order {
         }
     }
     let unsorted: BTreeSet<usize> = (0..uses.len()).filter(|&i| waits_for[i] > 0).collect();
-    Order { sorted, circles: circles(uses, &unsorted), unsorted }
+    Order {
+        sorted,
+        circles: circles(uses, &unsorted),
+        unsorted,
+    }
 }
 
 /// Walks from each unsorted declaration along one of its unsorted uses until the walk meets itself or an earlier one.
@@ -44,10 +48,16 @@ fn circles(uses: &[BTreeSet<usize>], unsorted: &BTreeSet<usize>) -> Vec<Vec<usiz
         while !visited.contains_key(&at) {
             visited.insert(at, start);
             walk.push(at);
-            at = *uses[at].intersection(unsorted).next().expect("invariant: an unsorted declaration uses an unsorted one");
+            at = *uses[at]
+                .intersection(unsorted)
+                .next()
+                .expect("invariant: an unsorted declaration uses an unsorted one");
         }
         if visited[&at] == start {
-            let first = walk.iter().position(|&i| i == at).expect("invariant: the walk met itself");
+            let first = walk
+                .iter()
+                .position(|&i| i == at)
+                .expect("invariant: the walk met itself");
             circles.push(walk.split_off(first));
         }
     }
@@ -59,7 +69,12 @@ mod tests {
     use super::*;
 
     fn sort(uses: &[&[usize]]) -> Order {
-        order(&uses.iter().map(|used| used.iter().copied().collect()).collect::<Vec<_>>())
+        order(
+            &uses
+                .iter()
+                .map(|used| used.iter().copied().collect())
+                .collect::<Vec<_>>(),
+        )
     }
 
     #[test]
@@ -79,7 +94,9 @@ mod tests {
 
     #[test]
     fn a_long_chain_needs_no_stack() {
-        let uses: Vec<BTreeSet<usize>> = (0..200_000).map(|i: usize| i.checked_sub(1).into_iter().collect()).collect();
+        let uses: Vec<BTreeSet<usize>> = (0..200_000)
+            .map(|i: usize| i.checked_sub(1).into_iter().collect())
+            .collect();
         assert_eq!(order(&uses).sorted.len(), uses.len());
     }
 }

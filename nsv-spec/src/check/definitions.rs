@@ -13,13 +13,31 @@ impl Context<'_> {
     pub(super) fn check_polynomials(&mut self) {
         let spec = self.spec;
         for group in &spec.polynomials {
-            let arguments: Vec<String> = group.value.arguments.iter().map(|name| name.value.clone()).collect();
+            let arguments: Vec<String> = group
+                .value
+                .arguments
+                .iter()
+                .map(|name| name.value.clone())
+                .collect();
             for part in &group.value.parts {
                 let name = format!("{}.{}", group.name.value, part.name.value);
-                let id = PolynomialId(u32::try_from(self.names.polynomials.len()).expect("invariant: fewer than 2^32 polynomials"));
-                self.names.define(&name, Symbol::Polynomial(id, arguments.clone()), Dependence::default());
+                let id = PolynomialId(
+                    u32::try_from(self.names.polynomials.len())
+                        .expect("invariant: fewer than 2^32 polynomials"),
+                );
+                self.names.define(
+                    &name,
+                    Symbol::Polynomial(id, arguments.clone()),
+                    Dependence::default(),
+                );
                 let doc = text(group.value.source.as_ref());
-                let polynomial = Polynomial { name, arguments: arguments.clone(), terms: part.value.clone(), doc, span: part.name.span };
+                let polynomial = Polynomial {
+                    name,
+                    arguments: arguments.clone(),
+                    terms: part.value.clone(),
+                    doc,
+                    span: part.name.span,
+                };
                 self.names.polynomials.push(polynomial);
             }
         }
@@ -28,7 +46,11 @@ impl Context<'_> {
     /// Elaborates every definition.
     pub(super) fn check_definitions(&mut self) {
         let spec = self.spec;
-        let parsed: Vec<Option<Parsed>> = spec.definitions.iter().map(|definition| self.parse_formula(&definition.value)).collect();
+        let parsed: Vec<Option<Parsed>> = spec
+            .definitions
+            .iter()
+            .map(|definition| self.parse_formula(&definition.value))
+            .collect();
         for at in self.sort(&spec.definitions, &parsed, "definition") {
             let name = &spec.definitions[at].name;
             let Some(parsed) = &parsed[at] else {
@@ -40,15 +62,28 @@ impl Context<'_> {
                 continue;
             };
             let dependence = self.dependence(parsed);
-            let id = DefinitionId(u32::try_from(self.definitions.len()).expect("invariant: fewer than 2^32 definitions"));
-            self.names.define(&name.value, Symbol::Definition(id, self.arena.ty(expr).clone()), dependence);
-            self.definitions.push(Definition { name: name.value.clone(), expr, span: name.span });
+            let id = DefinitionId(
+                u32::try_from(self.definitions.len())
+                    .expect("invariant: fewer than 2^32 definitions"),
+            );
+            self.names.define(
+                &name.value,
+                Symbol::Definition(id, self.arena.ty(expr).clone()),
+                dependence,
+            );
+            self.definitions.push(Definition {
+                name: name.value.clone(),
+                expr,
+                span: name.span,
+            });
         }
     }
 
     /// What a formula varies with.
     pub(super) fn dependence(&self, parsed: &Parsed) -> Dependence {
         let names = parsed.names();
-        names.iter().fold(Dependence::default(), |all, (name, _)| all.join(self.names.dependence(name)))
+        names.iter().fold(Dependence::default(), |all, (name, _)| {
+            all.join(self.names.dependence(name))
+        })
     }
 }

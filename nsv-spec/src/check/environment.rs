@@ -14,12 +14,24 @@ struct Known<'a> {
 
 impl Environment for Known<'_> {
     fn constant(&self, id: ConstantId) -> Option<Vec<f64>> {
-        Some(self.context.constants.get(id.0 as usize)?.as_ref()?.value.data.clone())
+        Some(
+            self.context
+                .constants
+                .get(id.0 as usize)?
+                .as_ref()?
+                .value
+                .data
+                .clone(),
+        )
     }
 
     fn parameter(&self, id: ParameterId) -> Option<f64> {
         let parameter = self.context.parameters.get(id.0 as usize)?.as_ref()?;
-        Some(if self.point?.design { parameter.design_value } else { parameter.value })
+        Some(if self.point?.design {
+            parameter.design_value
+        } else {
+            parameter.value
+        })
     }
 
     fn state(&self, block: usize, channel: usize) -> Option<f64> {
@@ -52,6 +64,14 @@ impl Context<'_> {
     }
 
     fn value(&self, id: ExprId, point: Option<Point>) -> Vec<f64> {
-        expr::evaluate(&self.arena, id, &Known { context: self, point }).expect("invariant: every leaf has been checked")
+        expr::evaluate(
+            &self.arena,
+            id,
+            &Known {
+                context: self,
+                point,
+            },
+        )
+        .expect("invariant: every leaf has been checked")
     }
 }

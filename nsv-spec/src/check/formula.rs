@@ -1,4 +1,4 @@
-//! Turns what is written into typed expressions of the model, and constant ones into numbers.
+//! Turns what is written into typed expressions of the model, with shapes and dimensions as expected.
 
 use super::Context;
 use super::scope::Place;
@@ -6,7 +6,6 @@ use crate::diagnostic::Span;
 use crate::expr::arena::{ExprId, Node, Shape, Type};
 use crate::expr::syntax::Expr;
 use crate::expr::{self, Expected};
-use crate::model::Matrix;
 use crate::spec::{Code, Formula};
 use crate::unit::Dimension;
 
@@ -36,30 +35,25 @@ impl Parsed {
     }
 }
 
-/// A constant expression as numbers.
-#[derive(Clone, Debug)]
-pub(super) struct Numbers {
-    /// Shape.
-    pub(super) shape: Shape,
-    /// SI values, row-major.
-    pub(super) values: Vec<f64>,
-    /// Dimension of each.
-    pub(super) dimensions: Vec<Dimension>,
-    /// Where it is written.
-    pub(super) span: Span,
-}
-
-impl Numbers {
-    /// As a matrix: a vector is a column.
-    pub(super) fn matrix(&self) -> Matrix {
-        let (rows, cols) = self.shape.size();
-        Matrix { rows, cols, data: self.values.clone() }
-    }
-}
-
 impl Context<'_> {
     /// Parses one expression.
     pub(super) fn parse(&mut self, code: &Code) -> Option<Parsed> {
+        // YAML's own numbers that are none.
+        if matches!(
+            code.text
+                .trim_start_matches(['+', '-'])
+                .to_ascii_lowercase()
+                .as_str(),
+            ".nan" | ".inf"
+        ) {
+            self.fault(
+                "E0603",
+                code.base.span,
+                format!("value is {}, expected a finite number", code.text),
+                "write a number",
+            );
+            return None;
+        }
         let parsed = expr::parse(&code.text, code.base);
         self.accept(parsed).map(Parsed::Expr)
     }
@@ -69,7 +63,8 @@ impl Context<'_> {
         match formula {
             Formula::Code(code) => self.parse(code),
             Formula::List(items, span) => {
-                let items: Vec<Option<Parsed>> = items.iter().map(|item| self.parse_formula(item)).collect();
+                let items: Vec<Option<Parsed>> =
+                    items.iter().map(|item| self.parse_formula(item)).collect();
                 let items: Option<Vec<Parsed>> = items.into_iter().collect();
                 Some(Parsed::List(items?, *span))
             }
@@ -84,7 +79,10 @@ impl Context<'_> {
                 self.accept(meaning)
             }
             Parsed::List(items, span) => {
-                let items: Vec<Option<ExprId>> = items.iter().map(|item| self.elaborate(item, place)).collect();
+                let items: Vec<Option<ExprId>> = items
+                    .iter()
+                    .map(|item| self.elaborate(item, place))
+                    .collect();
                 let items: Option<Vec<ExprId>> = items.into_iter().collect();
                 self.stack(&items?, *span)
             }
@@ -98,7 +96,12 @@ impl Context<'_> {
             match self.arena.shape(item) {
                 Some(shape) => shapes.push(shape),
                 None => {
-                    self.fault("E0502", span, "entry is a truth value, expected a number", "choose numbers with `if(condition, a, b)`");
+                    self.fault(
+                        "E0502",
+                        span,
+                        "entry is a truth value, expected a number",
+                        "choose numbers with `if(condition, a, b)`",
+                    );
                     return None;
                 }
             }
@@ -116,19 +119,31 @@ impl Context<'_> {
     }
 
     fn ragged<T>(&mut self, span: Span) -> Option<T> {
-        self.fault("E0504", span, "rows of different lengths, expected scalars or rows of one length", "write `[a, b]` or `[[a, b], [c, d]]`");
+        self.fault(
+            "E0504",
+            span,
+            "rows of different lengths, expected scalars or rows of one length",
+            "write `[a, b]` or `[[a, b], [c, d]]`",
+        );
         None
     }
 
     /// The entries of an array as scalars.
     fn entries(&mut self, id: ExprId) -> Vec<ExprId> {
-        let Type::Real { shape, dimensions } = self.arena.ty(id).clone() else { return vec![id] };
+        let Type::Real { shape, dimensions } = self.arena.ty(id).clone() else {
+            return vec![id];
+        };
         match (self.arena.node(id).clone(), shape) {
             (_, Shape::Scalar) => vec![id],
             (Node::Array(entries), _) => entries,
             (_, shape) => {
                 let cols = shape.size().1;
-                let element = |(at, dimension)| self.arena.intern(Node::Element(id, at / cols, at % cols), Type::scalar(dimension));
+                let element = |(at, dimension)| {
+                    self.arena.intern(
+                        Node::Element(id, at / cols, at % cols),
+                        Type::scalar(dimension),
+                    )
+                };
                 dimensions.into_iter().enumerate().map(element).collect()
             }
         }
@@ -137,12 +152,21 @@ impl Context<'_> {
     pub(super) fn array(&mut self, entries: Vec<ExprId>, shape: Shape) -> ExprId {
         let dimension = |&id: &ExprId| self.arena.ty(id).dimension().unwrap_or(Dimension::ONE);
         let dimensions = entries.iter().map(dimension).collect();
-        self.arena.intern(Node::Array(entries), Type::Real { shape, dimensions })
+        self.arena
+            .intern(Node::Array(entries), Type::Real { shape, dimensions })
     }
 
     /// The expression in the expected shape, with the expected dimensions. A scalar passes for an array of one entry.
-    pub(super) fn expect(&mut self, id: ExprId, span: Span, expected: &Expected<'_>) -> Option<ExprId> {
-        let single = self.arena.shape(id).is_some_and(|shape| shape.entries() == 1 && shape != expected.shape);
+    pub(super) fn expect(
+        &mut self,
+        id: ExprId,
+        span: Span,
+        expected: &Expected<'_>,
+    ) -> Option<ExprId> {
+        let single = self
+            .arena
+            .shape(id)
+            .is_some_and(|shape| shape.entries() == 1 && shape != expected.shape);
         let id = if single && expected.shape.entries() == 1 {
             let entries = self.entries(id);
             self.array(entries, expected.shape)
@@ -154,69 +178,13 @@ impl Context<'_> {
     }
 
     /// Parses, elaborates and checks a formula of the model.
-    pub(super) fn formula(&mut self, formula: &Formula, expected: &Expected<'_>) -> Option<(ExprId, Parsed)> {
+    pub(super) fn formula(
+        &mut self,
+        formula: &Formula,
+        expected: &Expected<'_>,
+    ) -> Option<(ExprId, Parsed)> {
         let parsed = self.parse_formula(formula)?;
         let id = self.elaborate(&parsed, Place::Model)?;
         Some((self.expect(id, parsed.span(), expected)?, parsed))
-    }
-
-    /// The numbers of a constant formula.
-    pub(super) fn numbers(&mut self, formula: &Formula) -> Option<Numbers> {
-        let parsed = self.parse_formula(formula)?;
-        self.numbers_of(&parsed)
-    }
-
-    /// The numbers of a parsed constant formula, all finite.
-    pub(super) fn numbers_of(&mut self, parsed: &Parsed) -> Option<Numbers> {
-        let id = self.elaborate(parsed, Place::Constant)?;
-        let span = parsed.span();
-        let Type::Real { shape, dimensions } = self.arena.ty(id).clone() else {
-            self.fault("E0502", span, "value is a truth value, expected a number", "choose numbers with `if(condition, a, b)`");
-            return None;
-        };
-        let values = self.evaluate_constant(id);
-        if let Some(value) = values.iter().find(|value| !value.is_finite()) {
-            self.fault("E0603", span, format!("value is {value}, expected a finite number"), "look for a division by zero or a root of a negative number");
-            return None;
-        }
-        let dimensions = dimensions.into_iter().map(Dimension::or_one).collect();
-        Some(Numbers { shape, values, dimensions, span })
-    }
-
-    /// A scalar quantity of a dimension that must be written.
-    pub(super) fn quantity(&mut self, code: &Code, what: &str, dimension: Dimension) -> Option<f64> {
-        let (value, found) = self.scalar(code, what)?;
-        if found == dimension || value == 0.0 && found == Dimension::ONE {
-            return Some(value);
-        }
-        let message = format!("unit mismatch: {what} is in {found}, expected {dimension}");
-        self.fault("E0604", code.base.span, message, format!("write it with its unit, as in `1 {dimension}`"));
-        None
-    }
-
-    /// A scalar gain: in its own dimension, or a bare number in SI.
-    pub(super) fn gain(&mut self, code: &Code, what: &str, dimension: Dimension) -> Option<f64> {
-        let (value, found) = self.scalar(code, what)?;
-        self.check_gain_unit(found, code.base.span, what, dimension)?;
-        Some(value)
-    }
-
-    pub(super) fn check_gain_unit(&mut self, found: Dimension, span: Span, what: &str, dimension: Dimension) -> Option<()> {
-        if found == dimension || found == Dimension::ONE {
-            return Some(());
-        }
-        let message = format!("unit mismatch: {what} is in {found}, expected {dimension}");
-        self.fault("E0604", span, message, format!("write it in {dimension}, or as a bare number in SI"));
-        None
-    }
-
-    /// A constant scalar with its dimension.
-    pub(super) fn scalar(&mut self, code: &Code, what: &str) -> Option<(f64, Dimension)> {
-        let numbers = self.numbers(&Formula::Code(code.clone()))?;
-        if numbers.shape != Shape::Scalar {
-            self.fault("E0605", numbers.span, format!("{what} is {}, expected a scalar", numbers.shape), "write one number");
-            return None;
-        }
-        Some((numbers.values[0], numbers.dimensions[0]))
     }
 }

@@ -1,8 +1,8 @@
 //! Guarantees that every gain has its shape, its unit and its sign.
 
 use super::Context;
-use super::formula::Numbers;
 use super::linear;
+use super::numbers::Numbers;
 use crate::diagnostic::Span;
 use crate::expr::arena::Shape;
 use crate::model::{ErrorBound, Matrix, NoiseBound, PhiFloor};
@@ -13,7 +13,12 @@ const PER_SECOND: Dimension = Dimension::new(0, 0, -1, 0);
 
 impl Context<'_> {
     /// A positive scalar gain.
-    pub(super) fn positive_gain(&mut self, code: &Code, what: &str, dimension: Dimension) -> Option<f64> {
+    pub(super) fn positive_gain(
+        &mut self,
+        code: &Code,
+        what: &str,
+        dimension: Dimension,
+    ) -> Option<f64> {
         let value = self.gain(code, what, dimension)?;
         self.positive(value, code.base.span, what)?;
         Some(value)
@@ -24,12 +29,22 @@ impl Context<'_> {
         if value > 0.0 {
             return Some(());
         }
-        self.fault("E0601", span, format!("{what} is {value}, expected a positive number"), "write a number above 0");
+        self.fault(
+            "E0601",
+            span,
+            format!("{what} is {value}, expected a positive number"),
+            "write a number above 0",
+        );
         None
     }
 
     /// A positive gain for each channel, given as one for all or as a list.
-    pub(super) fn channel_gains(&mut self, formula: &Formula, what: &str, dimension: Dimension) -> Option<Vec<f64>> {
+    pub(super) fn channel_gains(
+        &mut self,
+        formula: &Formula,
+        what: &str,
+        dimension: Dimension,
+    ) -> Option<Vec<f64>> {
         let width = self.width();
         let numbers = self.gain_numbers(formula, what, dimension)?;
         let gains = match numbers.shape {
@@ -37,12 +52,21 @@ impl Context<'_> {
             Shape::Vector(rows) if rows == width => numbers.values,
             shape => {
                 let help = format!("write one number, or a list of {width}");
-                self.fault("E0605", numbers.span, format!("{what} is {shape}, expected a scalar or a vector of {width}"), help);
+                self.fault(
+                    "E0605",
+                    numbers.span,
+                    format!("{what} is {shape}, expected a scalar or a vector of {width}"),
+                    help,
+                );
                 return None;
             }
         };
         for (channel, &gain) in gains.iter().enumerate() {
-            let what = if numbers.shape == Shape::Scalar { what.to_owned() } else { format!("entry {} of {what}", channel + 1) };
+            let what = if numbers.shape == Shape::Scalar {
+                what.to_owned()
+            } else {
+                format!("entry {} of {what}", channel + 1)
+            };
             self.positive(gain, numbers.span, &what)?;
         }
         Some(gains)
@@ -55,19 +79,34 @@ impl Context<'_> {
         let diagonal = match numbers.shape {
             Shape::Scalar => vec![numbers.values[0]; width],
             Shape::Vector(rows) if rows == width => numbers.values,
-            Shape::Matrix(rows, cols) if rows == width && cols == width => return Some(numbers.matrix()),
+            Shape::Matrix(rows, cols) if rows == width && cols == width => {
+                return Some(numbers.matrix());
+            }
             shape => {
-                let help = format!("write one number, a diagonal of {width}, or {width} rows of {width}");
+                let help =
+                    format!("write one number, a diagonal of {width}, or {width} rows of {width}");
                 self.fault("E0605", numbers.span, format!("{what} is {shape}, expected a scalar, a vector of {width} or a {width} x {width} matrix"), help);
                 return None;
             }
         };
         let mut data = vec![0.0; width * width];
-        diagonal.iter().enumerate().for_each(|(i, value)| data[i * (width + 1)] = *value);
-        Some(Matrix { rows: width, cols: width, data })
+        diagonal
+            .iter()
+            .enumerate()
+            .for_each(|(i, value)| data[i * (width + 1)] = *value);
+        Some(Matrix {
+            rows: width,
+            cols: width,
+            data,
+        })
     }
 
-    fn gain_numbers(&mut self, formula: &Formula, what: &str, dimension: Dimension) -> Option<Numbers> {
+    fn gain_numbers(
+        &mut self,
+        formula: &Formula,
+        what: &str,
+        dimension: Dimension,
+    ) -> Option<Numbers> {
         let numbers = self.numbers(formula)?;
         for &found in &numbers.dimensions {
             self.check_gain_unit(found, numbers.span, what, dimension)?;
@@ -82,30 +121,64 @@ impl Context<'_> {
         match linear::least_symmetric_eigenvalue(&c) {
             Some(least) if least > 0.0 => Some(c),
             Some(least) => {
-                let message = format!("{what} is not positive definite: its symmetric part has the eigenvalue {least:.4}");
-                self.fault("E0608", formula.span(), message, "choose positive diagonal entries that dominate the others");
+                let message = format!(
+                    "{what} is not positive definite: its symmetric part has the eigenvalue {least:.4}"
+                );
+                self.fault(
+                    "E0608",
+                    formula.span(),
+                    message,
+                    "choose positive diagonal entries that dominate the others",
+                );
                 None
             }
             None => {
-                self.fault("E0608", formula.span(), format!("{what} has no eigenvalues that can be computed"), "scale its entries");
+                self.fault(
+                    "E0608",
+                    formula.span(),
+                    format!("{what} has no eigenvalues that can be computed"),
+                    "scale its entries",
+                );
                 None
             }
         }
     }
 
     /// The law of eps_hat (66).
-    pub(super) fn error_bound(&mut self, at: usize, written: &spec::ErrorBound) -> Option<ErrorBound> {
+    pub(super) fn error_bound(
+        &mut self,
+        at: usize,
+        written: &spec::ErrorBound,
+    ) -> Option<ErrorBound> {
         let block = &self.spec.blocks[at].name.value;
-        let rate = self.positive_gain(&written.iota, &format!("`error_bound.iota` of block `{block}`"), PER_SECOND);
+        let rate = self.positive_gain(
+            &written.iota,
+            &format!("`error_bound.iota` of block `{block}`"),
+            PER_SECOND,
+        );
         let dimension = self.error_dimension(at);
-        let b = self.channel_gains(&written.b, &format!("`error_bound.b` of block `{block}`"), dimension);
+        let b = self.channel_gains(
+            &written.b,
+            &format!("`error_bound.b` of block `{block}`"),
+            dimension,
+        );
         Some(ErrorBound { rate: rate?, b: b? })
     }
 
     /// The laws of sigma_hat (67) and phi (68).
-    pub(super) fn noise_bound(&mut self, at: usize, written: &spec::NoiseBound) -> Option<NoiseBound> {
+    pub(super) fn noise_bound(
+        &mut self,
+        at: usize,
+        written: &spec::NoiseBound,
+    ) -> Option<NoiseBound> {
         let block = &self.spec.blocks[at].name.value;
-        let mut bare = |code: &Code, key: &str| self.positive_gain(code, &format!("`noise_bound.{key}` of block `{block}`"), Dimension::ONE);
+        let mut bare = |code: &Code, key: &str| {
+            self.positive_gain(
+                code,
+                &format!("`noise_bound.{key}` of block `{block}`"),
+                Dimension::ONE,
+            )
+        };
         let tau = bare(&written.tau, "tau");
         let lambda = bare(&written.lambda, "lambda");
         let varsigma = bare(&written.varsigma, "varsigma");
@@ -114,7 +187,11 @@ impl Context<'_> {
             Some(AutoCode::Code(code)) => bare(code, "phi.min").map(PhiFloor::Value),
             Some(AutoCode::Auto(_)) => Some(PhiFloor::Auto),
             None => {
-                self.default(format!("controller.blocks.{block}.noise_bound.phi.min"), "auto", "sqrt(Psi dt / 0.1) bounds the gain by 0.1 per sample");
+                self.default(
+                    format!("controller.blocks.{block}.noise_bound.phi.min"),
+                    "auto",
+                    "sqrt(Psi dt / 0.1) bounds the gain by 0.1 per sample",
+                );
                 Some(PhiFloor::Auto)
             }
         };
@@ -136,8 +213,16 @@ impl Context<'_> {
 
     /// The dimension of a block's error: that of its states if they share one, else a pure number of SI values.
     pub(super) fn error_dimension(&self, at: usize) -> Dimension {
-        let Some(states) = self.states.get(at).and_then(Option::as_ref) else { return Dimension::ONE };
-        let first = states.first().map_or(Dimension::ONE, |state| state.dimension);
-        if states.iter().all(|state| state.dimension == first) { first } else { Dimension::ONE }
+        let Some(states) = self.states.get(at).and_then(Option::as_ref) else {
+            return Dimension::ONE;
+        };
+        let first = states
+            .first()
+            .map_or(Dimension::ONE, |state| state.dimension);
+        if states.iter().all(|state| state.dimension == first) {
+            first
+        } else {
+            Dimension::ONE
+        }
     }
 }

@@ -16,14 +16,22 @@ pub(super) fn least_symmetric_eigenvalue(matrix: &Matrix) -> Option<f64> {
     let a = dense(matrix);
     let symmetric = (&a + a.transpose()) * 0.5;
     let eigen = SymmetricEigen::try_new(symmetric, f64::EPSILON, MAX_ITERATIONS)?;
-    eigen.eigenvalues.iter().copied().reduce(f64::min).filter(|value| value.is_finite())
+    eigen
+        .eigenvalues
+        .iter()
+        .copied()
+        .reduce(f64::min)
+        .filter(|value| value.is_finite())
 }
 
 /// Largest real part of the eigenvalues, with the imaginary part that goes with it; `None` if they cannot be computed.
 pub(super) fn rightmost_eigenvalue(matrix: &Matrix) -> Option<(f64, f64)> {
     let schur = Schur::try_new(dense(matrix), f64::EPSILON, MAX_ITERATIONS)?;
     let eigenvalues = schur.complex_eigenvalues();
-    let rightmost = eigenvalues.iter().map(|value| (value.re, value.im.abs())).max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let rightmost = eigenvalues
+        .iter()
+        .map(|value| (value.re, value.im.abs()))
+        .max_by(|a, b| a.0.total_cmp(&b.0))?;
     rightmost.0.is_finite().then_some(rightmost)
 }
 
@@ -52,7 +60,11 @@ pub(super) fn reciprocal_condition(matrix: &Matrix) -> f64 {
 /// A - B C.
 pub(super) fn minus_product(a: &Matrix, b: &Matrix, c: &Matrix) -> Matrix {
     let difference = dense(a) - dense(b) * dense(c);
-    Matrix { rows: a.rows, cols: a.cols, data: difference.transpose().as_slice().to_vec() }
+    Matrix {
+        rows: a.rows,
+        cols: a.cols,
+        data: difference.transpose().as_slice().to_vec(),
+    }
 }
 
 #[cfg(test)]
@@ -60,7 +72,11 @@ mod tests {
     use super::*;
 
     fn matrix(rows: usize, cols: usize, data: &[f64]) -> Matrix {
-        Matrix { rows, cols, data: data.to_vec() }
+        Matrix {
+            rows,
+            cols,
+            data: data.to_vec(),
+        }
     }
 
     #[test]
@@ -76,7 +92,25 @@ mod tests {
     fn units_do_not_make_a_matrix_singular() {
         assert!(reciprocal_condition(&matrix(2, 2, &[1e-7, 0.0, 0.0, 1e9])) > 0.99);
         assert!(reciprocal_condition(&matrix(2, 2, &[1.0, 2.0, 2.0, 4.0])) < 1e-12);
-        assert_eq!(reciprocal_condition(&matrix(2, 2, &[0.0, 0.0, 1.0, 1.0])), 0.0);
+        assert_eq!(
+            reciprocal_condition(&matrix(2, 2, &[0.0, 0.0, 1.0, 1.0])),
+            0.0
+        );
+    }
+
+    #[test]
+    fn overflow_has_no_eigenvalues() {
+        let huge = matrix(2, 2, &[1e308, 1e308, 1e308, -1e308]);
+        assert_eq!(
+            least_symmetric_eigenvalue(&minus_product(&huge, &huge, &huge)),
+            None
+        );
+        assert_eq!(
+            rightmost_eigenvalue(&minus_product(&huge, &huge, &huge)),
+            None
+        );
+        assert!(least_symmetric_eigenvalue(&huge).is_none_or(f64::is_finite));
+        assert!(rightmost_eigenvalue(&huge).is_none_or(|(re, _)| re.is_finite()));
     }
 
     #[test]

@@ -3,8 +3,10 @@
 mod constants;
 mod constraint;
 mod controller;
+mod counts;
 mod cycles;
 mod definitions;
+mod disturbance;
 mod environment;
 mod features;
 mod formula;
@@ -13,11 +15,15 @@ mod initial;
 mod linear;
 mod names;
 mod network;
+mod noise;
+mod numbers;
 mod observer;
 mod parameters;
 mod plant;
+mod reference;
 mod scenario;
 mod scope;
+mod states;
 mod structure;
 
 use crate::diagnostic::{Diagnostic, SourceMap, Span};
@@ -28,16 +34,25 @@ use crate::spec::Spec;
 use scope::{Dependence, Names};
 
 /// Makes the model of a specification, with warnings; or reports everything that is wrong with it.
-pub(crate) fn check(spec: &Spec, sources: &SourceMap, hash: String) -> Result<(Model, Vec<Diagnostic>), Vec<Diagnostic>> {
+pub(crate) fn check(
+    spec: &Spec,
+    sources: &SourceMap,
+    hash: String,
+) -> Result<(Model, Vec<Diagnostic>), Vec<Diagnostic>> {
     let mut context = Context::new(spec);
     let model = context.model(sources, hash);
-    if let Some(model) = &model && context.faults.is_empty() {
+    if let Some(model) = &model
+        && context.faults.is_empty()
+    {
         context.check_initial(model);
     }
     match model {
         Some(model) if context.faults.is_empty() => Ok((model, context.warnings)),
         _ => {
-            assert!(!context.faults.is_empty(), "invariant: no model without a fault");
+            assert!(
+                !context.faults.is_empty(),
+                "invariant: no model without a fault"
+            );
             Err(context.faults)
         }
     }
@@ -61,7 +76,14 @@ struct Context<'a> {
 impl<'a> Context<'a> {
     fn new(spec: &'a Spec) -> Self {
         let mut names = Names::default();
-        names.define("t", Symbol::Time, Dependence { time: true, block: None });
+        names.define(
+            "t",
+            Symbol::Time,
+            Dependence {
+                time: true,
+                block: None,
+            },
+        );
         names.define("pi", Symbol::Pi, Dependence::default());
         Context {
             spec,
@@ -87,7 +109,9 @@ impl<'a> Context<'a> {
         self.check_definitions();
         let sample_time = self.sample_time();
         let horizon = self.horizon();
-        let scenario = sample_time.zip(horizon).and_then(|(sample_time, horizon)| self.scenario(sample_time, horizon));
+        let scenario = sample_time
+            .zip(horizon)
+            .and_then(|(sample_time, horizon)| self.scenario(sample_time, horizon));
         let controller = self.controller(sample_time);
         let matched = self.match_blocks();
         if !self.check_counts() {
@@ -132,8 +156,15 @@ impl<'a> Context<'a> {
         }
     }
 
-    fn fault(&mut self, code: &'static str, span: Span, message: impl Into<String>, help: impl Into<String>) {
-        self.faults.push(Diagnostic::error(code, span, message).with_help(help));
+    fn fault(
+        &mut self,
+        code: &'static str,
+        span: Span,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        self.faults
+            .push(Diagnostic::error(code, span, message).with_help(help));
     }
 
     /// The result of another module, its faults reported here.

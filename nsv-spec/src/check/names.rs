@@ -13,23 +13,60 @@ const MAX_LENGTH: usize = 64;
 
 /// Words that are no identifiers in Rust, or that cannot be bound by `let`.
 const RUST_WORDS: [&str; 56] = [
-    "as", "break", "const", "continue", "crate", "else", "enum", "extern", "false", "fn", "for", "if", "impl", "in", "let", "loop",
-    "match", "mod", "move", "mut", "pub", "ref", "return", "self", "Self", "static", "struct", "super", "trait", "true", "type",
-    "unsafe", "use", "where", "while", "async", "await", "dyn", "abstract", "become", "box", "do", "final", "macro", "override",
-    "priv", "typeof", "unsized", "virtual", "yield", "try", "gen", "None", "Some", "Ok", "Err",
+    "as", "break", "const", "continue", "crate", "else", "enum", "extern", "false", "fn", "for",
+    "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref", "return",
+    "self", "Self", "static", "struct", "super", "trait", "true", "type", "unsafe", "use", "where",
+    "while", "async", "await", "dyn", "abstract", "become", "box", "do", "final", "macro",
+    "override", "priv", "typeof", "unsized", "virtual", "yield", "try", "gen", "None", "Some",
+    "Ok", "Err",
 ];
 
 /// Names of the emitted functions' own values and arguments.
-const EMITTED: [&str; 10] = ["y_r", "y_r_dot", "u", "u_sat", "V", "LV", "state", "params", "plant", "next"];
+const EMITTED: [&str; 10] = [
+    "y_r", "y_r_dot", "u", "u_sat", "V", "LV", "state", "params", "plant", "next",
+];
 
 /// Quantities of the law that are numbered by block, such as `x1` and `k2_dot`.
 const NUMBERED: [&str; 26] = [
-    "x", "th", "h", "zeta", "W", "eps", "sigma", "phi", "w", "e", "k", "E", "c", "Lam", "P", "A_hat", "D_hat", "alpha", "Ybar_norm",
-    "Psi", "F", "G", "H", "d", "t", "ratio",
+    "x",
+    "th",
+    "h",
+    "zeta",
+    "W",
+    "eps",
+    "sigma",
+    "phi",
+    "w",
+    "e",
+    "k",
+    "E",
+    "c",
+    "Lam",
+    "P",
+    "A_hat",
+    "D_hat",
+    "alpha",
+    "Ybar_norm",
+    "Psi",
+    "F",
+    "G",
+    "H",
+    "d",
+    "t",
+    "ratio",
 ];
 
 /// Module names that clash with the surroundings of the emitted code.
-const MODULES: [&str; 8] = ["core", "std", "alloc", "test", "lib", "main", "nsv_runtime", "nsv"];
+const MODULES: [&str; 8] = [
+    "core",
+    "std",
+    "alloc",
+    "test",
+    "lib",
+    "main",
+    "nsv_runtime",
+    "nsv",
+];
 
 /// What a name is used for, which decides what it may collide with.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -46,14 +83,33 @@ impl Context<'_> {
         let spec = self.spec;
         self.check_module_name(&spec.name);
         let mut declared: BTreeMap<String, (Span, &str)> = BTreeMap::new();
-        self.declare(&mut declared, words(&spec.constants), "constant", Use::Constant);
-        self.declare(&mut declared, words(&spec.parameters), "parameter", Use::Emitted);
+        self.declare(
+            &mut declared,
+            words(&spec.constants),
+            "constant",
+            Use::Constant,
+        );
+        self.declare(
+            &mut declared,
+            words(&spec.parameters),
+            "parameter",
+            Use::Emitted,
+        );
         for block in &spec.blocks {
-            self.declare(&mut declared, words(&block.value.states), "state", Use::Emitted);
+            self.declare(
+                &mut declared,
+                words(&block.value.states),
+                "state",
+                Use::Emitted,
+            );
         }
-        self.declare(&mut declared, words(&spec.definitions), "definition", Use::Emitted);
+        self.declare(
+            &mut declared,
+            words(&spec.definitions),
+            "definition",
+            Use::Emitted,
+        );
         self.check_polynomial_names(&declared);
-        self.check_rates(&declared);
         self.declare(&mut BTreeMap::new(), words(&spec.blocks), "block", Use::Emitted);
         self.declare(&mut BTreeMap::new(), words(&spec.inputs), "input", Use::Emitted);
     }
@@ -63,11 +119,24 @@ impl Context<'_> {
             return;
         }
         if name.value.chars().any(|c| c.is_ascii_uppercase()) {
-            let message = format!("name `{}` has capital letters, expected snake case", name.value);
-            self.fault("E0110", name.span, message, format!("write `{}`", name.value.to_ascii_lowercase()));
+            let message = format!(
+                "name `{}` has capital letters, expected snake case",
+                name.value
+            );
+            self.fault(
+                "E0110",
+                name.span,
+                message,
+                format!("write `{}`", name.value.to_ascii_lowercase()),
+            );
         } else if MODULES.contains(&name.value.as_str()) {
             let message = format!("name `{}` clashes with a Rust crate or module", name.value);
-            self.fault("E0111", name.span, message, format!("write `{}_plant`", name.value));
+            self.fault(
+                "E0111",
+                name.span,
+                message,
+                format!("write `{}_plant`", name.value),
+            );
         }
     }
 
@@ -82,9 +151,13 @@ impl Context<'_> {
         for name in names {
             self.check_identifier(name, noun, usage);
             if let Some((first, earlier)) = declared.get(&name.value) {
-                let fault = Diagnostic::error("E0113", name.span, format!("{noun} `{}` has the name of a {earlier}", name.value))
-                    .with_related(*first, format!("the {earlier} is declared here"))
-                    .with_help("give one of them another name");
+                let fault = Diagnostic::error(
+                    "E0113",
+                    name.span,
+                    format!("{noun} `{}` has the name of a {earlier}", name.value),
+                )
+                .with_related(*first, format!("the {earlier} is declared here"))
+                .with_help("give one of them another name");
                 self.faults.push(fault);
                 self.names.refuse(&name.value);
                 continue;
@@ -101,17 +174,35 @@ impl Context<'_> {
             && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
             && text.len() <= MAX_LENGTH;
         if !identifier {
-            let help = format!("a name is a letter followed by letters, digits and `_`, at most {MAX_LENGTH} in all");
-            self.fault("E0110", name.span, format!("{noun} `{shown}` is not an identifier"), help);
+            let help = format!(
+                "a name is a letter followed by letters, digits and `_`, at most {MAX_LENGTH} in all"
+            );
+            self.fault(
+                "E0110",
+                name.span,
+                format!("{noun} `{shown}` is not an identifier"),
+                help,
+            );
         } else if RUST_WORDS.contains(&text) {
-            let message = format!("{noun} `{shown}` is a word of Rust, in which the code is emitted");
-            self.fault("E0111", name.span, message, format!("write `{shown}_`, or better a longer name"));
+            let message =
+                format!("{noun} `{shown}` is a word of Rust, in which the code is emitted");
+            self.fault(
+                "E0111",
+                name.span,
+                message,
+                format!("write `{shown}_`, or better a longer name"),
+            );
         } else if is_reserved(text) {
             let message = format!("{noun} `{shown}` shadows a word of the expression language");
             self.fault("E0111", name.span, message, "choose another name");
         } else if usage == Use::Emitted && reserved(text) {
             let message = format!("{noun} `{shown}` is the name of a quantity of the control law");
-            self.fault("E0112", name.span, message, format!("choose another name, such as `{shown}_value`"));
+            self.fault(
+                "E0112",
+                name.span,
+                message,
+                format!("choose another name, such as `{shown}_value`"),
+            );
         } else {
             return true;
         }
@@ -124,39 +215,42 @@ impl Context<'_> {
         let mut emitted: BTreeMap<String, Span> = BTreeMap::new();
         for group in &spec.polynomials {
             self.check_identifier(&group.name, "polynomial group", Use::Constant);
-            self.declare(&mut BTreeMap::new(), group.value.arguments.iter(), "argument", Use::Constant);
+            self.declare(
+                &mut BTreeMap::new(),
+                group.value.arguments.iter(),
+                "argument",
+                Use::Constant,
+            );
             for part in &group.value.parts {
                 self.check_identifier(&part.name, "polynomial", Use::Constant);
                 let name = format!("{}_{}", group.name.value, part.name.value);
-                let taken = declared.get(&name).map(|(span, _)| span).or_else(|| emitted.get(&name));
+                let taken = declared
+                    .get(&name)
+                    .map(|(span, _)| span)
+                    .or_else(|| emitted.get(&name));
                 if let Some(&taken) = taken {
-                    let message = format!("polynomial `{}.{}` is emitted as `{name}`, which is taken", group.name.value, part.name.value);
-                    let fault = Diagnostic::error("E0113", part.name.span, message).with_related(taken, "the name is declared here");
+                    let message = format!(
+                        "polynomial `{}.{}` is emitted as `{name}`, which is taken",
+                        group.name.value, part.name.value
+                    );
+                    let fault = Diagnostic::error("E0113", part.name.span, message)
+                        .with_related(taken, "the name is declared here");
                     self.faults.push(fault.with_help("rename one of them"));
                 }
                 emitted.insert(name, part.name.span);
             }
         }
     }
-
-    /// The derivative of state `p` is emitted as `p_dot`.
-    fn check_rates(&mut self, declared: &BTreeMap<String, (Span, &str)>) {
-        for (name, (span, noun)) in declared.iter().filter(|(_, (_, noun))| *noun != "constant") {
-            let Some((state, "state")) = name.strip_suffix("_dot").and_then(|state| Some((declared.get(state)?.0, declared.get(state)?.1)))
-            else {
-                continue;
-            };
-            let message = format!("{noun} `{name}` has the name of the derivative of a state");
-            let fault = Diagnostic::error("E0112", *span, message).with_related(state, "the state is declared here");
-            self.faults.push(fault.with_help("choose another name"));
-        }
-    }
 }
 
 /// Whether the emitted code uses a name itself.
 fn reserved(name: &str) -> bool {
-    let stem = name.strip_suffix("_dot").unwrap_or(name).trim_end_matches(|c: char| c.is_ascii_digit());
-    let numbered = stem.len() < name.strip_suffix("_dot").unwrap_or(name).len() && NUMBERED.contains(&stem);
+    let stem = name
+        .strip_suffix("_dot")
+        .unwrap_or(name)
+        .trim_end_matches(|c: char| c.is_ascii_digit());
+    let numbered =
+        stem.len() < name.strip_suffix("_dot").unwrap_or(name).len() && NUMBERED.contains(&stem);
     numbered || EMITTED.contains(&name)
 }
 

@@ -3,8 +3,8 @@
 use super::Context;
 use super::scope::Place;
 use crate::diagnostic::Span;
-use crate::expr::arena::{ExprId, Node, Shape};
 use crate::expr::Expected;
+use crate::expr::arena::{ExprId, Node, Shape};
 use crate::model::{Basis, Network};
 use crate::spec::{self, Formula, Located};
 use crate::unit::Dimension;
@@ -20,7 +20,10 @@ fn node_count(basis: Basis, inputs: usize, order: u64) -> u128 {
         Basis::Pairwise => {
             let pairs = inputs * inputs.saturating_sub(1) / 2;
             let products = order.saturating_mul(order.saturating_sub(1)) / 2;
-            pairs.saturating_mul(products).saturating_add(inputs.saturating_mul(order)).saturating_add(1)
+            pairs
+                .saturating_mul(products)
+                .saturating_add(inputs.saturating_mul(order))
+                .saturating_add(1)
         }
         // C(inputs + order, inputs), one factor at a time; each partial product is a binomial coefficient itself
         Basis::Complete => {
@@ -38,40 +41,85 @@ fn node_count(basis: Basis, inputs: usize, order: u64) -> u128 {
 
 impl Context<'_> {
     /// Checks the network of a block.
-    pub(super) fn network(&mut self, at: usize, written: &Located<spec::Network>) -> Option<Network> {
+    pub(super) fn network(
+        &mut self,
+        at: usize,
+        written: &Located<spec::Network>,
+    ) -> Option<Network> {
         let block = &self.spec.blocks[at].name.value;
-        let Located { value: network, span } = written;
+        let Located {
+            value: network,
+            span,
+        } = written;
         let what = |key: &str| format!("`network.{key}` of block `{block}`");
         let basis = network.basis.map(|basis| basis.value).unwrap_or_else(|| {
-            self.default(format!("controller.blocks.{block}.network.basis"), "pairwise", "the paper's");
+            self.default(
+                format!("controller.blocks.{block}.network.basis"),
+                "pairwise",
+                "the paper's",
+            );
             Basis::Pairwise
         });
         let order = self.order(network, basis, *span);
-        let inputs: Vec<Option<(ExprId, Dimension)>> = network.inputs.iter().map(|input| self.network_input(at, input)).collect();
+        let inputs: Vec<Option<(ExprId, Dimension)>> = network
+            .inputs
+            .iter()
+            .map(|input| self.network_input(at, input))
+            .collect();
         let inputs: Option<Vec<(ExprId, Dimension)>> = inputs.into_iter().collect();
-        let scale = inputs.as_ref().and_then(|inputs| self.scale(network.scale.as_ref(), inputs, block));
+        let scale = inputs
+            .as_ref()
+            .and_then(|inputs| self.scale(network.scale.as_ref(), inputs, block));
         let iota = self.channel_gains(&network.iota, &what("iota"), Dimension::ONE);
         let gamma = self.positive_gain(&network.gamma, &what("Gamma"), Dimension::ONE);
         let lambda = self.positive_gain(&network.lambda, &what("lambda"), Dimension::ONE);
         let inputs: Vec<ExprId> = inputs?.into_iter().map(|(id, _)| id).collect();
         let input_names = self.input_names(&inputs);
-        Some(Network { order: order?, basis, inputs, input_names, scale: scale?, iota: iota?, gamma: gamma?, lambda: lambda? })
+        Some(Network {
+            order: order?,
+            basis,
+            inputs,
+            input_names,
+            scale: scale?,
+            iota: iota?,
+            gamma: gamma?,
+            lambda: lambda?,
+        })
     }
 
     fn order(&mut self, network: &spec::Network, basis: Basis, span: Span) -> Option<u32> {
         let order = network.order;
         if network.inputs.is_empty() {
-            self.fault("E0609", span, "network has no inputs, expected at least one", "list states of this and outer blocks");
+            self.fault(
+                "E0609",
+                span,
+                "network has no inputs, expected at least one",
+                "list states of this and outer blocks",
+            );
             return None;
         }
         if order.value == 0 {
-            self.fault("E0609", order.span, "order of the network is 0, expected at least 1", "a network of order 0 knows a constant only, which the observer estimates");
+            self.fault(
+                "E0609",
+                order.span,
+                "order of the network is 0, expected at least 1",
+                "a network of order 0 knows a constant only, which the observer estimates",
+            );
             return None;
         }
         let nodes = node_count(basis, network.inputs.len(), order.value);
         if nodes > MAX_NODES {
-            let message = format!("network of order {} with {} inputs has too many nodes, expected at most {MAX_NODES}", order.value, network.inputs.len());
-            self.fault("E0609", order.span, message, "lower the order or drop inputs");
+            let message = format!(
+                "network of order {} with {} inputs has too many nodes, expected at most {MAX_NODES}",
+                order.value,
+                network.inputs.len()
+            );
+            self.fault(
+                "E0609",
+                order.span,
+                message,
+                "lower the order or drop inputs",
+            );
             return None;
         }
         u32::try_from(order.value).ok()
@@ -82,25 +130,56 @@ impl Context<'_> {
         let id = self.elaborate(&parsed, Place::Model)?;
         self.check_feedback(&parsed, "network input", at);
         let dimension = self.arena.ty(id).dimension().unwrap_or(Dimension::ONE);
-        let what = format!("network input of block `{}`", self.spec.blocks[at].name.value);
-        let id = self.expect(id, parsed.span(), &Expected { what: &what, shape: Shape::Scalar, dimensions: &[dimension] })?;
+        let what = format!(
+            "network input of block `{}`",
+            self.spec.blocks[at].name.value
+        );
+        let id = self.expect(
+            id,
+            parsed.span(),
+            &Expected {
+                what: &what,
+                shape: Shape::Scalar,
+                dimensions: &[dimension],
+            },
+        )?;
         Some((id, dimension))
     }
 
     /// Divisors of the inputs, in the inputs' units or bare in SI.
-    fn scale(&mut self, written: Option<&Formula>, inputs: &[(ExprId, Dimension)], block: &str) -> Option<Vec<f64>> {
+    fn scale(
+        &mut self,
+        written: Option<&Formula>,
+        inputs: &[(ExprId, Dimension)],
+        block: &str,
+    ) -> Option<Vec<f64>> {
         let Some(formula) = written else {
-            self.default(format!("controller.blocks.{block}.network.scale"), "1", "inputs in SI");
+            self.default(
+                format!("controller.blocks.{block}.network.scale"),
+                "1",
+                "inputs in SI",
+            );
             return Some(vec![1.0; inputs.len()]);
         };
         let what = format!("`network.scale` of block `{block}`");
         let numbers = self.numbers(formula)?;
         let (values, dimensions) = match numbers.shape {
-            Shape::Scalar => (vec![numbers.values[0]; inputs.len()], vec![numbers.dimensions[0]; inputs.len()]),
+            Shape::Scalar => (
+                vec![numbers.values[0]; inputs.len()],
+                vec![numbers.dimensions[0]; inputs.len()],
+            ),
             Shape::Vector(rows) if rows == inputs.len() => (numbers.values, numbers.dimensions),
             shape => {
-                let message = format!("{what} is {shape}, expected a scalar or a vector of {}", inputs.len());
-                self.fault("E0605", numbers.span, message, "write one number for each input");
+                let message = format!(
+                    "{what} is {shape}, expected a scalar or a vector of {}",
+                    inputs.len()
+                );
+                self.fault(
+                    "E0605",
+                    numbers.span,
+                    message,
+                    "write one number for each input",
+                );
                 return None;
             }
         };
@@ -116,8 +195,15 @@ impl Context<'_> {
         let mut names: Vec<String> = Vec::new();
         for (at, &id) in inputs.iter().enumerate() {
             let name = match *self.arena.node(id) {
-                Node::State { block, channel } => Some(self.spec.blocks[block].value.states[channel].name.value.clone()),
-                Node::Definition(definition) => Some(self.definitions[definition.0 as usize].name.clone()),
+                Node::State { block, channel } => Some(
+                    self.spec.blocks[block].value.states[channel]
+                        .name
+                        .value
+                        .clone(),
+                ),
+                Node::Definition(definition) => {
+                    Some(self.definitions[definition.0 as usize].name.clone())
+                }
                 _ => None,
             };
             let fresh = name.filter(|name| !names.contains(name));

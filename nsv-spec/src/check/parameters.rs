@@ -18,9 +18,12 @@ impl Context<'_> {
             let parameter = self.parameter(&declared.name, &declared.value);
             match &parameter {
                 Some(parameter) => {
-                    let id = ParameterId(u32::try_from(at).expect("invariant: fewer than 2^32 parameters"));
+                    let id = ParameterId(
+                        u32::try_from(at).expect("invariant: fewer than 2^32 parameters"),
+                    );
                     let symbol = Symbol::Parameter(id, Type::scalar(parameter.dimension));
-                    self.names.define(&declared.name.value, symbol, Dependence::default());
+                    self.names
+                        .define(&declared.name.value, symbol, Dependence::default());
                 }
                 None => self.names.refuse(&declared.name.value),
             }
@@ -37,40 +40,79 @@ impl Context<'_> {
         let what = format!("parameter `{}`", name.value);
         let (value, dimension) = self.value_in(&declared.value, unit.as_ref(), &what)?;
         let dispersion = match &declared.dispersion {
-            Some(dispersion) => Some(self.dispersion(dispersion, unit.as_ref(), dimension, &what)?),
+            Some(dispersion) => {
+                Some(self.dispersion(dispersion, unit.as_ref(), dimension, &what)?)
+            }
             None => None,
         };
         let doc = text(declared.source.as_ref());
-        Some(Parameter { name: name.value.clone(), value, design_value: value, dimension, dispersion, doc, span: name.span })
+        Some(Parameter {
+            name: name.value.clone(),
+            value,
+            design_value: value,
+            dimension,
+            dispersion,
+            doc,
+            span: name.span,
+        })
     }
 
     /// A scalar with a unit of its own, or in the unit that is given beside it.
-    pub(super) fn value_in(&mut self, code: &Code, unit: Option<&Unit>, what: &str) -> Option<(f64, Dimension)> {
+    pub(super) fn value_in(
+        &mut self,
+        code: &Code,
+        unit: Option<&Unit>,
+        what: &str,
+    ) -> Option<(f64, Dimension)> {
         let (value, dimension) = self.scalar(code, what)?;
         match unit {
-            Some(unit) if dimension == Dimension::ONE => Some((convert(Some(code), value, unit), unit.dimension)),
+            Some(unit) if dimension == Dimension::ONE => {
+                Some((convert(Some(code), value, unit), unit.dimension))
+            }
             Some(unit) if dimension != unit.dimension => {
-                let message = format!("unit mismatch: {what} is in {dimension}, expected {}", unit.dimension);
-                self.fault("E0604", code.base.span, message, "give the unit in one place");
+                self.unit_mismatch(
+                    code.base.span,
+                    what,
+                    dimension,
+                    unit.dimension,
+                    "give the unit in one place",
+                );
                 None
             }
             _ => Some((value, dimension)),
         }
     }
 
-    fn dispersion(&mut self, written: &spec::Dispersion, unit: Option<&Unit>, dimension: Dimension, what: &str) -> Option<Dispersion> {
-        let (spec::Dispersion::Uniform(first, second) | spec::Dispersion::Normal(first, second)) = written;
+    fn dispersion(
+        &mut self,
+        written: &spec::Dispersion,
+        unit: Option<&Unit>,
+        dimension: Dimension,
+        what: &str,
+    ) -> Option<Dispersion> {
+        let (spec::Dispersion::Uniform(first, second) | spec::Dispersion::Normal(first, second)) =
+            written;
         let a = self.dispersed(first, unit, dimension, what);
         let b = self.dispersed(second, unit, dimension, what);
         let (a, b) = (a?, b?);
         let help = "write `{uniform: [least, largest]}` or `{normal: [mean, deviation]}`";
         match written {
             spec::Dispersion::Uniform(..) if a > b => {
-                self.fault("E0607", second.base.span, format!("dispersion of {what} ends at {b} before it starts at {a}"), help);
+                self.fault(
+                    "E0607",
+                    second.base.span,
+                    format!("dispersion of {what} ends at {b} before it starts at {a}"),
+                    help,
+                );
                 None
             }
             spec::Dispersion::Normal(..) if b < 0.0 => {
-                self.fault("E0607", second.base.span, format!("standard deviation of {what} is {b}, expected at least 0"), help);
+                self.fault(
+                    "E0607",
+                    second.base.span,
+                    format!("standard deviation of {what} is {b}, expected at least 0"),
+                    help,
+                );
                 None
             }
             spec::Dispersion::Uniform(..) => Some(Dispersion::Uniform(a, b)),
@@ -78,14 +120,25 @@ impl Context<'_> {
         }
     }
 
-    fn dispersed(&mut self, code: &Code, unit: Option<&Unit>, dimension: Dimension, what: &str) -> Option<f64> {
+    fn dispersed(
+        &mut self,
+        code: &Code,
+        unit: Option<&Unit>,
+        dimension: Dimension,
+        what: &str,
+    ) -> Option<f64> {
         let what = format!("dispersion of {what}");
         let (value, found) = self.value_in(code, unit, &what)?;
         if found == dimension {
             return Some(value);
         }
-        let message = format!("unit mismatch: {what} is in {found}, expected {dimension}");
-        self.fault("E0604", code.base.span, message, format!("write it with its unit, as in `1 {dimension}`"));
+        self.unit_mismatch(
+            code.base.span,
+            &what,
+            found,
+            dimension,
+            format!("write it with its unit, as in `1 {dimension}`"),
+        );
         None
     }
 
@@ -94,17 +147,40 @@ impl Context<'_> {
         let spec = self.spec;
         for design in &spec.controller.parameters {
             let name = &design.name.value;
-            let Some(at) = spec.parameters.iter().position(|parameter| parameter.name.value == *name) else {
-                let known = spec.parameters.iter().map(|parameter| &parameter.name.value);
+            let Some(at) = spec
+                .parameters
+                .iter()
+                .position(|parameter| parameter.name.value == *name)
+            else {
+                let known = spec
+                    .parameters
+                    .iter()
+                    .map(|parameter| &parameter.name.value);
                 let help = match crate::suggest::nearest(name, known) {
                     Some(meant) => format!("did you mean `{meant}`?"),
                     None => "declare it under `parameters`".into(),
                 };
-                self.faults.push(Diagnostic::error("E0116", design.name.span, format!("unknown parameter `{name}`")).with_help(help));
+                self.faults.push(
+                    Diagnostic::error(
+                        "E0116",
+                        design.name.span,
+                        format!("unknown parameter `{name}`"),
+                    )
+                    .with_help(help),
+                );
                 continue;
             };
-            let Some(dimension) = self.parameters[at].as_ref().map(|parameter| parameter.dimension) else { continue };
-            let value = self.quantity(&design.value, &format!("design value of `{name}`"), dimension);
+            let Some(dimension) = self.parameters[at]
+                .as_ref()
+                .map(|parameter| parameter.dimension)
+            else {
+                continue;
+            };
+            let value = self.quantity(
+                &design.value,
+                &format!("design value of `{name}`"),
+                dimension,
+            );
             if let (Some(value), Some(parameter)) = (value, &mut self.parameters[at]) {
                 parameter.design_value = value;
             }

@@ -1,10 +1,10 @@
 //! Guarantees that a scenario ends in reasonable time, and that its scheme can integrate its noise.
 
 use super::Context;
+use super::plant::SECOND;
 use crate::diagnostic::Span;
 use crate::model::{NoiseModel, Scenario, Scheme};
-use crate::spec::{Located, self};
-use crate::unit::Dimension;
+use crate::spec::{self, Located};
 
 /// Most plant steps of one run.
 const MAX_STEPS: f64 = 1e9;
@@ -12,7 +12,6 @@ const MAX_SUBSTEPS: u64 = 1000;
 const MAX_RUNS: u64 = 1_000_000_000;
 /// Sample times outside this range are slips of a unit, s.
 const SAMPLE_TIMES: (f64, f64) = (1e-6, 10.0);
-const SECOND: Dimension = Dimension::new(0, 0, 1, 0);
 
 impl Context<'_> {
     /// The controller's sample time.
@@ -23,7 +22,12 @@ impl Context<'_> {
         if (least..=largest).contains(&value) {
             return Some(value);
         }
-        self.fault("E0602", code.base.span, format!("sample time is {value} s, expected {least} s to {largest} s"), "write it with its unit, as in `2 ms`");
+        self.fault(
+            "E0602",
+            code.base.span,
+            format!("sample time is {value} s, expected {least} s to {largest} s"),
+            "write it with its unit, as in `2 ms`",
+        );
         None
     }
 
@@ -38,13 +42,23 @@ impl Context<'_> {
     /// Checks the scenario, given the sample time and the horizon.
     pub(super) fn scenario(&mut self, sample_time: f64, horizon: f64) -> Option<Scenario> {
         let written = &self.spec.scenario;
-        let substeps = self.count_or(written.substeps, 4, (1, MAX_SUBSTEPS), "substeps", "plant steps per sample");
+        let substeps = self.count_or(
+            written.substeps,
+            4,
+            (1, MAX_SUBSTEPS),
+            "substeps",
+            "plant steps per sample",
+        );
         let seed = self.count_or(written.seed, 1, (0, u64::MAX), "seed", "any number will do");
         let runs = self.count_or(written.runs, 1, (1, MAX_RUNS), "runs", "a single run");
         let settle = match &written.settle {
             Some(code) => self.settle(code, horizon),
             None => {
-                self.default("scenario.settle".into(), "0 s", "rms values over the whole run");
+                self.default(
+                    "scenario.settle".into(),
+                    "0 s",
+                    "rms values over the whole run",
+                );
                 Some(0.0)
             }
         };
@@ -52,15 +66,33 @@ impl Context<'_> {
         let (substeps, span) = (substeps?, written.horizon.base.span);
         let steps = horizon / sample_time * substeps as f64;
         if horizon < sample_time {
-            self.fault("E0602", span, format!("horizon {horizon} s is shorter than the sample time {sample_time} s"), "simulate at least one sample");
+            self.fault(
+                "E0602",
+                span,
+                format!("horizon {horizon} s is shorter than the sample time {sample_time} s"),
+                "simulate at least one sample",
+            );
             return None;
         }
         if steps > MAX_STEPS {
-            self.fault("E0602", span, format!("a run has {steps:.1e} steps, expected at most {MAX_STEPS:.0e}"), "shorten the horizon or lengthen the sample time");
+            self.fault(
+                "E0602",
+                span,
+                format!("a run has {steps:.1e} steps, expected at most {MAX_STEPS:.0e}"),
+                "shorten the horizon or lengthen the sample time",
+            );
             return None;
         }
         let substeps = u32::try_from(substeps).expect("invariant: substeps are capped");
-        Some(Scenario { horizon, substeps, scheme, noise, seed: seed?, runs: runs?, settle: settle? })
+        Some(Scenario {
+            horizon,
+            substeps,
+            scheme,
+            noise,
+            seed: seed?,
+            runs: runs?,
+            settle: settle?,
+        })
     }
 
     fn settle(&mut self, code: &spec::Code, horizon: f64) -> Option<f64> {
@@ -68,8 +100,14 @@ impl Context<'_> {
         if (0.0..horizon).contains(&value) {
             return Some(value);
         }
-        let message = format!("settle is {value} s, expected 0 s up to less than the horizon {horizon} s");
-        self.fault("E0602", code.base.span, message, "it is the start of the window for rms values");
+        let message =
+            format!("settle is {value} s, expected 0 s up to less than the horizon {horizon} s");
+        self.fault(
+            "E0602",
+            code.base.span,
+            message,
+            "it is the start of the window for rms values",
+        );
         None
     }
 
@@ -77,7 +115,11 @@ impl Context<'_> {
     fn scheme(&mut self) -> (Scheme, NoiseModel) {
         let written = &self.spec.scenario;
         let noise = written.noise.map(|noise| noise.value).unwrap_or_else(|| {
-            self.default("scenario.noise".into(), "sampled", "one draw for each sample, as in the paper's simulation");
+            self.default(
+                "scenario.noise".into(),
+                "sampled",
+                "one draw for each sample, as in the paper's simulation",
+            );
             NoiseModel::Sampled
         });
         let scheme = match (written.scheme, noise) {
@@ -87,18 +129,41 @@ impl Context<'_> {
                 Scheme::RungeKutta4
             }
             (None, NoiseModel::Wiener) => {
-                self.default("scenario.scheme".into(), "euler_maruyama", "converges for every Wiener noise");
+                self.default(
+                    "scenario.scheme".into(),
+                    "euler_maruyama",
+                    "converges for every Wiener noise",
+                );
                 Scheme::EulerMaruyama
             }
         };
-        if let (Some(Located { value: Scheme::RungeKutta4, span }), NoiseModel::Wiener) = (written.scheme, noise) {
+        if let (
+            Some(Located {
+                value: Scheme::RungeKutta4,
+                span,
+            }),
+            NoiseModel::Wiener,
+        ) = (written.scheme, noise)
+        {
             let help = "write `scheme: euler_maruyama` or `platen`, or `noise: sampled`";
-            self.fault("E0610", span, "scheme rk4 cannot integrate wiener noise", help);
+            self.fault(
+                "E0610",
+                span,
+                "scheme rk4 cannot integrate wiener noise",
+                help,
+            );
         }
         (scheme, noise)
     }
 
-    fn count_or(&mut self, written: Option<Located<u64>>, otherwise: u64, range: (u64, u64), key: &str, reason: &str) -> Option<u64> {
+    fn count_or(
+        &mut self,
+        written: Option<Located<u64>>,
+        otherwise: u64,
+        range: (u64, u64),
+        key: &str,
+        reason: &str,
+    ) -> Option<u64> {
         match written {
             Some(Located { value, span }) => self.in_range(value, range, span, key),
             None => {
@@ -108,11 +173,22 @@ impl Context<'_> {
         }
     }
 
-    fn in_range(&mut self, value: u64, (least, largest): (u64, u64), span: Span, key: &str) -> Option<u64> {
+    fn in_range(
+        &mut self,
+        value: u64,
+        (least, largest): (u64, u64),
+        span: Span,
+        key: &str,
+    ) -> Option<u64> {
         if (least..=largest).contains(&value) {
             return Some(value);
         }
-        self.fault("E0602", span, format!("{key} is {value}, expected {least} to {largest}"), "choose a number in this range");
+        self.fault(
+            "E0602",
+            span,
+            format!("{key} is {value}, expected {least} to {largest}"),
+            "choose a number in this range",
+        );
         None
     }
 }

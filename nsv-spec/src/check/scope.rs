@@ -1,10 +1,16 @@
 //! What names mean in the expressions of a specification, and what a name depends on.
 
+use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::expr::arena::PolynomialId;
 use crate::expr::{Scope, Symbol};
 use crate::model::Polynomial;
+
+/// Most names among which to look for the one that was meant, and how often to look at all: suggestions for every slip in a
+/// specification with thousands of names and slips would take minutes.
+const MOST_NAMES: usize = 2000;
+const MOST_SUGGESTIONS: usize = 20;
 
 /// What the value of a name varies with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -17,7 +23,10 @@ pub(super) struct Dependence {
 
 impl Dependence {
     pub(super) fn join(self, other: Self) -> Self {
-        Dependence { time: self.time || other.time, block: self.block.max(other.block) }
+        Dependence {
+            time: self.time || other.time,
+            block: self.block.max(other.block),
+        }
     }
 }
 
@@ -35,6 +44,8 @@ pub(super) enum Place {
 pub(super) struct Names {
     symbols: BTreeMap<String, (Symbol, Dependence)>,
     refused: BTreeSet<String>,
+    /// How many suggestions have been asked for.
+    asked: Cell<usize>,
     /// Polynomial data, derivatives that expressions ask for at the end.
     pub(super) polynomials: Vec<Polynomial>,
 }
@@ -42,19 +53,27 @@ pub(super) struct Names {
 impl Names {
     /// Gives a name its meaning.
     pub(super) fn define(&mut self, name: &str, symbol: Symbol, dependence: Dependence) {
-        let symbol = if self.refused.contains(name) { Symbol::Faulty } else { symbol };
+        let symbol = if self.refused.contains(name) {
+            Symbol::Faulty
+        } else {
+            symbol
+        };
         self.symbols.insert(name.into(), (symbol, dependence));
     }
 
     /// Declares a name without meaning, for a fault has been reported; its uses are passed over.
     pub(super) fn refuse(&mut self, name: &str) {
         self.refused.insert(name.into());
-        self.symbols.insert(name.into(), (Symbol::Faulty, Dependence::default()));
+        self.symbols
+            .insert(name.into(), (Symbol::Faulty, Dependence::default()));
     }
 
     /// What a name depends on.
     pub(super) fn dependence(&self, name: &str) -> Dependence {
-        self.symbols.get(name).map(|(_, dependence)| *dependence).unwrap_or_default()
+        self.symbols
+            .get(name)
+            .map(|(_, dependence)| *dependence)
+            .unwrap_or_default()
     }
 
     /// The names as seen from a place.
@@ -71,7 +90,11 @@ pub(super) struct View<'a> {
 
 impl View<'_> {
     fn visible(&self, symbol: &Symbol) -> bool {
-        self.place == Place::Model || matches!(symbol, Symbol::Constant(..) | Symbol::Pi | Symbol::Polynomial(..) | Symbol::Faulty)
+        self.place == Place::Model
+            || matches!(
+                symbol,
+                Symbol::Constant(..) | Symbol::Pi | Symbol::Polynomial(..) | Symbol::Faulty
+            )
     }
 }
 
@@ -81,22 +104,45 @@ impl Scope for View<'_> {
         if self.visible(symbol) {
             return Some(symbol.clone());
         }
-        Some(Symbol::Unavailable("this number must be known when the code is generated: it may use constants only".into()))
+        Some(Symbol::Unavailable(
+            "this number must be known when the code is generated: it may use constants only"
+                .into(),
+        ))
     }
 
     fn names(&self) -> Vec<String> {
-        let visible = self.names.symbols.iter().filter(|(_, (symbol, _))| self.visible(symbol));
+        let asked = self.names.asked.get() + 1;
+        self.names.asked.set(asked);
+        if asked > MOST_SUGGESTIONS || self.names.symbols.len() > MOST_NAMES {
+            return Vec::new();
+        }
+        let visible = self
+            .names
+            .symbols
+            .iter()
+            .filter(|(_, (symbol, _))| self.visible(symbol));
         visible.map(|(name, _)| name.clone()).collect()
     }
 
     fn derivative(&mut self, polynomial: PolynomialId, argument: usize) -> PolynomialId {
         let of = &self.names.polynomials[polynomial.0 as usize];
         let name = format!("{}_d{}", of.name, argument + 1);
-        let id = |at: usize| PolynomialId(u32::try_from(at).expect("invariant: fewer than 2^32 polynomials"));
-        if let Some(at) = self.names.polynomials.iter().position(|known| known.name == name) {
+        let id = |at: usize| {
+            PolynomialId(u32::try_from(at).expect("invariant: fewer than 2^32 polynomials"))
+        };
+        if let Some(at) = self
+            .names
+            .polynomials
+            .iter()
+            .position(|known| known.name == name)
+        {
             return id(at);
         }
-        let derivative = Polynomial { name, terms: differentiate(of, argument), ..of.clone() };
+        let derivative = Polynomial {
+            name,
+            terms: differentiate(of, argument),
+            ..of.clone()
+        };
         self.names.polynomials.push(derivative);
         id(self.names.polynomials.len() - 1)
     }

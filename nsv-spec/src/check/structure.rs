@@ -17,8 +17,12 @@ impl Context<'_> {
             }
             if let Some(inner) = dependence.block.filter(|&inner| inner > block) {
                 let inner = &spec.blocks[inner].name.value;
-                let message = format!("{what} of block `{own}` depends on the states of inner block `{inner}` through `{name}`");
-                let help = format!("it may depend on the states of `{own}` and of blocks before it; inner states act through `gain` only");
+                let message = format!(
+                    "{what} of block `{own}` depends on the states of inner block `{inner}` through `{name}`"
+                );
+                let help = format!(
+                    "it may depend on the states of `{own}` and of blocks before it; inner states act through `gain` only"
+                );
                 self.fault("E0701", span, message, help);
             }
         }
@@ -30,8 +34,14 @@ impl Context<'_> {
         for (name, span) in parsed.names() {
             if let Some(block) = self.names.dependence(name).block {
                 let block = &spec.blocks[block].name.value;
-                let message = format!("{what} depends on the states of block `{block}` through `{name}`");
-                self.fault("E0703", span, message, "it may depend on `t`, constants and parameters only");
+                let message =
+                    format!("{what} depends on the states of block `{block}` through `{name}`");
+                self.fault(
+                    "E0703",
+                    span,
+                    message,
+                    "it may depend on `t`, constants and parameters only",
+                );
             }
         }
     }

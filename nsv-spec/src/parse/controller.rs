@@ -2,7 +2,9 @@
 
 use super::fields::{Fields, Reader};
 use crate::model::{Basis, Integration, Norm, VirtualDerivative};
-use crate::spec::{AutoCode, Controller, ControllerBlock, ErrorBound, Located, Network, NoiseBound};
+use crate::spec::{
+    AutoCode, Controller, ControllerBlock, ErrorBound, Located, Network, NoiseBound,
+};
 use crate::vocabulary::{CONTROLLER_BLOCK, ERROR_BOUND, NETWORK, NOISE_BOUND};
 use crate::yaml::Node;
 
@@ -14,12 +16,18 @@ impl Reader {
             sample_time: self.code(&fields, "sample_time"),
             virtual_derivative: self.choice(&fields, "virtual_derivative", &derivatives),
             norm: self.choice(&fields, "norm", &[Norm::Frobenius, Norm::Spectral]),
-            integration: self.choice(&fields, "integration", &[Integration::Exponential, Integration::Euler]),
+            integration: self.choice(
+                &fields,
+                "integration",
+                &[Integration::Exponential, Integration::Euler],
+            ),
             barrier_margin: self.optional_code(&fields, "barrier_margin"),
             parameters: self.map(&fields, "parameters", Self::code_of),
             blocks: Located {
                 value: self.map(&fields, "blocks", Self::controller_block),
-                span: fields.entry("blocks").map_or(fields.span, |entry| entry.key.span),
+                span: fields
+                    .entry("blocks")
+                    .map_or(fields.span, |entry| entry.key.span),
             },
         }
     }
@@ -28,7 +36,9 @@ impl Reader {
         let fields = self.fields(node, &CONTROLLER_BLOCK);
         ControllerBlock {
             k: self.formula(&fields, "K"),
-            kbar: self.auto(&fields, "kbar").unwrap_or(AutoCode::Auto(fields.span)),
+            kbar: self
+                .auto(&fields, "kbar")
+                .unwrap_or(AutoCode::Auto(fields.span)),
             c: self.formula(&fields, "C"),
             filter: self.optional_formula(&fields, "filter"),
             eta_1: self.optional_code(&fields, "eta_1"),
@@ -47,7 +57,10 @@ impl Reader {
         let fields = self.fields(node, &NETWORK);
         let inputs = self.items(&fields, "inputs", "a list of expressions");
         Network {
-            order: self.count(&fields, "order").unwrap_or(Located { value: 1, span: node.span }),
+            order: self.count(&fields, "order").unwrap_or(Located {
+                value: 1,
+                span: node.span,
+            }),
             basis: self.choice(&fields, "basis", &[Basis::Pairwise, Basis::Complete]),
             inputs: inputs.iter().map(|item| self.formula_of(item)).collect(),
             scale: self.optional_formula(&fields, "scale"),
@@ -59,7 +72,10 @@ impl Reader {
 
     fn error_bound(&mut self, node: &Node) -> ErrorBound {
         let fields = self.fields(node, &ERROR_BOUND);
-        ErrorBound { iota: self.code(&fields, "iota"), b: self.formula(&fields, "b") }
+        ErrorBound {
+            iota: self.code(&fields, "iota"),
+            b: self.formula(&fields, "b"),
+        }
     }
 
     fn noise_bound(&mut self, node: &Node) -> NoiseBound {

@@ -2,27 +2,38 @@
 
 use super::fields::{Fields, Reader, name};
 use crate::diagnostic::Span;
-use crate::spec::{Code, Constant, Dispersion, Named, Parameter, PolynomialGroup};
+use crate::spec::{Code, Constant, Dispersion, Named, Parameter, PolynomialGroup, Terms};
 use crate::vocabulary::{CONSTANT, PARAMETER, POLYNOMIAL};
 use crate::yaml::{Kind, Node};
 
 /// Largest exponent in polynomial data.
 const MAX_EXPONENT: u32 = 32;
 
-type Terms = Vec<(f64, Vec<u32>)>;
-
 impl Reader {
     pub(super) fn constant(&mut self, node: &Node) -> Constant {
         if !matches!(node.kind, Kind::Map(_)) {
-            return Constant { value: self.formula_of(node), unit: None, source: None };
+            return Constant {
+                value: self.formula_of(node),
+                unit: None,
+                source: None,
+            };
         }
         let fields = self.fields(node, &CONSTANT);
-        Constant { value: self.formula(&fields, "value"), unit: self.text(&fields, "unit"), source: self.text(&fields, "source") }
+        Constant {
+            value: self.formula(&fields, "value"),
+            unit: self.text(&fields, "unit"),
+            source: self.text(&fields, "source"),
+        }
     }
 
     pub(super) fn parameter(&mut self, node: &Node) -> Parameter {
         if !matches!(node.kind, Kind::Map(_)) {
-            return Parameter { value: self.code_of(node), unit: None, dispersion: None, source: None };
+            return Parameter {
+                value: self.code_of(node),
+                unit: None,
+                dispersion: None,
+                source: None,
+            };
         }
         let fields = self.fields(node, &PARAMETER);
         Parameter {
@@ -37,11 +48,20 @@ impl Reader {
         parameter.entry("dispersion")?;
         let fields = self.section(parameter, "dispersion");
         match (fields.entry("uniform"), fields.entry("normal")) {
-            (Some(entry), None) => self.pair(&entry.value, "[least, largest]").map(|(a, b)| Dispersion::Uniform(a, b)),
-            (None, Some(entry)) => self.pair(&entry.value, "[mean, deviation]").map(|(a, b)| Dispersion::Normal(a, b)),
+            (Some(entry), None) => self
+                .pair(&entry.value, "[least, largest]")
+                .map(|(a, b)| Dispersion::Uniform(a, b)),
+            (None, Some(entry)) => self
+                .pair(&entry.value, "[mean, deviation]")
+                .map(|(a, b)| Dispersion::Normal(a, b)),
             _ => {
                 let help = "write `{uniform: [0.8, 1.2]}` or `{normal: [1, 0.1]}`";
-                self.fault("E0106", fields.span, "dispersion must have one of `uniform` and `normal`", help);
+                self.fault(
+                    "E0106",
+                    fields.span,
+                    "dispersion must have one of `uniform` and `normal`",
+                    help,
+                );
                 None
             }
         }
@@ -49,9 +69,15 @@ impl Reader {
 
     fn pair(&mut self, node: &Node, expected: &str) -> Option<(Code, Code)> {
         match &node.kind {
-            Kind::Seq(items) if items.len() == 2 => Some((self.code_of(&items[0]), self.code_of(&items[1]))),
+            Kind::Seq(items) if items.len() == 2 => {
+                Some((self.code_of(&items[0]), self.code_of(&items[1])))
+            }
             _ => {
-                self.kind(node, &format!("a list of two: `{expected}`"), "write two numbers in brackets");
+                self.kind(
+                    node,
+                    &format!("a list of two: `{expected}`"),
+                    "write two numbers in brackets",
+                );
                 None
             }
         }
@@ -59,13 +85,20 @@ impl Reader {
 
     pub(super) fn polynomial_group(&mut self, node: &Node) -> PolynomialGroup {
         let fields = self.fields(node, &POLYNOMIAL);
-        let arguments: Vec<_> = self.items(&fields, "arguments", "a list of names").iter().map(|item| self.word(item)).collect();
+        let arguments: Vec<_> = self
+            .items(&fields, "arguments", "a list of names")
+            .iter()
+            .map(|item| self.word(item))
+            .collect();
         let parts = self.named(&fields, "parts");
         PolynomialGroup {
             source: self.text(&fields, "source"),
             parts: parts
                 .into_iter()
-                .map(|entry| Named { name: name(entry), value: self.terms(&entry.value, arguments.len()) })
+                .map(|entry| Named {
+                    name: name(entry),
+                    value: self.terms(&entry.value, arguments.len()),
+                })
                 .collect(),
             arguments,
         }
@@ -73,9 +106,16 @@ impl Reader {
 
     fn terms(&mut self, node: &Node, arguments: usize) -> Terms {
         match &node.kind {
-            Kind::Seq(items) if !items.is_empty() => items.iter().filter_map(|item| self.term(item, arguments)).collect(),
+            Kind::Seq(items) if !items.is_empty() => items
+                .iter()
+                .filter_map(|item| self.term(item, arguments))
+                .collect(),
             _ => {
-                self.kind(node, "a list of terms", "write `[[coefficient, exponent, ..], ..]`");
+                self.kind(
+                    node,
+                    "a list of terms",
+                    "write `[[coefficient, exponent, ..], ..]`",
+                );
                 Vec::new()
             }
         }
@@ -88,12 +128,18 @@ impl Reader {
             return None;
         };
         if items.len() != arguments + 1 {
-            let message = format!("found a term of {}, expected a coefficient and {arguments} exponents", items.len());
+            let message = format!(
+                "found a term of {}, expected a coefficient and {arguments} exponents",
+                items.len()
+            );
             self.fault("E0107", node.span, message, help);
             return None;
         }
         let coefficient = self.coefficient(&items[0]);
-        let exponents: Vec<u32> = items[1..].iter().filter_map(|item| self.exponent(item)).collect();
+        let exponents: Vec<u32> = items[1..]
+            .iter()
+            .filter_map(|item| self.exponent(item))
+            .collect();
         (exponents.len() == arguments).then_some((coefficient?, exponents))
     }
 
@@ -101,18 +147,39 @@ impl Reader {
         let value = digits(node).and_then(|text| text.parse::<f64>().ok());
         match value {
             Some(value) if value.is_finite() => Some(value),
-            Some(_) => self.refuse(node.span, format!("found {}, expected a finite coefficient", node.describe())),
-            None => self.refuse(node.span, format!("found {}, expected a number", node.describe())),
+            Some(_) => self.refuse(
+                node.span,
+                format!("found {}, expected a finite coefficient", node.describe()),
+            ),
+            None => self.refuse(
+                node.span,
+                format!("found {}, expected a number", node.describe()),
+            ),
         }
     }
 
     fn exponent(&mut self, node: &Node) -> Option<u32> {
-        let value = digits(node).and_then(|text| text.parse::<u32>().ok()).filter(|&value| value <= MAX_EXPONENT);
-        value.or_else(|| self.refuse(node.span, format!("found {}, expected an exponent from 0 to {MAX_EXPONENT}", node.describe())))
+        let value = digits(node)
+            .and_then(|text| text.parse::<u32>().ok())
+            .filter(|&value| value <= MAX_EXPONENT);
+        value.or_else(|| {
+            self.refuse(
+                node.span,
+                format!(
+                    "found {}, expected an exponent from 0 to {MAX_EXPONENT}",
+                    node.describe()
+                ),
+            )
+        })
     }
 
     fn refuse<T>(&mut self, span: Span, message: String) -> Option<T> {
-        self.fault("E0107", span, message, "polynomial data are plain numbers; units belong into the arguments");
+        self.fault(
+            "E0107",
+            span,
+            message,
+            "polynomial data are plain numbers; units belong into the arguments",
+        );
         None
     }
 }
@@ -120,7 +187,11 @@ impl Reader {
 /// The text of a plain number, with a digit in it: no `inf` or `nan`.
 fn digits(node: &Node) -> Option<&str> {
     match &node.kind {
-        Kind::Scalar(scalar) if !scalar.quoted && scalar.text.contains(|c: char| c.is_ascii_digit()) => Some(&scalar.text),
+        Kind::Scalar(scalar)
+            if !scalar.quoted && scalar.text.contains(|c: char| c.is_ascii_digit()) =>
+        {
+            Some(&scalar.text)
+        }
         _ => None,
     }
 }

@@ -1,13 +1,11 @@
-//! Reads the values of a map by the keys that the vocabulary knows.
-//!
-//! A value with a fault is reported and replaced by an empty one; the specification is discarded once it is read to its end.
+//! Reads maps by the keys that the vocabulary knows.
 
 use std::collections::BTreeMap;
 
-use crate::diagnostic::{Base, Diagnostic, Span};
-use crate::spec::{AutoCode, Code, Formula, Located, Named, Word};
+use crate::diagnostic::{Diagnostic, Span};
+use crate::spec::{Located, Named, Word};
 use crate::suggest::nearest;
-use crate::vocabulary::{Kind as Expects, Key, Section};
+use crate::vocabulary::{Key, Kind as Expects, Section};
 use crate::yaml::{Entry, Kind, Node, excerpt};
 
 /// The known keys of one map.
@@ -21,11 +19,16 @@ pub(super) struct Fields<'a> {
 impl<'a> Fields<'a> {
     /// The entry of a key, which must be in the section's vocabulary.
     pub(super) fn entry(&self, name: &str) -> Option<&'a Entry> {
-        debug_assert!(self.key(name).is_some(), "invariant: `{name}` is a key of {}", self.section.noun);
+        debug_assert!(
+            self.key(name).is_some(),
+            "invariant: `{name}` is a key of {}",
+            self.section.noun
+        );
         self.entries.get(name).copied()
     }
 
-    fn key(&self, name: &str) -> Option<&'static Key> {
+    /// What the vocabulary says of a key.
+    pub(super) fn key(&self, name: &str) -> Option<&'static Key> {
         self.section.keys.iter().find(|key| key.name == name)
     }
 }
@@ -37,17 +40,37 @@ pub(super) struct Reader {
 }
 
 impl Reader {
-    pub(super) fn fault(&mut self, code: &'static str, span: Span, message: impl Into<String>, help: impl Into<String>) {
-        self.faults.push(Diagnostic::error(code, span, message).with_help(help));
+    pub(super) fn fault(
+        &mut self,
+        code: &'static str,
+        span: Span,
+        message: impl Into<String>,
+        help: impl Into<String>,
+    ) {
+        self.faults
+            .push(Diagnostic::error(code, span, message).with_help(help));
     }
 
     /// The keys of a map: none unknown, none twice, all required ones there.
     pub(super) fn fields<'a>(&mut self, node: &'a Node, section: &'static Section) -> Fields<'a> {
-        let mut fields = Fields { section, entries: BTreeMap::new(), span: node.span };
+        let mut fields = Fields {
+            section,
+            entries: BTreeMap::new(),
+            span: node.span,
+        };
         let Kind::Map(entries) = &node.kind else {
             let keys: Vec<&str> = section.keys.iter().map(|key| key.name).collect();
-            let message = format!("found {}, expected {}: a map", node.describe(), section.noun);
-            self.fault("E0103", node.span, message, format!("its keys are {}", list(&keys)));
+            let message = format!(
+                "found {}, expected {}: a map",
+                node.describe(),
+                section.noun
+            );
+            self.fault(
+                "E0103",
+                node.span,
+                message,
+                format!("its keys are {}", list(&keys)),
+            );
             return fields;
         };
         for entry in unique(&mut self.faults, entries) {
@@ -56,22 +79,42 @@ impl Reader {
                 None => self.unknown(entry, section),
             }
         }
-        for key in section.keys.iter().filter(|key| key.required && !fields.entries.contains_key(key.name)) {
+        for key in section
+            .keys
+            .iter()
+            .filter(|key| key.required && !fields.entries.contains_key(key.name))
+        {
             let span = entries.first().map_or(node.span, |first| first.key.span);
             let message = format!("key `{}` is missing in {}", key.name, section.noun);
-            self.fault("E0104", span, message, format!("add `{}`: {}", key.name, key.doc));
+            self.fault(
+                "E0104",
+                span,
+                message,
+                format!("add `{}`: {}", key.name, key.doc),
+            );
         }
         fields
     }
 
     /// The keys of the map under a key; none where that is missing, which has been reported if it is required.
     pub(super) fn section<'a>(&mut self, parent: &Fields<'a>, name: &str) -> Fields<'a> {
-        let Some(Key { kind: Expects::Section(section), .. }) = parent.key(name) else {
-            unreachable!("invariant: `{name}` is a section of {}", parent.section.noun)
+        let Some(Key {
+            kind: Expects::Section(section),
+            ..
+        }) = parent.key(name)
+        else {
+            unreachable!(
+                "invariant: `{name}` is a section of {}",
+                parent.section.noun
+            )
         };
         match parent.entry(name) {
             Some(entry) => self.fields(&entry.value, section),
-            None => Fields { section, entries: BTreeMap::new(), span: parent.span },
+            None => Fields {
+                section,
+                entries: BTreeMap::new(),
+                span: parent.span,
+            },
         }
     }
 
@@ -81,12 +124,23 @@ impl Reader {
             Some(meant) => format!("did you mean `{meant}`?"),
             None => format!("{} has the keys {}", section.noun, list(&names)),
         };
-        self.fault("E0101", entry.key.span, format!("unknown key `{}` in {}", excerpt(&entry.key.text), section.noun), help);
+        self.fault(
+            "E0101",
+            entry.key.span,
+            format!(
+                "unknown key `{}` in {}",
+                excerpt(&entry.key.text),
+                section.noun
+            ),
+            help,
+        );
     }
 
     /// The entries of a map with names chosen by the user.
     pub(super) fn named<'a>(&mut self, fields: &Fields<'a>, key: &str) -> Vec<&'a Entry> {
-        let Some(entry) = fields.entry(key) else { return Vec::new() };
+        let Some(entry) = fields.entry(key) else {
+            return Vec::new();
+        };
         self.entries(&entry.value, &format!("a map from names to {key}"))
     }
 
@@ -99,144 +153,77 @@ impl Reader {
     }
 
     /// A map from names to values that `read` reads.
-    pub(super) fn map<T>(&mut self, fields: &Fields<'_>, key: &str, read: fn(&mut Self, &Node) -> T) -> Vec<Named<T>> {
+    pub(super) fn map<T>(
+        &mut self,
+        fields: &Fields<'_>,
+        key: &str,
+        read: fn(&mut Self, &Node) -> T,
+    ) -> Vec<Named<T>> {
         let entries = self.named(fields, key);
-        entries.into_iter().map(|entry| Named { name: name(entry), value: read(self, &entry.value) }).collect()
+        entries
+            .into_iter()
+            .map(|entry| Named {
+                name: name(entry),
+                value: read(self, &entry.value),
+            })
+            .collect()
     }
 
     /// A nested map, read by `read`, with the place of its key.
-    pub(super) fn nested<T>(&mut self, fields: &Fields<'_>, key: &str, read: fn(&mut Self, &Node) -> T) -> Option<Located<T>> {
+    pub(super) fn nested<T>(
+        &mut self,
+        fields: &Fields<'_>,
+        key: &str,
+        read: fn(&mut Self, &Node) -> T,
+    ) -> Option<Located<T>> {
         let entry = fields.entry(key)?;
-        Some(Located { value: read(self, &entry.value), span: entry.key.span })
+        Some(Located {
+            value: read(self, &entry.value),
+            span: entry.key.span,
+        })
     }
 
     /// The items of a list.
-    pub(super) fn items<'a>(&mut self, fields: &Fields<'a>, key: &str, expected: &str) -> &'a [Node] {
+    pub(super) fn items<'a>(
+        &mut self,
+        fields: &Fields<'a>,
+        key: &str,
+        expected: &str,
+    ) -> &'a [Node] {
         match fields.entry(key).map(|entry| &entry.value) {
             None => &[],
-            Some(Node { kind: Kind::Seq(items), .. }) => items,
+            Some(Node {
+                kind: Kind::Seq(items),
+                ..
+            }) => items,
             Some(other) => {
-                self.kind(other, expected, "write `[.., ..]`, or one `- item` on each line");
+                self.kind(
+                    other,
+                    expected,
+                    "write `[.., ..]`, or one `- item` on each line",
+                );
                 &[]
             }
         }
     }
 
-    /// Text for people.
-    pub(super) fn word(&mut self, node: &Node) -> Word {
-        match &node.kind {
-            Kind::Scalar(scalar) => Located { value: scalar.text.clone(), span: node.span },
-            _ => {
-                self.kind(node, "text", "write it in quotes");
-                Located { value: String::new(), span: node.span }
-            }
-        }
-    }
-
-    /// Text under a key.
-    pub(super) fn text(&mut self, fields: &Fields<'_>, key: &str) -> Option<Word> {
-        fields.entry(key).map(|entry| self.word(&entry.value))
-    }
-
-    /// An expression or a nested list of them.
-    pub(super) fn formula_of(&mut self, node: &Node) -> Formula {
-        match &node.kind {
-            Kind::Seq(items) => {
-                if items.is_empty() {
-                    self.kind(node, "at least one entry", "write its entries");
-                }
-                Formula::List(items.iter().map(|item| self.formula_of(item)).collect(), node.span)
-            }
-            _ => Formula::Code(self.code_of(node)),
-        }
-    }
-
-    /// An expression under a key that is required.
-    pub(super) fn formula(&mut self, fields: &Fields<'_>, key: &str) -> Formula {
-        self.optional_formula(fields, key).unwrap_or_else(|| Formula::List(Vec::new(), fields.span))
-    }
-
-    /// An expression under a key.
-    pub(super) fn optional_formula(&mut self, fields: &Fields<'_>, key: &str) -> Option<Formula> {
-        fields.entry(key).map(|entry| self.formula_of(&entry.value))
-    }
-
-    /// One expression.
-    pub(super) fn code_of(&mut self, node: &Node) -> Code {
-        let text = match &node.kind {
-            Kind::Scalar(scalar) => scalar.code.clone(),
-            _ => {
-                self.kind(node, "a number or an expression", "write a number with its unit, or an expression in quotes");
-                String::new()
-            }
-        };
-        let exact = text.len() == (node.span.end - node.span.start) as usize;
-        Code { text, base: Base { span: node.span, exact } }
-    }
-
-    /// A quantity under a key that is required.
-    pub(super) fn code(&mut self, fields: &Fields<'_>, key: &str) -> Code {
-        let empty = || Code { text: String::new(), base: Base::whole(fields.span) };
-        self.optional_code(fields, key).unwrap_or_else(empty)
-    }
-
-    /// A quantity under a key.
-    pub(super) fn optional_code(&mut self, fields: &Fields<'_>, key: &str) -> Option<Code> {
-        fields.entry(key).map(|entry| self.code_of(&entry.value))
-    }
-
-    /// A quantity or `auto`.
-    pub(super) fn auto(&mut self, fields: &Fields<'_>, key: &str) -> Option<AutoCode> {
-        let node = &fields.entry(key)?.value;
-        Some(match &node.kind {
-            Kind::Scalar(scalar) if scalar.text == "auto" => AutoCode::Auto(node.span),
-            _ => AutoCode::Code(self.code_of(node)),
-        })
-    }
-
-    /// A whole number.
-    pub(super) fn count(&mut self, fields: &Fields<'_>, key: &str) -> Option<Located<u64>> {
-        let node = &fields.entry(key)?.value;
-        let value = match &node.kind {
-            Kind::Scalar(scalar) if !scalar.quoted => scalar.text.parse().ok(),
-            _ => None,
-        };
-        if value.is_none() {
-            self.kind(node, "a whole number from 0", "write plain digits, without unit, sign or point");
-        }
-        value.map(|value| Located { value, span: node.span })
-    }
-
-    /// One of the words that the vocabulary lists for the key; `values` are their meanings in the same order.
-    pub(super) fn choice<T: Copy>(&mut self, fields: &Fields<'_>, key: &str, values: &[T]) -> Option<Located<T>> {
-        let node = &fields.entry(key)?.value;
-        let Some(Key { kind: Expects::Choice(words), .. }) = fields.key(key) else { return None };
-        debug_assert_eq!(words.len(), values.len(), "invariant: every word of `{key}` has a meaning");
-        let found = match &node.kind {
-            Kind::Scalar(scalar) => words.iter().position(|word| *word == scalar.text),
-            _ => None,
-        };
-        let Some(at) = found else {
-            let help = match &node.kind {
-                Kind::Scalar(scalar) => nearest(&scalar.text, *words).map(|meant| format!("did you mean `{meant}`?")),
-                _ => None,
-            };
-            let expected = format!("{} for `{key}`", list(words));
-            self.kind(node, &expected, &help.unwrap_or_else(|| "write one of these words".into()));
-            return None;
-        };
-        Some(Located { value: values[at], span: node.span })
-    }
-
     /// Reports a value of a wrong kind.
     pub(super) fn kind(&mut self, node: &Node, expected: &str, help: &str) {
-        self.fault("E0103", node.span, format!("found {}, expected {expected}", node.describe()), help);
+        self.fault(
+            "E0103",
+            node.span,
+            format!("found {}, expected {expected}", node.describe()),
+            help,
+        );
     }
 }
 
 /// The name under which an entry stands.
 pub(super) fn name(entry: &Entry) -> Word {
-    Located { value: entry.key.text.clone(), span: entry.key.span }
+    Located {
+        value: entry.key.text.clone(),
+        span: entry.key.span,
+    }
 }
 
 /// Each key once; repeated ones are reported with both places.
@@ -250,9 +237,13 @@ fn unique<'a>(faults: &mut Vec<Diagnostic>, entries: &'a [Entry]) -> Vec<&'a Ent
                 kept.push(entry);
             }
             Some(earlier) => faults.push(
-                Diagnostic::error("E0102", entry.key.span, format!("key `{}` is given twice", excerpt(&entry.key.text)))
-                    .with_related(*earlier, "first given here")
-                    .with_help("remove one of them"),
+                Diagnostic::error(
+                    "E0102",
+                    entry.key.span,
+                    format!("key `{}` is given twice", excerpt(&entry.key.text)),
+                )
+                .with_related(*earlier, "first given here")
+                .with_help("remove one of them"),
             ),
         }
     }
@@ -260,7 +251,7 @@ fn unique<'a>(faults: &mut Vec<Diagnostic>, entries: &'a [Entry]) -> Vec<&'a Ent
 }
 
 /// `a`, `b` or `c`.
-fn list(words: &[&str]) -> String {
+pub(super) fn list(words: &[&str]) -> String {
     let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
     match quoted.split_last() {
         Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),

@@ -4,6 +4,7 @@ mod controller;
 mod data;
 mod fields;
 mod plant;
+mod values;
 
 use crate::diagnostic::Diagnostic;
 use crate::model::{NoiseModel, Scheme};
@@ -19,14 +20,21 @@ const VERSION: u64 = 1;
 pub(crate) fn parse(tree: &Node) -> Result<Spec, Vec<Diagnostic>> {
     let mut reader = Reader::default();
     let spec = reader.specification(tree);
-    if reader.faults.is_empty() { Ok(spec) } else { Err(reader.faults) }
+    if reader.faults.is_empty() {
+        Ok(spec)
+    } else {
+        Err(reader.faults)
+    }
 }
 
 impl Reader {
     fn specification(&mut self, tree: &Node) -> Spec {
         let fields = self.fields(tree, &SPECIFICATION);
         self.version(&fields);
-        let empty = Located { value: String::new(), span: tree.span };
+        let empty = Located {
+            value: String::new(),
+            span: tree.span,
+        };
         let (blocks, inputs) = self.plant(&fields);
         Spec {
             name: self.text(&fields, "name").unwrap_or(empty),
@@ -39,7 +47,9 @@ impl Reader {
             inputs,
             reference: Located {
                 value: self.map(&fields, "reference", Self::formula_of),
-                span: fields.entry("reference").map_or(tree.span, |entry| entry.key.span),
+                span: fields
+                    .entry("reference")
+                    .map_or(tree.span, |entry| entry.key.span),
             },
             controller: self.controller(&fields),
             scenario: self.scenario(&fields),
@@ -47,10 +57,20 @@ impl Reader {
     }
 
     fn version(&mut self, fields: &Fields<'_>) {
-        let Some(version) = self.count(fields, "nsv") else { return };
+        let Some(version) = self.count(fields, "nsv") else {
+            return;
+        };
         if version.value != VERSION {
-            let message = format!("language version {} is not known, expected {VERSION}", version.value);
-            self.fault("E0105", version.span, message, format!("write `nsv: {VERSION}`"));
+            let message = format!(
+                "language version {} is not known, expected {VERSION}",
+                version.value
+            );
+            self.fault(
+                "E0105",
+                version.span,
+                message,
+                format!("write `nsv: {VERSION}`"),
+            );
         }
     }
 
@@ -59,7 +79,11 @@ impl Reader {
         Scenario {
             horizon: self.code(&fields, "horizon"),
             substeps: self.count(&fields, "substeps"),
-            scheme: self.choice(&fields, "scheme", &[Scheme::EulerMaruyama, Scheme::Platen, Scheme::RungeKutta4]),
+            scheme: self.choice(
+                &fields,
+                "scheme",
+                &[Scheme::EulerMaruyama, Scheme::Platen, Scheme::RungeKutta4],
+            ),
             noise: self.choice(&fields, "noise", &[NoiseModel::Sampled, NoiseModel::Wiener]),
             seed: self.count(&fields, "seed"),
             runs: self.count(&fields, "runs"),

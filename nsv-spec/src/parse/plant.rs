@@ -7,9 +7,15 @@ use crate::yaml::{Kind, Node};
 
 impl Reader {
     /// Blocks and inputs.
-    pub(super) fn plant(&mut self, specification: &Fields<'_>) -> (Vec<Named<PlantBlock>>, Vec<Named<Input>>) {
+    pub(super) fn plant(
+        &mut self,
+        specification: &Fields<'_>,
+    ) -> (Vec<Named<PlantBlock>>, Vec<Named<Input>>) {
         let fields = self.section(specification, "plant");
-        (self.map(&fields, "blocks", Self::plant_block), self.map(&fields, "inputs", Self::input))
+        (
+            self.map(&fields, "blocks", Self::plant_block),
+            self.map(&fields, "inputs", Self::input),
+        )
     }
 
     fn plant_block(&mut self, node: &Node) -> PlantBlock {
@@ -25,10 +31,16 @@ impl Reader {
 
     fn state(&mut self, node: &Node) -> State {
         if !matches!(node.kind, Kind::Map(_)) {
-            return State { initial: self.code_of(node), unit: None };
+            return State {
+                initial: self.code_of(node),
+                unit: None,
+            };
         }
         let fields = self.fields(node, &STATE);
-        State { initial: self.code(&fields, "initial"), unit: self.text(&fields, "unit") }
+        State {
+            initial: self.code(&fields, "initial"),
+            unit: self.text(&fields, "unit"),
+        }
     }
 
     fn disturbance(&mut self, block: &Fields<'_>) -> Option<Located<Disturbance>> {
@@ -37,12 +49,21 @@ impl Reader {
         let value = match (fields.entry("bounded"), fields.entry("exosystem")) {
             (Some(entry), None) => Disturbance::Bounded(self.formula_of(&entry.value)),
             (None, Some(_)) => {
-                let items = self.items(&fields, "exosystem", "a list with one exosystem for each channel");
+                let items = self.items(
+                    &fields,
+                    "exosystem",
+                    "a list with one exosystem for each channel",
+                );
                 Disturbance::Exosystem(items.iter().map(|item| self.exosystem(item)).collect())
             }
             _ => {
                 let help = "leave `disturbance` out where there is none";
-                self.fault("E0106", span, "disturbance must have one of `bounded` and `exosystem`", help);
+                self.fault(
+                    "E0106",
+                    span,
+                    "disturbance must have one of `bounded` and `exosystem`",
+                    help,
+                );
                 return None;
             }
         };
@@ -62,14 +83,23 @@ impl Reader {
 
     fn noise(&mut self, node: &Node) -> Noise {
         let fields = self.fields(node, &NOISE);
-        Noise { effectiveness: self.formula(&fields, "effectiveness"), intensity: self.formula(&fields, "intensity") }
+        Noise {
+            effectiveness: self.formula(&fields, "effectiveness"),
+            intensity: self.formula(&fields, "intensity"),
+        }
     }
 
     fn input(&mut self, node: &Node) -> Input {
         if !matches!(node.kind, Kind::Map(_)) {
-            return Input { limit: self.code_of(node), safe: None };
+            return Input {
+                limit: self.code_of(node),
+                safe: None,
+            };
         }
         let fields = self.fields(node, &INPUT);
-        Input { limit: self.code(&fields, "limit"), safe: self.optional_code(&fields, "safe") }
+        Input {
+            limit: self.code(&fields, "limit"),
+            safe: self.optional_code(&fields, "safe"),
+        }
     }
 }

@@ -10,11 +10,19 @@ use crate::diagnostic::{Diagnostic, FileId, Span};
 pub(super) fn diagnostic(error: &Error, text: &str, file: FileId) -> Diagnostic {
     let error = error.without_snippet();
     let span = span(error, text, file);
-    let fault = |code, message: String, help: &str| Diagnostic::error(code, span, message).with_help(help);
+    let fault =
+        |code, message: String, help: &str| Diagnostic::error(code, span, message).with_help(help);
     match error {
         Error::AliasError { error: inner, .. } => diagnostic(inner, text, file),
-        Error::Budget { breach: BudgetBreach::Depth { .. }, .. } => too_deep(span),
-        Error::Budget { breach: BudgetBreach::Documents { .. }, .. } | Error::MultipleDocuments { .. } => fault(
+        Error::Budget {
+            breach: BudgetBreach::Depth { .. },
+            ..
+        } => too_deep(span),
+        Error::Budget {
+            breach: BudgetBreach::Documents { .. },
+            ..
+        }
+        | Error::MultipleDocuments { .. } => fault(
             "E0008",
             "found a second YAML document, expected one".into(),
             "remove the line `---` and what follows it",
@@ -25,7 +33,9 @@ pub(super) fn diagnostic(error: &Error, text: &str, file: FileId) -> Diagnostic 
         | Error::AliasExpansionLimitExceeded { .. }
         | Error::AliasReplayStackDepthExceeded { .. } => fault(
             "E0006",
-            format!("file expands to too much data, expected at most {MAX_NODES} values and few aliases"),
+            format!(
+                "file expands to too much data, expected at most {MAX_NODES} values and few aliases"
+            ),
             "write the values out instead of nesting aliases",
         ),
         Error::RecursiveReferencesRequireWeakTypes { .. } => fault(
@@ -59,8 +69,12 @@ pub(super) fn diagnostic(error: &Error, text: &str, file: FileId) -> Diagnostic 
 
 /// Brackets nested too deep, which the library reports in two ways.
 fn too_deep(span: Span) -> Diagnostic {
-    Diagnostic::error("E0005", span, format!("values are nested too deep, expected at most {MAX_DEPTH} levels"))
-        .with_help("a specification needs eight levels; look for a bracket that is never closed")
+    Diagnostic::error(
+        "E0005",
+        span,
+        format!("values are nested too deep, expected at most {MAX_DEPTH} levels"),
+    )
+    .with_help("a specification needs eight levels; look for a bracket that is never closed")
 }
 
 fn syntax(error: &Error, span: Span) -> Diagnostic {
@@ -89,9 +103,19 @@ fn span(error: &Error, text: &str, file: FileId) -> Span {
     // The scanner counts characters; only later stages know bytes.
     let start = span.map_or(0, |span| match span.byte_offset() {
         Some(byte) => usize::try_from(byte).unwrap_or(text.len()),
-        None => text.char_indices().nth(usize::try_from(span.offset()).unwrap_or(usize::MAX)).map_or(text.len(), |(byte, _)| byte),
+        None => text
+            .char_indices()
+            .nth(usize::try_from(span.offset()).unwrap_or(usize::MAX))
+            .map_or(text.len(), |(byte, _)| byte),
     });
     let start = start.min(text.len());
-    let end = text[start..].chars().next().map_or(start, |c| start + c.len_utf8());
-    Span { file, start: start as u32, end: end as u32 }
+    let end = text[start..]
+        .chars()
+        .next()
+        .map_or(start, |c| start + c.len_utf8());
+    Span {
+        file,
+        start: start as u32,
+        end: end as u32,
+    }
 }

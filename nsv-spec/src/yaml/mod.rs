@@ -4,8 +4,10 @@
 
 mod fault;
 mod read;
+mod text;
 
-pub use read::{MAX_BYTES, read, text};
+pub use read::read;
+pub use text::{MAX_BYTES, text};
 
 use crate::diagnostic::Span;
 
@@ -76,7 +78,10 @@ impl Node {
 /// The beginning of a text on one line, short enough to stand in a message.
 pub fn excerpt(text: &str) -> String {
     const LONGEST: usize = 40;
-    let clean: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let clean: String = text
+        .chars()
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .collect();
     if clean.chars().count() <= LONGEST {
         return clean;
     }

@@ -1,7 +1,6 @@
-//! Reads YAML with `serde-saphyr`: bytes to text, text to a tree, within limits that no honest file comes near.
+//! Reads YAML with `serde-saphyr`: text to a tree, within limits that no honest file comes near.
 
 use std::fmt;
-use std::sync::Arc;
 
 use serde::Deserialize;
 use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
@@ -12,39 +11,12 @@ use super::fault;
 use super::{Entry, Key, Kind, Node, Scalar};
 use crate::diagnostic::{Diagnostic, FileId, Span};
 
-/// Largest file that is read, bytes. The flagship plant with all its aerodynamic data is 30 kB.
-pub const MAX_BYTES: usize = 1 << 20;
 /// Deepest nesting; a specification needs eight levels.
 pub(super) const MAX_DEPTH: usize = 32;
 /// Most maps, lists and scalars in one file, aliases expanded.
 pub(super) const MAX_NODES: usize = 100_000;
 /// Most aliases in one file.
 const MAX_ALIASES: usize = 1_000;
-
-/// The bytes of a file as text, or why they are none.
-pub fn text(bytes: &[u8], file: FileId) -> Result<Arc<str>, Diagnostic> {
-    let start = Span { file, start: 0, end: 0 };
-    if bytes.len() > MAX_BYTES {
-        let message = format!("file has {} bytes, expected at most {MAX_BYTES}", bytes.len());
-        return Err(Diagnostic::error("E0001", start, message)
-            .with_help("move data that is not part of the model out of the specification"));
-    }
-    if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
-        return Err(Diagnostic::error("E0002", start, "file is UTF-16, expected UTF-8").with_help("save the file as UTF-8"));
-    }
-    if bytes.starts_with(&[0xef, 0xbb, 0xbf]) {
-        return Err(Diagnostic::error("E0003", start, "file starts with a byte order mark, expected plain UTF-8")
-            .with_help("save the file as UTF-8 without byte order mark"));
-    }
-    match std::str::from_utf8(bytes) {
-        Ok(text) => Ok(text.into()),
-        Err(error) => {
-            let at = error.valid_up_to();
-            let message = format!("byte {at} (0x{:02x}) is not UTF-8", bytes[at]);
-            Err(Diagnostic::error("E0002", start, message).with_help("save the file as UTF-8"))
-        }
-    }
-}
 
 /// The tree of a YAML text.
 pub fn read(text: &str, file: FileId) -> Result<Node, Diagnostic> {
@@ -75,7 +47,7 @@ fn options() -> Options {
             max_anchors: MAX_ALIASES,
             max_documents: 1,
             max_recorded_anchor_events: MAX_NODES,
-            max_recorded_anchor_bytes: 4 * MAX_BYTES,
+            max_recorded_anchor_bytes: 4 * super::MAX_BYTES,
         },
         alias_limits: serde_saphyr::alias_limits! {
             max_total_replayed_events: MAX_NODES,
@@ -162,48 +134,92 @@ struct Placer<'a> {
 impl Placer<'_> {
     fn node(&self, raw: Spanned<Raw>) -> Node {
         let span = self.span(raw.defined);
-        let spanning = |last: Option<Span>| Span { end: last.map_or(span.end, |last| last.end.max(span.end)), ..span };
+        let spanning = |last: Option<Span>| Span {
+            end: last.map_or(span.end, |last| last.end.max(span.end)),
+            ..span
+        };
         match raw.value {
-            Raw::Null => Node { kind: Kind::Null, span },
+            Raw::Null => Node {
+                kind: Kind::Null,
+                span,
+            },
             Raw::Text(text) => self.scalar(Some(text), span),
             Raw::Literal => self.scalar(None, span),
             Raw::Seq(items) => {
                 let items: Vec<Node> = items.into_iter().map(|item| self.node(item)).collect();
-                Node { span: spanning(items.last().map(|last| last.span)), kind: Kind::Seq(items) }
+                Node {
+                    span: spanning(items.last().map(|last| last.span)),
+                    kind: Kind::Seq(items),
+                }
             }
             Raw::Map(entries) => {
-                let entries: Vec<Entry> = entries.into_iter().map(|(key, value)| self.entry(key, value)).collect();
-                Node { span: spanning(entries.last().map(|last| last.value.span)), kind: Kind::Map(entries) }
+                let entries: Vec<Entry> = entries
+                    .into_iter()
+                    .map(|(key, value)| self.entry(key, value))
+                    .collect();
+                Node {
+                    span: spanning(entries.last().map(|last| last.value.span)),
+                    kind: Kind::Map(entries),
+                }
             }
         }
     }
 
     fn entry(&self, key: Spanned<String>, value: Spanned<Raw>) -> Entry {
-        Entry { key: Key { text: key.value, span: self.span(key.defined) }, value: self.node(value) }
+        Entry {
+            key: Key {
+                text: key.value,
+                span: self.span(key.defined),
+            },
+            value: self.node(value),
+        }
     }
 
     fn scalar(&self, decoded: Option<String>, span: Span) -> Node {
         let written = self.text[span.start as usize..span.end as usize].trim_end();
-        let span = Span { end: span.start + written.len() as u32, ..span };
+        let span = Span {
+            end: span.start + written.len() as u32,
+            ..span
+        };
         let quoted = written.len() >= 2 && written.starts_with(['"', '\'']);
         let (code, span) = if quoted {
-            (&written[1..written.len() - 1], Span { start: span.start + 1, end: span.end - 1, ..span })
+            (
+                &written[1..written.len() - 1],
+                Span {
+                    start: span.start + 1,
+                    end: span.end - 1,
+                    ..span
+                },
+            )
         } else {
             (written, span)
         };
         // Lines of block and folded scalars are joined by the library; everything else is as written, `1e999` and `.nan` included.
-        let text = decoded.filter(|_| quoted || code.contains('\n')).unwrap_or_else(|| code.into());
+        let text = decoded
+            .filter(|_| quoted || code.contains('\n'))
+            .unwrap_or_else(|| code.into());
         let escaped = quoted && (code.contains('\\') || code.contains("''"));
         let code = if escaped { text.clone() } else { code.into() };
-        Node { kind: Kind::Scalar(Scalar { text, code, quoted }), span }
+        Node {
+            kind: Kind::Scalar(Scalar { text, code, quoted }),
+            span,
+        }
     }
 
     fn span(&self, location: Location) -> Span {
         let span = location.span();
-        let byte = |at: Option<u64>| at.and_then(|at| usize::try_from(at).ok()).unwrap_or(0).min(self.text.len());
+        let byte = |at: Option<u64>| {
+            at.and_then(|at| usize::try_from(at).ok())
+                .unwrap_or(0)
+                .min(self.text.len())
+        };
         let start = byte(span.byte_offset());
         let end = (start + byte(span.byte_len())).min(self.text.len());
-        Span { file: self.file, start: start as u32, end: end as u32 }
+        Span {
+            file: self.file,
+            start: start as u32,
+            end: end as u32,
+        }
     }
 }
 
@@ -235,26 +251,65 @@ mod tests {
     fn check(text: &str, expected: &[(&str, &str)]) {
         let mut all = Vec::new();
         leaves(&tree(text), text, &mut all);
-        let found: Vec<(&str, &str)> = all.iter().map(|(text, at)| (text.as_str(), at.as_str())).collect();
+        let found: Vec<(&str, &str)> = all
+            .iter()
+            .map(|(text, at)| (text.as_str(), at.as_str()))
+            .collect();
         assert_eq!(found, expected);
     }
 
     #[test]
     fn spans_cover_keys_and_scalars() {
-        check("a: 1.50\n\"b c\": 'x y'  # note\n", &[("a", "a"), ("1.50", "1.50"), ("b c", "\"b c\""), ("x y", "x y")]);
-        check("\u{3b1}\u{3b2}: [\u{3b3}, {d: 2 m}]", &[("\u{3b1}\u{3b2}", "\u{3b1}\u{3b2}"), ("\u{3b3}", "\u{3b3}"), ("d", "d"), ("2 m", "2 m")]);
-        check("a: &x {b: 1}\nc: *x", &[("a", "a"), ("b", "b"), ("1", "1"), ("c", "c"), ("b", "b"), ("1", "1")]);
+        check(
+            "a: 1.50\n\"b c\": 'x y'  # note\n",
+            &[
+                ("a", "a"),
+                ("1.50", "1.50"),
+                ("b c", "\"b c\""),
+                ("x y", "x y"),
+            ],
+        );
+        check(
+            "\u{3b1}\u{3b2}: [\u{3b3}, {d: 2 m}]",
+            &[
+                ("\u{3b1}\u{3b2}", "\u{3b1}\u{3b2}"),
+                ("\u{3b3}", "\u{3b3}"),
+                ("d", "d"),
+                ("2 m", "2 m"),
+            ],
+        );
+        check(
+            "a: &x {b: 1}\nc: *x",
+            &[
+                ("a", "a"),
+                ("b", "b"),
+                ("1", "1"),
+                ("c", "c"),
+                ("b", "b"),
+                ("1", "1"),
+            ],
+        );
     }
 
     #[test]
     fn block_scalars_point_at_their_first_line() {
-        check("a: |\n  x +\n    y\nb: >-\n  p\n  q\n", &[("a", "a"), ("x +\n  y\n", "x +\n    y"), ("b", "b"), ("p q", "p\n  q")]);
+        check(
+            "a: |\n  x +\n    y\nb: >-\n  p\n  q\n",
+            &[
+                ("a", "a"),
+                ("x +\n  y\n", "x +\n    y"),
+                ("b", "b"),
+                ("p q", "p\n  q"),
+            ],
+        );
     }
 
     #[test]
     fn code_is_the_text_of_the_file_where_it_can_be() {
         let text = "a: |\n  x +\n    y\nb: 'it''s'\n";
-        let Kind::Map(entries) = tree(text).kind else { panic!("a map") };
+        let Kind::Map(entries) = tree(text).kind else {
+            panic!("a map")
+        };
         let code = |at: usize| match &entries[at].value.kind {
             Kind::Scalar(scalar) => (scalar.code.clone(), scalar.quoted),
             other => panic!("{other:?}"),
@@ -273,6 +328,9 @@ mod tests {
 
     #[test]
     fn duplicate_keys_survive() {
-        check("a: 1\na: 2\n", &[("a", "a"), ("1", "1"), ("a", "a"), ("2", "2")]);
+        check(
+            "a: 1\na: 2\n",
+            &[("a", "a"), ("1", "1"), ("a", "a"), ("2", "2")],
+        );
     }
 }

@@ -5,6 +5,7 @@ use nsv_runtime::linear::Vector;
 use nsv_runtime::status::Status;
 use emitted::pitch::controller::SAFE_INPUT;
 use emitted::pitch::{Controller, Params, Simulator};
+use emitted::{bare, wiener};
 
 fn non_finite_input_leaves_the_states_alone() {
     let mut controller = Controller::new(Params::<f64>::design());
@@ -29,10 +30,10 @@ fn events_are_reported() {
     assert!(far.u_sat[0] > far.u[0]);
 }
 
-fn a_run_depends_on_its_seed_and_number_alone() {
+fn a_run_depends_on_its_seed_and_number_alone<L: ClosedLoop>() {
     let run = |seed, run, noise| {
-        let mut simulator = Simulator::new(&Options { seed, run, noise, dispersion: true });
-        let mut row = vec![0.0; Simulator::SIGNALS.len()];
+        let mut simulator = L::new(&Options { seed, run, noise, dispersion: true });
+        let mut row = vec![0.0; L::SIGNALS.len()];
         for _ in 0..100 {
             simulator.control();
             simulator.telemetry(&mut row);
@@ -46,9 +47,23 @@ fn a_run_depends_on_its_seed_and_number_alone() {
     assert_ne!(run(1, 2, true), run(1, 2, false));
 }
 
+fn a_bare_loop_decays() {
+    let mut simulator = bare::Simulator::new(&Options { seed: 1, run: 1, noise: true, dispersion: true });
+    assert!(simulator.constraint_ratio().is_nan());
+    let mut error = [0.0];
+    for _ in 0..1000 {
+        simulator.control();
+        simulator.advance();
+    }
+    simulator.tracking_error(&mut error);
+    assert!((error[0] - 0.01 * f64::exp(-2.0)).abs() < 1e-5);
+}
+
 fn main() {
     non_finite_input_leaves_the_states_alone();
     events_are_reported();
-    a_run_depends_on_its_seed_and_number_alone();
+    a_run_depends_on_its_seed_and_number_alone::<Simulator>();
+    a_run_depends_on_its_seed_and_number_alone::<wiener::Simulator>();
+    a_bare_loop_decays();
     println!("ok");
 }

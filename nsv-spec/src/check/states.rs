@@ -1,0 +1,126 @@
+//! Guarantees that every state and input has a finite value in a unit, and every limit is positive.
+
+use super::Context;
+use super::scope::Dependence;
+use crate::expr::Symbol;
+use crate::model;
+use crate::spec::{self, Named, Word};
+use crate::unit::Dimension;
+
+impl Context<'_> {
+    /// Computes initial values and display units of all states and gives their names a meaning.
+    pub(super) fn check_states(&mut self) {
+        let spec = self.spec;
+        for (at, block) in spec.blocks.iter().enumerate() {
+            let mut states = Vec::new();
+            for (channel, Named { name, value }) in block.value.states.iter().enumerate() {
+                let state = self.state(name, value);
+                match &state {
+                    Some(state) => {
+                        let symbol = Symbol::State {
+                            block: at,
+                            channel,
+                            dimension: state.dimension,
+                        };
+                        self.names.define(
+                            &name.value,
+                            symbol,
+                            Dependence {
+                                time: false,
+                                block: Some(at),
+                            },
+                        );
+                    }
+                    None => self.names.refuse(&name.value),
+                }
+                states.push(state);
+            }
+            self.states.push(states.into_iter().collect());
+        }
+    }
+
+    fn state(&mut self, name: &Word, written: &spec::State) -> Option<model::State> {
+        let what = format!("initial value of `{}`", name.value);
+        let unit = match &written.unit {
+            Some(unit) => Some(self.unit(unit)?),
+            None => None,
+        };
+        let (initial, dimension) = self.value_in(&written.initial, unit.as_ref(), &what)?;
+        let display = match unit {
+            Some(unit) => (unit.text, unit.scale),
+            None => self.display(&written.initial, dimension),
+        };
+        Some(model::State {
+            name: name.value.clone(),
+            initial,
+            dimension,
+            display,
+        })
+    }
+
+    /// The unit in which a quantity is written, or SI.
+    fn display(&mut self, code: &spec::Code, dimension: Dimension) -> (String, f64) {
+        let parsed = crate::expr::parse(&code.text, code.base).ok();
+        let unit = parsed
+            .as_ref()
+            .and_then(|expr| expr.as_literal())
+            .and_then(|(_, unit)| unit);
+        unit.map_or_else(
+            || (dimension.to_string(), 1.0),
+            |unit| (unit.text.clone(), unit.scale),
+        )
+    }
+
+    /// Checks limits and safe values of the inputs.
+    pub(super) fn check_inputs(&mut self) -> Option<Vec<model::Input>> {
+        let spec = self.spec;
+        let inputs: Vec<Option<model::Input>> = spec
+            .inputs
+            .iter()
+            .map(|input| self.input(&input.name, &input.value))
+            .collect();
+        inputs.into_iter().collect()
+    }
+
+    fn input(&mut self, name: &Word, written: &spec::Input) -> Option<model::Input> {
+        let what = format!("limit of input `{}`", name.value);
+        let (limit, dimension) = self.scalar(&written.limit, &what)?;
+        let span = written.limit.base.span;
+        self.positive(limit, span, &what)?;
+        let safe = match &written.safe {
+            Some(code) => self.quantity(
+                code,
+                &format!("safe value of input `{}`", name.value),
+                dimension,
+            )?,
+            None => {
+                self.default(
+                    format!("plant.inputs.{}.safe", name.value),
+                    "0",
+                    "output when a measurement is not finite",
+                );
+                0.0
+            }
+        };
+        if safe.abs() > limit {
+            let message = format!(
+                "safe value of input `{}` is {safe}, beyond its limit {limit}",
+                name.value
+            );
+            self.fault(
+                "E0602",
+                written.safe.as_ref().map_or(span, |code| code.base.span),
+                message,
+                "choose a value within the limit",
+            );
+            return None;
+        }
+        Some(model::Input {
+            name: name.value.clone(),
+            limit,
+            safe,
+            dimension,
+            display: self.display(&written.limit, dimension),
+        })
+    }
+}

@@ -1,0 +1,80 @@
+//! Keys of constants, parameters and polynomial data.
+
+use super::{Kind, Section, optional, required};
+
+/// Short or long form.
+pub(super) const CONSTANT_KIND: Kind = Kind::Either(&[Kind::Formula, Kind::Section(&CONSTANT)]);
+/// Short or long form.
+pub(super) const PARAMETER_KIND: Kind = Kind::Either(&[Kind::Quantity, Kind::Section(&PARAMETER)]);
+
+/// The long form of a constant.
+pub static CONSTANT: Section = Section {
+    noun: "a constant",
+    keys: &[
+        required(
+            "value",
+            Kind::Formula,
+            "number, expression of constants, list, or list of lists",
+        ),
+        optional(
+            "unit",
+            Kind::Text,
+            "unit of the value, if the value has none",
+        ),
+        optional("source", Kind::Text, "where the value comes from"),
+    ],
+};
+
+/// The long form of a parameter.
+pub static PARAMETER: Section = Section {
+    noun: "a parameter",
+    keys: &[
+        required("value", Kind::Quantity, "nominal value"),
+        optional(
+            "unit",
+            Kind::Text,
+            "unit of the value, if the value has none",
+        ),
+        optional(
+            "dispersion",
+            Kind::Section(&DISPERSION),
+            "how the plant's value is drawn in each run",
+        ),
+        optional("source", Kind::Text, "where the value comes from"),
+    ],
+};
+
+/// Distribution of a dispersed parameter.
+pub static DISPERSION: Section = Section {
+    noun: "a dispersion",
+    keys: &[
+        optional(
+            "uniform",
+            Kind::List(&Kind::Quantity),
+            "least and largest value",
+        ),
+        optional(
+            "normal",
+            Kind::List(&Kind::Quantity),
+            "mean and standard deviation",
+        ),
+    ],
+};
+
+/// A group of polynomial data.
+pub static POLYNOMIAL: Section = Section {
+    noun: "a polynomial group",
+    keys: &[
+        required(
+            "arguments",
+            Kind::List(&Kind::Text),
+            "names of the dimensionless arguments, in order",
+        ),
+        optional("source", Kind::Text, "where the data come from"),
+        required(
+            "parts",
+            Kind::Named(&Kind::List(&Kind::List(&Kind::Quantity))),
+            "polynomials of the group, each a list of terms: coefficient, then the exponent of each argument",
+        ),
+    ],
+};

@@ -1,0 +1,174 @@
+//! Every key of the language with its kind and meaning: the one table that both the parser and the JSON Schema are made from.
+
+mod controller;
+mod data;
+mod plant;
+
+pub(crate) use controller::{CONTROLLER, CONTROLLER_BLOCK, ERROR_BOUND, NETWORK, NOISE_BOUND};
+pub(crate) use data::{CONSTANT, PARAMETER, POLYNOMIAL};
+use data::{CONSTANT_KIND, PARAMETER_KIND};
+pub(crate) use plant::{EXOSYSTEM, INPUT, NOISE, PLANT, PLANT_BLOCK, STATE};
+
+/// A map with known keys.
+#[derive(Debug)]
+pub struct Section {
+    /// What it is, with article, for messages: `a network`.
+    pub noun: &'static str,
+    /// Its keys, in the order in which they are best written.
+    pub keys: &'static [Key],
+}
+
+/// One key of a section.
+#[derive(Debug)]
+pub struct Key {
+    /// The key.
+    pub name: &'static str,
+    /// What stands behind it.
+    pub kind: Kind,
+    /// Whether it must be there. Keys whose need depends on other choices are not required here but checked later.
+    pub required: bool,
+    /// Its meaning.
+    pub doc: &'static str,
+}
+
+/// What may stand behind a key.
+#[derive(Clone, Copy, Debug)]
+pub enum Kind {
+    /// Text for people.
+    Text,
+    /// A whole number from 0.
+    Count,
+    /// One of these words.
+    Choice(&'static [&'static str]),
+    /// A number with its unit, or an expression of constants.
+    Quantity,
+    /// An expression: text, a number, or a nested list of these.
+    Formula,
+    /// A list.
+    List(&'static Kind),
+    /// A map with known keys.
+    Section(&'static Section),
+    /// A map from names that the user chooses.
+    Named(&'static Kind),
+    /// Any of these.
+    Either(&'static [Kind]),
+}
+
+const fn required(name: &'static str, kind: Kind, doc: &'static str) -> Key {
+    Key {
+        name,
+        kind,
+        required: true,
+        doc,
+    }
+}
+
+const fn optional(name: &'static str, kind: Kind, doc: &'static str) -> Key {
+    Key {
+        name,
+        kind,
+        required: false,
+        doc,
+    }
+}
+
+/// A quantity or the word `auto`.
+const QUANTITY_OR_AUTO: Kind = Kind::Either(&[Kind::Choice(&["auto"]), Kind::Quantity]);
+const FORMULAS: Kind = Kind::Named(&Kind::Formula);
+
+/// The whole specification.
+pub static SPECIFICATION: Section = Section {
+    noun: "a specification",
+    keys: &[
+        required(
+            "nsv",
+            Kind::Count,
+            "version of the specification language: 1",
+        ),
+        required(
+            "name",
+            Kind::Text,
+            "name of the generated module: a Rust identifier in snake case",
+        ),
+        optional(
+            "title",
+            Kind::Text,
+            "one line for people; default: the name",
+        ),
+        optional(
+            "include",
+            Kind::List(&Kind::Text),
+            "files with further sections, relative to this file and below its directory",
+        ),
+        optional(
+            "constants",
+            Kind::Named(&CONSTANT_KIND),
+            "compile-time constants",
+        ),
+        optional(
+            "parameters",
+            Kind::Named(&PARAMETER_KIND),
+            "run-time parameters, fields of the emitted `Params`",
+        ),
+        optional(
+            "polynomials",
+            Kind::Named(&Kind::Section(&POLYNOMIAL)),
+            "groups of polynomial data, such as aerodynamic coefficients",
+        ),
+        optional(
+            "definitions",
+            FORMULAS,
+            "named intermediate quantities, in any order, without cycles",
+        ),
+        required(
+            "plant",
+            Kind::Section(&PLANT),
+            "the system to be controlled",
+        ),
+        required(
+            "reference",
+            FORMULAS,
+            "reference of every output channel: a function of time",
+        ),
+        required(
+            "controller",
+            Kind::Section(&CONTROLLER),
+            "the design choices of the control law",
+        ),
+        required(
+            "scenario",
+            Kind::Section(&SCENARIO),
+            "how the closed loop is simulated",
+        ),
+    ],
+};
+
+/// The scenario.
+pub static SCENARIO: Section = Section {
+    noun: "a scenario",
+    keys: &[
+        required("horizon", Kind::Quantity, "length of a run"),
+        optional(
+            "substeps",
+            Kind::Count,
+            "plant steps for each controller sample; default: 4",
+        ),
+        optional(
+            "scheme",
+            Kind::Choice(&["euler_maruyama", "platen", "rk4"]),
+            "integration of the plant; default: rk4, with wiener noise euler_maruyama",
+        ),
+        optional(
+            "noise",
+            Kind::Choice(&["sampled", "wiener"]),
+            "draws held over a sample, or Wiener increments; default: sampled",
+        ),
+        optional("seed", Kind::Count, "campaign seed; default: 1"),
+        optional("runs", Kind::Count, "number of runs; default: 1"),
+        optional(
+            "settle",
+            Kind::Quantity,
+            "start of the window for rms values; default: 0 s",
+        ),
+    ],
+};
