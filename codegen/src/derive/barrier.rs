@@ -92,9 +92,9 @@ impl Law<'_> {
     pub(super) fn define_hessian_norm(&mut self, i: usize) {
         let (big, cos) = (name(format!("E{i}")), name(format!("cosE{i}")));
         let rank_one = match self.model.blocks[i - 1].constraint {
-            Some(_) => {
-                Some(number(8.0) * name(format!("E{i}_free")) * big.apply(Function::Sin) / cos.pow(3))
-            }
+            Some(_) => Some(
+                number(8.0) * name(format!("E{i}_free")) * big.apply(Function::Sin) / cos.pow(3),
+            ),
             None => None,
         };
         let identity = self.over_cos2(i, number(3.0));

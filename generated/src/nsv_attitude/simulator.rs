@@ -75,25 +75,25 @@ impl Simulator {
 
     /// Exosystem states of block 2.
     fn w2(&self) -> Vector<f64, 6> {
-        Vector([self.x[6], self.x[7], self.x[8], self.x[9], self.x[10], self.x[11]])
+        Vector([
+            self.x[6], self.x[7], self.x[8], self.x[9], self.x[10], self.x[11],
+        ])
     }
 
     /// Standard normal draws of all channels; zeros in a run without noise.
     fn draw(&self, step: u64) -> Vector<f64, NOISE_CHANNELS> {
         match &self.noise {
-            Some(noise) => {
-                Vector([
-                    noise.normal(step, 0),
-                    noise.normal(step, 1),
-                    noise.normal(step, 2),
-                    noise.normal(step, 3),
-                    noise.normal(step, 4),
-                    noise.normal(step, 5),
-                    noise.normal(step, 6),
-                    noise.normal(step, 7),
-                    noise.normal(step, 8),
-                ])
-            }
+            Some(noise) => Vector([
+                noise.normal(step, 0),
+                noise.normal(step, 1),
+                noise.normal(step, 2),
+                noise.normal(step, 3),
+                noise.normal(step, 4),
+                noise.normal(step, 5),
+                noise.normal(step, 6),
+                noise.normal(step, 7),
+                noise.normal(step, 8),
+            ]),
             None => Vector::zero(),
         }
     }
@@ -163,9 +163,10 @@ impl ClosedLoop for Simulator {
         let mut controller = Controller::new(Params::design());
         controller.reset(0.0, Vector([x[0], x[1], x[2]]), Vector([x[3], x[4], x[5]]));
         let state = *controller.state();
-        let output = controller
-            .clone()
-            .step(0.0, Vector([x[0], x[1], x[2]]), Vector([x[3], x[4], x[5]]));
+        let output =
+            controller
+                .clone()
+                .step(0.0, Vector([x[0], x[1], x[2]]), Vector([x[3], x[4], x[5]]));
         let process = Noise::process(options.seed, options.run);
         Self {
             controller,
