@@ -3,10 +3,10 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::emit::basis::monomial_names;
 use crate::emit::comment::{code, docs};
 use crate::emit::interface::Block;
 use crate::emit::names::Fields;
-use crate::emit::basis::monomial_names;
 use crate::emit::quantity;
 use crate::emit::record::{self, Field, constructor};
 use crate::ir::{Origin, Program, ValueId};
