@@ -294,8 +294,7 @@ pub fn initial<T: Real>(
     let rate = x2[0];
     let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
     let angle = x1[0];
-    let inertia = real(0.017315216666666668)
-        + params.load_mass * real(0.093025)
+    let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
         + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
 
     // -- known dynamics of block 2 (speed) (11) --
@@ -315,8 +314,9 @@ pub fn initial<T: Real>(
     // y_r(t)
     let y_r = Vector([t2 * t5]);
     // y_r'
-    let y_r_dot =
-        Vector([t5 * (real(FRAC_PI_2) * t.cos()) - t2 * (t4 * (real(-0.1) * (real(3.0) * t3)))]);
+    let y_r_dot = Vector([
+        t5 * (real(FRAC_PI_2) * t.cos()) - t2 * (t4 * (real(-0.1) * (real(3.0) * t3))),
+    ]);
     // k_1(t)
     let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
 
@@ -350,8 +350,7 @@ pub fn initial<T: Real>(
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1
-        * real(3.2199999999999998)
+    let Lam0_1 = e1 * real(3.2199999999999998)
         * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
         + e1 * real(1.72);
     // eta_2/2 ||G||^2 c^T (37)
@@ -438,14 +437,8 @@ pub fn initial<T: Real>(
     // e Psi cos^2 E / (phi^2 + s^2) (64)
     let Lam2_diffusion = e2 * (Psi2 / (real(100.0) + t12));
     // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2
-        + Lam2_disturbance
-        + Lam2_filter
-        + Lam2_network
-        + Lam2_error_bound
-        + Lam2_coupling
-        + Lam2_noise
-        + Lam2_diffusion;
+    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_network + Lam2_error_bound
+        + Lam2_coupling + Lam2_noise + Lam2_diffusion;
 
     // -- virtual control (31) of block 2 --
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
@@ -523,8 +516,7 @@ pub fn control<T: Real>(
     let rate = x2[0];
     let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
     let angle = x1[0];
-    let inertia = real(0.017315216666666668)
-        + params.load_mass * real(0.093025)
+    let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
         + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
     let amps = x3[0];
 
@@ -551,8 +543,9 @@ pub fn control<T: Real>(
     // y_r(t)
     let y_r = Vector([t2 * t5]);
     // y_r'
-    let y_r_dot =
-        Vector([t5 * (real(FRAC_PI_2) * t.cos()) - t2 * (t4 * (real(-0.1) * (real(3.0) * t3)))]);
+    let y_r_dot = Vector([
+        t5 * (real(FRAC_PI_2) * t.cos()) - t2 * (t4 * (real(-0.1) * (real(3.0) * t3))),
+    ]);
     // k_1(t)
     let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
 
@@ -578,8 +571,7 @@ pub fn control<T: Real>(
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1
-        * real(3.2199999999999998)
+    let Lam0_1 = e1 * real(3.2199999999999998)
         * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
         + e1 * real(1.72);
     // eta_2/2 ||G||^2 c^T (37)
@@ -667,14 +659,8 @@ pub fn control<T: Real>(
     // e Psi cos^2 E / (phi^2 + s^2) (64)
     let Lam2_diffusion = e2 * t13;
     // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2
-        + Lam2_disturbance
-        + Lam2_filter
-        + Lam2_network
-        + Lam2_error_bound
-        + Lam2_coupling
-        + Lam2_noise
-        + Lam2_diffusion;
+    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_network + Lam2_error_bound
+        + Lam2_coupling + Lam2_noise + Lam2_diffusion;
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
 
@@ -784,11 +770,11 @@ pub fn control<T: Real>(
     let phi2_min = (Psi2 * real(0.01)).sqrt();
     // phi_2(t + dt) = max(phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)), phi_min)
     let phi2_next = T::select(
-        s2.sqrt().ge(real(0.2)),
-        state.phi2 * (-(real(0.001) * phi2_decay)).exp(),
-        state.phi2,
-    )
-    .max(phi2_min);
+            s2.sqrt().ge(real(0.2)),
+            state.phi2 * (-(real(0.001) * phi2_decay)).exp(),
+            state.phi2,
+        )
+        .max(phi2_min);
 
     // -- states of block 3, one sample later --
     // zeta3(t + dt) = zeta3 + Gamma zeta3'

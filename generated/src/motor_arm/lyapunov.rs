@@ -54,8 +54,7 @@ pub fn lyapunov<T: Real>(
     let rate = x2[0];
     let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
     let angle = x1[0];
-    let inertia = real(0.017315216666666668)
-        + params.load_mass * real(0.093025)
+    let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
         + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
     let amps = x3[0];
 
@@ -119,7 +118,8 @@ pub fn lyapunov<T: Real>(
     let t17 = kernel::sin_cos_over(E1);
     let t18 = real(1.5697963267948967) / E1_free;
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(3.2199999999999998) * (t17 * real(1.0).min(t18)) + e1 * real(1.72);
+    let Lam0_1 = e1 * real(3.2199999999999998) * (t17 * real(1.0).min(t18))
+        + e1 * real(1.72);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
     // Lam_1, sum of the terms above
@@ -213,14 +213,8 @@ pub fn lyapunov<T: Real>(
     // e Psi cos^2 E / (phi^2 + s^2) (64)
     let Lam2_diffusion = e2 * t32;
     // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2
-        + Lam2_disturbance
-        + Lam2_filter
-        + Lam2_network
-        + Lam2_error_bound
-        + Lam2_coupling
-        + Lam2_noise
-        + Lam2_diffusion;
+    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_network + Lam2_error_bound
+        + Lam2_coupling + Lam2_noise + Lam2_diffusion;
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
 
@@ -259,7 +253,11 @@ pub fn lyapunov<T: Real>(
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
     let phi2_decay = t32 + real(0.5);
     // phi_2' = -phi_2 Psi_2/(phi_2^2 + s_2^2) - kappa_phi phi_2 if ||e_2|| >= iota_phi, else 0
-    let phi2_dot = T::select(s2.sqrt().ge(real(0.2)), -state.phi2 * phi2_decay, real(0.0));
+    let phi2_dot = T::select(
+        s2.sqrt().ge(real(0.2)),
+        -state.phi2 * phi2_decay,
+        real(0.0),
+    );
 
     // -- dynamic surface filter of block 2 (33) --
     // h_2' = (alpha_2 - h_2) / Fl_2
@@ -315,12 +313,12 @@ pub fn lyapunov<T: Real>(
     let x1_flow = F1_plant + G1_plant * x2;
 
     // -- true dynamics of block 2 (speed) (11) --
-    let t39 = real(0.017315216666666668)
-        + plant.load_mass * real(0.093025)
+    let t39 = real(0.017315216666666668) + plant.load_mass * real(0.093025)
         + real(2.0) * plant.load_mass * real(0.000529) / real(5.0);
     // F_2 with the plant's parameters
-    let F2_plant =
-        Vector([-(t1 + (real(0.253) + plant.load_mass) * real(0.305) * real(9.81) * t2) / t39]);
+    let F2_plant = Vector([
+        -(t1 + (real(0.253) + plant.load_mass) * real(0.305) * real(9.81) * t2) / t39,
+    ]);
     // G_2 with the plant's parameters
     let G2_plant = Matrix([[real(0.9) / t39]]);
     // d_2 = L_2 w_2 (12)
@@ -409,23 +407,27 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t42 * (real(4.0) * (t14 * k1) * k1_dot / real(TAU)) + t41 * (E1_flow / t16);
+    let V_T1_flow = t42 * (real(4.0) * (t14 * k1) * k1_dot / real(TAU))
+        + t41 * (E1_flow / t16);
     let t49 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
     let V_zeta1_flow = (t49 + t49) * real(0.5);
     let t50 = t9 * t12;
     let t51 = t11 * t12 + t6 * (real(-0.1) * (real(3.0) * (t + t) + t10 * real(0.0)));
     // y_r''
-    let y_r_dot2 =
-        Vector([t7 * (real(FRAC_PI_2) * (t8 * real(0.0) - t3)) - t50 - (t50 + t4 * t51)]);
+    let y_r_dot2 = Vector([
+        t7 * (real(FRAC_PI_2) * (t8 * real(0.0) - t3)) - t50 - (t50 + t4 * t51),
+    ]);
     let t52 = real(1.0).lt(t18);
     let t53 = T::select(t52, real(1.0), t18);
     let t54 = t53 * (kernel::sin_cos_over_d1(E1) * E1_flow)
         + T::select(t52, real(0.0), -(t17 * (t18 / E1_free * E1_free_flow)));
     // Lam0_1' along the flow
-    let Lam0_1_flow = Vector([real(3.2199999999999998) * e1[0] * t54
-        + t17 * t53 * (real(3.2199999999999998) * e1_flow[0])
-        + real(1.72) * e1_flow[0]]);
+    let Lam0_1_flow = Vector([
+        real(3.2199999999999998) * e1[0] * t54
+            + t17 * t53 * (real(3.2199999999999998) * e1_flow[0])
+            + real(1.72) * e1_flow[0],
+    ]);
     // cosE1' along the flow
     let cosE1_flow = -(E1.sin() * E1_flow);
     let t55 = s1 * e1[0] / t16 / t16 * ((cosE1 + cosE1) * cosE1_flow);
@@ -493,36 +495,36 @@ pub fn lyapunov<T: Real>(
     let t65 = e2[0].tanh();
     let t66 = real(1.0) - t65 * t65;
     // Lam2_error_bound' along the flow
-    let Lam2_error_bound_flow = Vector([t65 * eps2_dot + state.eps2 * (t66 * e2_flow[0])]);
+    let Lam2_error_bound_flow = Vector([
+        t65 * eps2_dot + state.eps2 * (t66 * e2_flow[0]),
+    ]);
     let t67 = c1_flow.dot(c1);
     // s_c1' along the flow
     let s_c1_flow = t67 + t67;
     // Lam2_coupling' along the flow
-    let Lam2_coupling_flow =
-        Vector([(e2[0] * ((s_c1 + s_c1) * s_c1_flow) + t26 * e2_flow[0]) * real(0.25)]);
+    let Lam2_coupling_flow = Vector([
+        (e2[0] * ((s_c1 + s_c1) * s_c1_flow) + t26 * e2_flow[0]) * real(0.25),
+    ]);
     let t68 = t27 * e2[0] / t29 / t29;
     let t69 = s2 + s2;
     let t70 = t69 * s2_flow;
     let t71 = t29 + t29;
     // Lam2_noise' along the flow
-    let Lam2_noise_flow =
-        Vector([(e2[0] * (t23 * sigma2_dot) + t27 * e2_flow[0]) / t29 - t68 * (t70 / t71)]);
+    let Lam2_noise_flow = Vector([
+        (e2[0] * (t23 * sigma2_dot) + t27 * e2_flow[0]) / t29 - t68 * (t70 / t71),
+    ]);
     let t72 = t32 / t31;
     // Lam2_diffusion' along the flow
-    let Lam2_diffusion_flow =
-        Vector([t32 * e2_flow[0] - e2[0] * (t72 * ((state.phi2 + state.phi2) * phi2_dot + t70))]);
+    let Lam2_diffusion_flow = Vector([
+        t32 * e2_flow[0] - e2[0] * (t72 * ((state.phi2 + state.phi2) * phi2_dot + t70)),
+    ]);
     // Lam2' along the flow
-    let Lam2_flow = Lam0_2_flow
-        + Lam2_disturbance_flow
-        + Lam2_filter_flow
-        + Lam2_network_flow
-        + Lam2_error_bound_flow
-        + Lam2_coupling_flow
-        + Lam2_noise_flow
-        + Lam2_diffusion_flow;
+    let Lam2_flow = Lam0_2_flow + Lam2_disturbance_flow + Lam2_filter_flow
+        + Lam2_network_flow + Lam2_error_bound_flow + Lam2_coupling_flow
+        + Lam2_noise_flow + Lam2_diffusion_flow;
     // bracket2' along the flow
-    let bracket2_flow =
-        F2_flow + A_hat2_flow - h1_dot_flow + zeta2_dot * real(50.0) + D_hat2_flow + Lam2_flow;
+    let bracket2_flow = F2_flow + A_hat2_flow - h1_dot_flow + zeta2_dot * real(50.0)
+        + D_hat2_flow + Lam2_flow;
     // chi2' along the flow
     let chi2_flow = h2_dot + G2.solve(bracket2_flow);
     let t73 = chi2_flow.dot(chi2);
@@ -606,14 +608,9 @@ pub fn lyapunov<T: Real>(
     // D^1 Lam2_diffusion along noise1
     let Lam2_diffusion_noise1_ = Vector([t32 * t46 - e2[0] * t90]);
     // D^1 Lam2 along noise1
-    let Lam2_noise1_ = Lam0_2_noise1_
-        + Lam2_disturbance_noise1_
-        + Lam2_filter_noise1_
-        + Lam2_network_noise1_
-        + Lam2_error_bound_noise1_
-        + Lam2_coupling_noise1_
-        + Lam2_noise_noise1_
-        + Lam2_diffusion_noise1_;
+    let Lam2_noise1_ = Lam0_2_noise1_ + Lam2_disturbance_noise1_ + Lam2_filter_noise1_
+        + Lam2_network_noise1_ + Lam2_error_bound_noise1_ + Lam2_coupling_noise1_
+        + Lam2_noise_noise1_ + Lam2_diffusion_noise1_;
     // D^1 bracket2 along noise1
     let bracket2_noise1_ = F2_noise1_ + A_hat2_noise1_ + D_hat2_noise1_ + Lam2_noise1_;
     // D^1 chi2 along noise1
@@ -634,8 +631,9 @@ pub fn lyapunov<T: Real>(
     // D^2 Lam2_filter along noise1
     let Lam2_filter_noise1_2 = c2_noise1_2 * t24;
     // D^2 Lam2_error_bound along noise1
-    let Lam2_error_bound_noise1_2 =
-        Vector([state.eps2 * (t66 * real(0.0) - t46 * ((t65 + t65) * t85))]);
+    let Lam2_error_bound_noise1_2 = Vector([
+        state.eps2 * (t66 * real(0.0) - t46 * ((t65 + t65) * t85)),
+    ]);
     // D^2 Lam2_coupling along noise1
     let Lam2_coupling_noise1_2 = Vector([t26 * real(0.0) * real(0.25)]);
     let t92 = s2_noise1_ * (s2_noise1_ + s2_noise1_) + t69 * s2_noise1_2;
@@ -648,11 +646,8 @@ pub fn lyapunov<T: Real>(
     // D^2 Lam2_diffusion along noise1
     let Lam2_diffusion_noise1_2 = Vector([t32 * real(0.0) - t95 - (t95 + t96)]);
     // D^2 Lam2 along noise1
-    let Lam2_noise1_2 = Lam2_disturbance_noise1_2
-        + Lam2_filter_noise1_2
-        + Lam2_error_bound_noise1_2
-        + Lam2_coupling_noise1_2
-        + Lam2_noise_noise1_2
+    let Lam2_noise1_2 = Lam2_disturbance_noise1_2 + Lam2_filter_noise1_2
+        + Lam2_error_bound_noise1_2 + Lam2_coupling_noise1_2 + Lam2_noise_noise1_2
         + Lam2_diffusion_noise1_2;
     // D^2 bracket2 along noise1
     let bracket2_noise1_2 = F2_noise1_2 + A_hat2_noise1_2 + Lam2_noise1_2;
@@ -661,21 +656,9 @@ pub fn lyapunov<T: Real>(
     let t97 = chi2_noise1_2.dot(chi2) + chi2_noise1_.sum_squares();
     // D^2 V_chi2 along noise1
     let V_chi2_noise1_2 = (t97 + t97) * real(0.5);
-    let t98 = V_T1_flow
-        + V_zeta1_flow
-        + V_chi1_flow
-        + V_T2_flow
-        + V_W2_flow
-        + V_D2_flow
-        + V_zeta2_flow
-        + V_chi2_flow
-        + V_eps2_flow;
-    let t99 = t98
-        + V_sigma2_flow
-        + V_phi2_flow
-        + V_T3_flow
-        + V_D3_flow
-        + V_zeta3_flow
+    let t98 = V_T1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow + V_W2_flow + V_D2_flow
+        + V_zeta2_flow + V_chi2_flow + V_eps2_flow;
+    let t99 = t98 + V_sigma2_flow + V_phi2_flow + V_T3_flow + V_D3_flow + V_zeta3_flow
         + V_T2_noise1_2 * real(0.5);
     // LV = V_t + V_x f + 1/2 sum_j g_j^T V_xx g_j
     let LV = t99 + V_D2_noise1_2 * real(0.5) + V_chi2_noise1_2 * real(0.5) + real(0.125);

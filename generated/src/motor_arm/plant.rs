@@ -40,7 +40,11 @@ impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
     }
 
     #[inline]
-    fn diffusion(&self, t: T, x: &Vector<T, STATES>) -> Matrix<T, STATES, NOISE_CHANNELS> {
+    fn diffusion(
+        &self,
+        t: T,
+        x: &Vector<T, STATES>,
+    ) -> Matrix<T, STATES, NOISE_CHANNELS> {
         plant(t, *x, self.u_sat, &self.params).diffusion
     }
 }
@@ -81,8 +85,7 @@ pub fn plant<T: Real>(
     let rate = x[1];
     let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
     let angle = x[0];
-    let inertia = real(0.017315216666666668)
-        + params.load_mass * real(0.093025)
+    let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
         + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
     let amps = x[2];
 

@@ -149,9 +149,7 @@ impl ClosedLoop for Simulator {
 
     fn control(&mut self) -> Status {
         self.state = *self.controller.state();
-        self.output = self
-            .controller
-            .step(self.time(), self.x1(), self.x2(), self.x3());
+        self.output = self.controller.step(self.time(), self.x1(), self.x2(), self.x3());
         self.output.status
     }
 

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 5996fc4049c85e43f489d71566783feb44de662d66ab96e635457c9a389813e5
+// SHA-256 of the text below: 5f5301f4629e2c397055b36489ac02425b86b5fa2f3b5b54ed3664849a4193c5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d616899bc333dd62e7916c99ac2aacc0cc0a8839653532fb0d461fa45f484071
+// specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // initial: 208 additions, 284 multiplications, 15 divisions, 0 square roots, 18 elementary functions, 6 comparisons and selections
 // control: 1087 additions, 1475 multiplications, 56 divisions, 4 square roots, 25 elementary functions, 21 comparisons and selections
 
@@ -222,10 +222,7 @@ impl<T: Real> Controller<T> {
         self.started = self.started.or(valid);
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
-        let saturated = u[0]
-            .ne(u_sat[0])
-            .or(u[1].ne(u_sat[1]))
-            .or(u[2].ne(u_sat[2]));
+        let saturated = u[0].ne(u_sat[0]).or(u[1].ne(u_sat[1])).or(u[2].ne(u_sat[2]));
         let status = Status::NON_FINITE_INPUT.when(valid.not().any())
             | Status::CONSTRAINT_VIOLATED.when(valid.and(law.violated).any())
             | Status::SATURATED.when(saturated.any());
@@ -260,14 +257,18 @@ impl<T: Real> Controller<T> {
 /// Operations: 208 additions, 284 multiplications, 15 divisions, 0 square roots, 18 elementary
 /// functions, 6 comparisons and selections.
 #[inline]
-pub fn initial<T: Real>(t: T, x1: Vector<T, 3>, x2: Vector<T, 3>, params: &Params<T>) -> State<T> {
+pub fn initial<T: Real>(
+    t: T,
+    x1: Vector<T, 3>,
+    x2: Vector<T, 3>,
+    params: &Params<T>,
+) -> State<T> {
     let real = T::from_f64;
 
     // -- plant model --
     let alpha = x1[0];
     let alpha_deg = alpha / real(0.017453292519943295);
-    let lift = real(97170193.3485195)
-        * params.CL_scale
+    let lift = real(97170193.3485195) * params.CL_scale
         * (polynomials::CL_alpha(alpha_deg, real(10.122243135087704), real(0.0))
             + polynomials::CL_LE(alpha_deg, real(10.122243135087704), real(0.0))
             + polynomials::CL_RE(alpha_deg, real(10.122243135087704), real(0.0)));
@@ -276,8 +277,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 3>, x2: Vector<T, 3>, params: &Param
     let t1 = polynomials::CY_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
         + polynomials::CY_LE(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::CY_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let side = real(97170193.3485195)
-        * params.CY_scale
+    let side = real(97170193.3485195) * params.CY_scale
         * (t1 + polynomials::CY_RUD(alpha_deg, real(10.122243135087704), real(0.0)));
 
     // -- known dynamics of block 1 (attitude) (11) --
@@ -327,8 +327,10 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 3>, x2: Vector<T, 3>, params: &Param
             real(0.017453292519943295) * (real(2.5) * (t14.cos() * real(FRAC_PI_4))),
             real(0.0),
         ),
-        real(0.017453292519943295) * (real(0.5) * (t15.cos() * real(0.9424777960769379))),
-        real(0.017453292519943295) * (real(-2.0) * t.cos() - real(0.5) * (t16.sin() * real(0.5))),
+        real(0.017453292519943295)
+            * (real(0.5) * (t15.cos() * real(0.9424777960769379))),
+        real(0.017453292519943295)
+            * (real(-2.0) * t.cos() - real(0.5) * (t16.sin() * real(0.5))),
     ]);
     // k_1(t)
     let k1 = (real(3.0) * (-t).exp() + real(0.5)) * real(0.017453292519943295);
@@ -379,8 +381,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 3>, x2: Vector<T, 3>, params: &Param
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1
-        * real(2.375)
+    let Lam0_1 = e1 * real(2.375)
         * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
         + e1 * real(2.0);
     // eta_1/2 c^T (36)
@@ -471,8 +472,7 @@ pub fn control<T: Real>(
     // -- plant model --
     let alpha = x1[0];
     let alpha_deg = alpha / real(0.017453292519943295);
-    let lift = real(97170193.3485195)
-        * params.CL_scale
+    let lift = real(97170193.3485195) * params.CL_scale
         * (polynomials::CL_alpha(alpha_deg, real(10.122243135087704), real(0.0))
             + polynomials::CL_LE(alpha_deg, real(10.122243135087704), real(0.0))
             + polynomials::CL_RE(alpha_deg, real(10.122243135087704), real(0.0)));
@@ -481,8 +481,7 @@ pub fn control<T: Real>(
     let t1 = polynomials::CY_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
         + polynomials::CY_LE(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::CY_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let side = real(97170193.3485195)
-        * params.CY_scale
+    let side = real(97170193.3485195) * params.CY_scale
         * (t1 + polynomials::CY_RUD(alpha_deg, real(10.122243135087704), real(0.0)));
     let q = x2[1];
     let r = x2[2];
@@ -491,40 +490,35 @@ pub fn control<T: Real>(
     let t3 = polynomials::Cl_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
         + polynomials::Cl_LE(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::Cl_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t4 = t3
-        + polynomials::Cl_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cl_p(alpha_deg, real(10.122243135087704), real(0.0)) * p * real(18.288)
-            / real(6000.0);
+    let t4 = t3 + polynomials::Cl_RUD(alpha_deg, real(10.122243135087704), real(0.0))
+        + polynomials::Cl_p(alpha_deg, real(10.122243135087704), real(0.0)) * p
+            * real(18.288) / real(6000.0);
     let roll = t2
         * (t4
-            + polynomials::Cl_r(alpha_deg, real(10.122243135087704), real(0.0)) * r * real(18.288)
-                / real(6000.0));
+            + polynomials::Cl_r(alpha_deg, real(10.122243135087704), real(0.0)) * r
+                * real(18.288) / real(6000.0));
     let t5 = polynomials::Cm_alpha(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::Cm_LE(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::Cm_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t6 = t5
-        + polynomials::Cm_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cm_q(alpha_deg, real(10.122243135087704), real(0.0)) * q * real(24.384)
-            / real(6000.0);
+    let t6 = t5 + polynomials::Cm_RUD(alpha_deg, real(10.122243135087704), real(0.0))
+        + polynomials::Cm_q(alpha_deg, real(10.122243135087704), real(0.0)) * q
+            * real(24.384) / real(6000.0);
     let pitch = real(2369397994.6102996) * params.Cm_scale * t6;
     let t7 = polynomials::CD_alpha(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::CD_LE(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::CD_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let drag = real(97170193.3485195)
-        * params.CD_scale
+    let drag = real(97170193.3485195) * params.CD_scale
         * (t7 + polynomials::CD_RUD(alpha_deg, real(10.122243135087704), real(0.0)));
     let t8 = polynomials::Cn_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
         + polynomials::Cn_LE(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::Cn_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t9 = t8
-        + polynomials::Cn_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cn_p(alpha_deg, real(10.122243135087704), real(0.0)) * p * real(18.288)
-            / real(6000.0);
-    let yaw = real(1777048495.9577248)
-        * params.Cn_scale
+    let t9 = t8 + polynomials::Cn_RUD(alpha_deg, real(10.122243135087704), real(0.0))
+        + polynomials::Cn_p(alpha_deg, real(10.122243135087704), real(0.0)) * p
+            * real(18.288) / real(6000.0);
+    let yaw = real(1777048495.9577248) * params.Cn_scale
         * (t9
-            + polynomials::Cn_r(alpha_deg, real(10.122243135087704), real(0.0)) * r * real(18.288)
-                / real(6000.0));
+            + polynomials::Cn_r(alpha_deg, real(10.122243135087704), real(0.0)) * r
+                * real(18.288) / real(6000.0));
     let dCl = Vector([
         polynomials::Cl_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
         polynomials::Cl_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
@@ -549,7 +543,8 @@ pub fn control<T: Real>(
     let t10 = alpha.sin();
     let t11 = alpha.cos();
     let t12 = (dCD * params.CD_scale * t10 + dCL * params.CL_scale * t11) * real(0.0);
-    let pitch_delta = (dCm * (real(24.384) * params.Cm_scale) + t12) * real(97170193.3485195);
+    let pitch_delta = (dCm * (real(24.384) * params.Cm_scale) + t12)
+        * real(97170193.3485195);
     let dCn = Vector([
         polynomials::Cn_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
         polynomials::Cn_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
@@ -560,8 +555,8 @@ pub fn control<T: Real>(
         polynomials::CY_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
         polynomials::CY_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
     ]);
-    let yaw_delta = (dCn * (real(18.288) * params.Cn_scale) + dCY * (real(0.0) * params.CY_scale))
-        * real(97170193.3485195);
+    let yaw_delta = (dCn * (real(18.288) * params.Cn_scale)
+        + dCY * (real(0.0) * params.CY_scale)) * real(97170193.3485195);
 
     // -- known dynamics of block 1 (attitude) (11) --
     let t13 = mu.cos();
@@ -576,7 +571,8 @@ pub fn control<T: Real>(
     // F_1(x_1 .. x_1)
     let F1 = Vector([
         (-lift - real(0.0) * t10 + t14) / (real(410460000.0) * t15),
-        (side - real(0.0) * t11 * t16 + real(1332506.5352200002) * t17) / real(410460000.0),
+        (side - real(0.0) * t11 * t16 + real(1332506.5352200002) * t17)
+            / real(410460000.0),
         (lift * t19 + t20 * t13 - t14 * t18 + t21) / real(410460000.0),
     ]);
     let t22 = -t18;
@@ -642,8 +638,10 @@ pub fn control<T: Real>(
             real(0.017453292519943295) * (real(2.5) * (t25.cos() * real(FRAC_PI_4))),
             real(0.0),
         ),
-        real(0.017453292519943295) * (real(0.5) * (t26.cos() * real(0.9424777960769379))),
-        real(0.017453292519943295) * (real(-2.0) * t.cos() - real(0.5) * (t27.sin() * real(0.5))),
+        real(0.017453292519943295)
+            * (real(0.5) * (t26.cos() * real(0.9424777960769379))),
+        real(0.017453292519943295)
+            * (real(-2.0) * t.cos() - real(0.5) * (t27.sin() * real(0.5))),
     ]);
     // k_2(t)
     let k2 = real(3.0) * (-t).exp() + real(0.5);
@@ -686,8 +684,7 @@ pub fn control<T: Real>(
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1
-        * real(2.375)
+    let Lam0_1 = e1 * real(2.375)
         * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
         + e1 * real(2.0);
     // eta_1/2 c^T (36)
@@ -782,12 +779,12 @@ pub fn control<T: Real>(
     let SH_norm2_2 = SH2.sum_squares();
     let t39 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t39 * t39 * real(0.5) + real(12.0) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
+    let Psi2 = t39 * t39 * real(0.5) + real(12.0)
+        + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2
-        * real(2.5)
+    let Lam0_2 = e2 * real(2.5)
         * (kernel::sin_cos_over(E2) * real(1.0).min(real(1.5697963267948967) / E2_free))
         + e2 * real(2.0);
     // ||L||^2/(2 eta_1) c^T (63)
@@ -809,13 +806,8 @@ pub fn control<T: Real>(
     // e Psi cos^2 E / (phi^2 + s^2) (64)
     let Lam2_diffusion = e2 * t45 * t34;
     // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2
-        + Lam2_disturbance
-        + Lam2_network
-        + Lam2_error_bound
-        + Lam2_coupling
-        + Lam2_noise
-        + Lam2_diffusion;
+    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
+        + Lam2_coupling + Lam2_noise + Lam2_diffusion;
 
     // -- control (64) of block 2 --
     let t46 = F2 + A_hat2;
@@ -827,14 +819,8 @@ pub fn control<T: Real>(
     let u = -t48;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(
-            Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]),
-            T::max,
-        )
-        .zip(
-            Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]),
-            T::min,
-        );
+        .zip(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]), T::max)
+        .zip(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]), T::min);
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
@@ -887,54 +873,12 @@ pub fn control<T: Real>(
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
     let zeta2_next = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
     let t50: Matrix<T, 6, 6> = Matrix::from_f64([
-        [
-            0.0019999760360430705,
-            1.1975964129556617e-5,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-        ],
-        [
-            -5.9879820647783075e-6,
-            0.0019939880539782922,
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-        ],
-        [
-            0.0,
-            0.0,
-            0.0019910030471541806,
-            5.982004556604176e-6,
-            0.0,
-            0.0,
-        ],
-        [
-            0.0,
-            0.0,
-            -1.1964009113208353e-5,
-            0.0019999760539890867,
-            0.0,
-            0.0,
-        ],
-        [
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            0.0020039586722187678,
-            9.986590133519995e-6,
-        ],
-        [
-            0.0,
-            0.0,
-            0.0,
-            0.0,
-            -1.3981226186927993e-5,
-            0.0019919747640585435,
-        ],
+        [0.0019999760360430705, 1.1975964129556617e-5, 0.0, 0.0, 0.0, 0.0],
+        [-5.9879820647783075e-6, 0.0019939880539782922, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0019910030471541806, 5.982004556604176e-6, 0.0, 0.0],
+        [0.0, 0.0, -1.1964009113208353e-5, 0.0019999760539890867, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0020039586722187678, 9.986590133519995e-6],
+        [0.0, 0.0, 0.0, 0.0, -1.3981226186927993e-5, 0.0019919747640585435],
     ]);
     // th2(t + dt) = th2 + Gamma th2'
     let th2_next = state.th2 + t50 * th2_dot;
@@ -948,11 +892,11 @@ pub fn control<T: Real>(
     let phi2_min = (Psi2 * real(0.02)).sqrt();
     // phi_2(t + dt) = max(phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)), phi_min)
     let phi2_next = T::select(
-        s2.sqrt().ge(real(0.01)),
-        state.phi2 * (-(real(0.002) * phi2_decay)).exp(),
-        state.phi2,
-    )
-    .max(phi2_min);
+            s2.sqrt().ge(real(0.01)),
+            state.phi2 * (-(real(0.002) * phi2_decay)).exp(),
+            state.phi2,
+        )
+        .max(phi2_min);
     ControlOutputs {
         u,
         u_sat,

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 5a534c39f8f2383ede12458166cd01a0a30cfe022f82c55bac92632e1d750b94
+// SHA-256 of the text below: 10c7efbfa094ebcf1f57e1fc4416da169a6f3030a406e7ab36a85e72de70693b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d616899bc333dd62e7916c99ac2aacc0cc0a8839653532fb0d461fa45f484071
+// specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // lyapunov: 2534 additions, 3093 multiplications, 129 divisions, 3 square roots, 32 elementary functions, 33 comparisons and selections
 
 //! `nsv_attitude`: Lyapunov function and its generator.
@@ -67,21 +67,19 @@ pub fn lyapunov<T: Real>(
     let t7 = polynomials::Cl_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
         + polynomials::Cl_LE(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::Cl_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t8 = t7
-        + polynomials::Cl_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cl_p(alpha_deg, real(10.122243135087704), real(0.0)) * p * real(18.288)
-            / real(6000.0);
+    let t8 = t7 + polynomials::Cl_RUD(alpha_deg, real(10.122243135087704), real(0.0))
+        + polynomials::Cl_p(alpha_deg, real(10.122243135087704), real(0.0)) * p
+            * real(18.288) / real(6000.0);
     let t9 = t8
-        + polynomials::Cl_r(alpha_deg, real(10.122243135087704), real(0.0)) * r * real(18.288)
-            / real(6000.0);
+        + polynomials::Cl_r(alpha_deg, real(10.122243135087704), real(0.0)) * r
+            * real(18.288) / real(6000.0);
     let roll = t6 * t9;
     let t10 = polynomials::Cm_alpha(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::Cm_LE(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::Cm_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t11 = t10
-        + polynomials::Cm_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cm_q(alpha_deg, real(10.122243135087704), real(0.0)) * q * real(24.384)
-            / real(6000.0);
+    let t11 = t10 + polynomials::Cm_RUD(alpha_deg, real(10.122243135087704), real(0.0))
+        + polynomials::Cm_q(alpha_deg, real(10.122243135087704), real(0.0)) * q
+            * real(24.384) / real(6000.0);
     let pitch = real(2369397994.6102996) * params.Cm_scale * t11;
     let t12 = polynomials::CD_alpha(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::CD_LE(alpha_deg, real(10.122243135087704), real(0.0))
@@ -91,13 +89,12 @@ pub fn lyapunov<T: Real>(
     let t14 = polynomials::Cn_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
         + polynomials::Cn_LE(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::Cn_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t15 = t14
-        + polynomials::Cn_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cn_p(alpha_deg, real(10.122243135087704), real(0.0)) * p * real(18.288)
-            / real(6000.0);
+    let t15 = t14 + polynomials::Cn_RUD(alpha_deg, real(10.122243135087704), real(0.0))
+        + polynomials::Cn_p(alpha_deg, real(10.122243135087704), real(0.0)) * p
+            * real(18.288) / real(6000.0);
     let t16 = t15
-        + polynomials::Cn_r(alpha_deg, real(10.122243135087704), real(0.0)) * r * real(18.288)
-            / real(6000.0);
+        + polynomials::Cn_r(alpha_deg, real(10.122243135087704), real(0.0)) * r
+            * real(18.288) / real(6000.0);
     let yaw = real(1777048495.9577248) * params.Cn_scale * t16;
     let dCl = Vector([
         polynomials::Cl_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
@@ -123,7 +120,8 @@ pub fn lyapunov<T: Real>(
     let t17 = alpha.sin();
     let t18 = alpha.cos();
     let t19 = (dCD * params.CD_scale * t17 + dCL * params.CL_scale * t18) * real(0.0);
-    let pitch_delta = (dCm * (real(24.384) * params.Cm_scale) + t19) * real(97170193.3485195);
+    let pitch_delta = (dCm * (real(24.384) * params.Cm_scale) + t19)
+        * real(97170193.3485195);
     let dCn = Vector([
         polynomials::Cn_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
         polynomials::Cn_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
@@ -134,8 +132,8 @@ pub fn lyapunov<T: Real>(
         polynomials::CY_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
         polynomials::CY_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
     ]);
-    let yaw_delta = (dCn * (real(18.288) * params.Cn_scale) + dCY * (real(0.0) * params.CY_scale))
-        * real(97170193.3485195);
+    let yaw_delta = (dCn * (real(18.288) * params.Cn_scale)
+        + dCY * (real(0.0) * params.CY_scale)) * real(97170193.3485195);
 
     // -- known dynamics of block 1 (attitude) (11) --
     let t20 = real(0.0) * t17;
@@ -381,12 +379,12 @@ pub fn lyapunov<T: Real>(
     let SH_norm2_2 = SH2.sum_squares();
     let t78 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t78 * t78 * real(0.5) + real(12.0) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
+    let Psi2 = t78 * t78 * real(0.5) + real(12.0)
+        + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2
-        * real(2.5)
+    let Lam0_2 = e2 * real(2.5)
         * (kernel::sin_cos_over(E2) * real(1.0).min(real(1.5697963267948967) / E2_free))
         + e2 * real(2.0);
     // ||L||^2/(2 eta_1) c^T (63)
@@ -409,13 +407,8 @@ pub fn lyapunov<T: Real>(
     // e Psi cos^2 E / (phi^2 + s^2) (64)
     let Lam2_diffusion = e2 * t85 * t71;
     // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2
-        + Lam2_disturbance
-        + Lam2_network
-        + Lam2_error_bound
-        + Lam2_coupling
-        + Lam2_noise
-        + Lam2_diffusion;
+    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
+        + Lam2_coupling + Lam2_noise + Lam2_diffusion;
 
     // -- control (64) of block 2 --
     let t86 = F2 + A_hat2;
@@ -427,14 +420,8 @@ pub fn lyapunov<T: Real>(
     let u = -t88;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(
-            Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]),
-            T::max,
-        )
-        .zip(
-            Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]),
-            T::min,
-        );
+        .zip(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]), T::max)
+        .zip(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]), T::min);
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
@@ -500,11 +487,13 @@ pub fn lyapunov<T: Real>(
 
     // -- true dynamics of block 2 (rates) (11) --
     let t101 = real(1777048495.9577248) * plant.Cl_scale;
-    let t102 = real(0.0) * (real(97170193.3485195) * plant.CD_scale * t13 * t17 + t91 * t18);
+    let t102 = real(0.0)
+        * (real(97170193.3485195) * plant.CD_scale * t13 * t17 + t91 * t18);
     // F_2 with the plant's parameters
     let F2_plant = Vector([
         (t42 + t101 * t9) / real(1355818.0),
-        (t43 + real(2369397994.6102996) * plant.Cm_scale * t11 + t102) / real(13558180.0),
+        (t43 + real(2369397994.6102996) * plant.Cm_scale * t11 + t102)
+            / real(13558180.0),
         (t44 + real(1777048495.9577248) * plant.Cn_scale * t16 + t94) / real(13558180.0),
     ]);
     // G_2 with the plant's parameters
@@ -530,8 +519,8 @@ pub fn lyapunov<T: Real>(
     let t104 = dCl * t101;
     let t105 = (dCD * plant.CD_scale * t17 + dCL * plant.CL_scale * t18) * real(0.0);
     let t106 = (dCm * (real(24.384) * plant.Cm_scale) + t105) * real(97170193.3485195);
-    let t107 = (dCn * (real(18.288) * plant.Cn_scale) + dCY * (real(0.0) * plant.CY_scale))
-        * real(97170193.3485195);
+    let t107 = (dCn * (real(18.288) * plant.Cn_scale)
+        + dCY * (real(0.0) * plant.CY_scale)) * real(97170193.3485195);
     let t108 = Matrix([
         [
             t104[0] / real(1355818.0),
@@ -550,11 +539,14 @@ pub fn lyapunov<T: Real>(
         ],
     ]);
     // H_2 Sigma_2
-    let HSigma2 = t108.hadamard(Matrix::<T, 3, 3>::from_f64([
-        [0.05, 0.05, 0.05],
-        [0.05, 0.05, 0.05],
-        [0.05, 0.05, 0.05],
-    ]));
+    let HSigma2 = t108
+        .hadamard(
+            Matrix::<
+                T,
+                3,
+                3,
+            >::from_f64([[0.05, 0.05, 0.05], [0.05, 0.05, 0.05], [0.05, 0.05, 0.05]]),
+        );
 
     // -- Lyapunov function of block 1 (23) (52) --
     let t109 = t58 * t58 / real(TAU);
@@ -626,7 +618,8 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t110 * (real(4.0) * (t58 * k1) * k1_dot / real(TAU)) + t109 * (E1_flow / t60);
+    let V_T1_flow = t110 * (real(4.0) * (t58 * k1) * k1_dot / real(TAU))
+        + t109 * (E1_flow / t60);
     let t119 = W1_dot.transpose();
     let t120 = t119 * state.W1 + t61 * W1_dot;
     // V_W1' along the flow
@@ -641,19 +634,22 @@ pub fn lyapunov<T: Real>(
     let t126 = t28 * x1_flow[2];
     let t127 = real(1332506.5352200002) * t126;
     let t128 = x1_flow[0] / real(0.017453292519943295);
-    let t129 = polynomials::CL_alpha_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t128
+    let t129 = polynomials::CL_alpha_d1(alpha_deg, real(10.122243135087704), real(0.0))
+        * t128
         + polynomials::CL_LE_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t128;
-    let t130 = t129 + polynomials::CL_RE_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t128;
+    let t130 = t129
+        + polynomials::CL_RE_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t128;
     let t131 = t90 * t130;
     let t132 = t18 * x1_flow[0];
     let t133 = real(0.0) * t132;
     let t134 = beta
-        * (polynomials::CY_beta_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t128)
-        + t4 * x1_flow[1];
+        * (polynomials::CY_beta_d1(alpha_deg, real(10.122243135087704), real(0.0))
+            * t128) + t4 * x1_flow[1];
     let t135 = t134
         + polynomials::CY_LE_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t128
         + polynomials::CY_RE_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t128;
-    let t136 = t135 + polynomials::CY_RUD_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t128;
+    let t136 = t135
+        + polynomials::CY_RUD_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t128;
     let t137 = t92 * t136;
     let t138 = t23 * x1_flow[1];
     let t139 = t17 * x1_flow[0];
@@ -708,19 +704,21 @@ pub fn lyapunov<T: Real>(
     let P1_flow = polynomials::basis1_rate(x1, x1_flow);
     // A_hat1' along the flow
     let A_hat1_flow = (t119 * P1 + t61 * P1_flow) * real(0.1);
-    let t159 =
-        real(-2.0) * (t55 * real(0.0) - t50) - real(0.5) * (real(0.5) * t52 + t56 * real(0.0));
+    let t159 = real(-2.0) * (t55 * real(0.0) - t50)
+        - real(0.5) * (real(0.5) * t52 + t56 * real(0.0));
     // y_r''
     let y_r_dot2 = Vector([
         T::select(
             t45,
             real(0.017453292519943295)
-                * (real(2.5) * (t53 * real(0.0) - real(FRAC_PI_4) * (t47 * real(FRAC_PI_4)))),
+                * (real(2.5)
+                    * (t53 * real(0.0) - real(FRAC_PI_4) * (t47 * real(FRAC_PI_4)))),
             real(0.0),
         ),
         real(0.017453292519943295)
             * (real(0.5)
-                * (t54 * real(0.0) - real(0.9424777960769379) * (t49 * real(0.9424777960769379)))),
+                * (t54 * real(0.0)
+                    - real(0.9424777960769379) * (t49 * real(0.9424777960769379)))),
         real(0.017453292519943295) * t159,
     ]);
     let t160 = real(1.0).lt(t63);
@@ -730,9 +728,12 @@ pub fn lyapunov<T: Real>(
     let t163 = t62 * t161;
     // Lam0_1' along the flow
     let Lam0_1_flow = Vector([
-        real(2.375) * e1[0] * t162 + t163 * (real(2.375) * e1_flow[0]) + real(2.0) * e1_flow[0],
-        real(2.375) * e1[1] * t162 + t163 * (real(2.375) * e1_flow[1]) + real(2.0) * e1_flow[1],
-        real(2.375) * e1[2] * t162 + t163 * (real(2.375) * e1_flow[2]) + real(2.0) * e1_flow[2],
+        real(2.375) * e1[0] * t162 + t163 * (real(2.375) * e1_flow[0])
+            + real(2.0) * e1_flow[0],
+        real(2.375) * e1[1] * t162 + t163 * (real(2.375) * e1_flow[1])
+            + real(2.0) * e1_flow[1],
+        real(2.375) * e1[2] * t162 + t163 * (real(2.375) * e1_flow[2])
+            + real(2.0) * e1_flow[2],
     ]);
     // cosE1' along the flow
     let cosE1_flow = -(E1.sin() * E1_flow);
@@ -757,8 +758,8 @@ pub fn lyapunov<T: Real>(
     // Lam1' along the flow
     let Lam1_flow = Lam0_1_flow + Lam1_disturbance_flow + Lam1_filter_flow;
     // bracket1' along the flow
-    let bracket1_flow =
-        F1_flow + A_hat1_flow - y_r_dot2 + zeta1_dot * real(20.0) + D_hat1_flow + Lam1_flow;
+    let bracket1_flow = F1_flow + A_hat1_flow - y_r_dot2 + zeta1_dot * real(20.0)
+        + D_hat1_flow + Lam1_flow;
     // chi1' along the flow
     let chi1_flow = h1_dot + G1.solve(bracket1_flow - G1_flow * t67);
     let t170 = chi1_flow.dot(chi1);
@@ -771,13 +772,14 @@ pub fn lyapunov<T: Real>(
     let s2_flow = t171 + t171;
     let t172 = t70 + t70;
     // E2_free' along the flow
-    let E2_free_flow =
-        real(FRAC_PI_2) * (t172 * (s2_flow / t69 - t70 / t69 * ((k2 + k2) * k2_dot)));
+    let E2_free_flow = real(FRAC_PI_2)
+        * (t172 * (s2_flow / t69 - t70 / t69 * ((k2 + k2) * k2_dot)));
     let t173 = E2_free.lt(real(1.5697963267948967));
     // E2' along the flow
     let E2_flow = T::select(t173, E2_free_flow, real(0.0));
     // V_T2' along the flow
-    let V_T2_flow = t113 * (real(4.0) * (t69 * k2) * k2_dot / real(TAU)) + t112 * (E2_flow / t71);
+    let V_T2_flow = t113 * (real(4.0) * (t69 * k2) * k2_dot / real(TAU))
+        + t112 * (E2_flow / t71);
     let t174 = W2_dot.transpose() * state.W2 + t72 * W2_dot;
     // V_W2' along the flow
     let V_W2_flow = (t174[(0, 0)] + t174[(1, 1)] + t174[(2, 2)]) * real(0.5);
@@ -812,13 +814,14 @@ pub fn lyapunov<T: Real>(
     // D^2 s2 along noise1
     let s2_noise1_2 = t182 + t182;
     // D^2 E2_free along noise1
-    let E2_free_noise1_2 = real(FRAC_PI_2) * (t181 * (t181 + t181) + t172 * (s2_noise1_2 / t69));
+    let E2_free_noise1_2 = real(FRAC_PI_2)
+        * (t181 * (t181 + t181) + t172 * (s2_noise1_2 / t69));
     // D^2 E2 along noise1
     let E2_noise1_2 = T::select(t173, E2_free_noise1_2, real(0.0));
     let t183 = cosE2 + cosE2;
     // D^2 V_T2 along noise1
-    let V_T2_noise1_2 =
-        t112 * (E2_noise1_2 / t71 + E2_noise1_ / t71 / t71 * (t183 * (t75 * E2_noise1_)));
+    let V_T2_noise1_2 = t112
+        * (E2_noise1_2 / t71 + E2_noise1_ / t71 / t71 * (t183 * (t75 * E2_noise1_)));
     // D^1 w_hat2 along noise1
     let w_hat2_noise1_ = t73 * HSigma2_1;
     let t184 = w_hat2_noise1_.sum_squares();
@@ -836,12 +839,13 @@ pub fn lyapunov<T: Real>(
     // D^2 s2 along noise2
     let s2_noise2_2 = t187 + t187;
     // D^2 E2_free along noise2
-    let E2_free_noise2_2 = real(FRAC_PI_2) * (t186 * (t186 + t186) + t172 * (s2_noise2_2 / t69));
+    let E2_free_noise2_2 = real(FRAC_PI_2)
+        * (t186 * (t186 + t186) + t172 * (s2_noise2_2 / t69));
     // D^2 E2 along noise2
     let E2_noise2_2 = T::select(t173, E2_free_noise2_2, real(0.0));
     // D^2 V_T2 along noise2
-    let V_T2_noise2_2 =
-        t112 * (E2_noise2_2 / t71 + E2_noise2_ / t71 / t71 * (t183 * (t75 * E2_noise2_)));
+    let V_T2_noise2_2 = t112
+        * (E2_noise2_2 / t71 + E2_noise2_ / t71 / t71 * (t183 * (t75 * E2_noise2_)));
     // D^1 w_hat2 along noise2
     let w_hat2_noise2_ = t73 * HSigma2_2;
     let t188 = w_hat2_noise2_.sum_squares();
@@ -859,38 +863,26 @@ pub fn lyapunov<T: Real>(
     // D^2 s2 along noise3
     let s2_noise3_2 = t191 + t191;
     // D^2 E2_free along noise3
-    let E2_free_noise3_2 = real(FRAC_PI_2) * (t190 * (t190 + t190) + t172 * (s2_noise3_2 / t69));
+    let E2_free_noise3_2 = real(FRAC_PI_2)
+        * (t190 * (t190 + t190) + t172 * (s2_noise3_2 / t69));
     // D^2 E2 along noise3
     let E2_noise3_2 = T::select(t173, E2_free_noise3_2, real(0.0));
     // D^2 V_T2 along noise3
-    let V_T2_noise3_2 =
-        t112 * (E2_noise3_2 / t71 + E2_noise3_ / t71 / t71 * (t183 * (t75 * E2_noise3_)));
+    let V_T2_noise3_2 = t112
+        * (E2_noise3_2 / t71 + E2_noise3_ / t71 / t71 * (t183 * (t75 * E2_noise3_)));
     // D^1 w_hat2 along noise3
     let w_hat2_noise3_ = t73 * HSigma2_3;
     let t192 = w_hat2_noise3_.sum_squares();
     // D^2 V_D2 along noise3
     let V_D2_noise3_2 = (t192 + t192) * real(0.5);
-    let t193 = V_T1_flow
-        + V_W1_flow
-        + V_D1_flow
-        + V_zeta1_flow
-        + V_chi1_flow
-        + V_T2_flow
-        + V_W2_flow
-        + V_D2_flow
-        + V_zeta2_flow;
-    let t194 = t193
-        + V_eps2_flow
-        + V_sigma2_flow
-        + V_phi2_flow
-        + V_T2_noise1_2 * real(0.5)
-        + V_D2_noise1_2 * real(0.5);
-    let t195 = t194
-        + V_T2_noise2_2 * real(0.5)
-        + V_D2_noise2_2 * real(0.5)
-        + V_T2_noise3_2 * real(0.5)
-        + V_D2_noise3_2 * real(0.5);
+    let t193 = V_T1_flow + V_W1_flow + V_D1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow
+        + V_W2_flow + V_D2_flow + V_zeta2_flow;
+    let t194 = t193 + V_eps2_flow + V_sigma2_flow + V_phi2_flow
+        + V_T2_noise1_2 * real(0.5) + V_D2_noise1_2 * real(0.5);
+    let t195 = t194 + V_T2_noise2_2 * real(0.5) + V_D2_noise2_2 * real(0.5)
+        + V_T2_noise3_2 * real(0.5) + V_D2_noise3_2 * real(0.5);
     // LV = V_t + V_x f + 1/2 sum_j g_j^T V_xx g_j
-    let LV = t195 + real(0.5) + real(0.5) + real(0.5) + real(0.5) + real(0.5) + real(0.5);
+    let LV = t195 + real(0.5) + real(0.5) + real(0.5) + real(0.5) + real(0.5)
+        + real(0.5);
     LyapunovOutputs { V, LV }
 }

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 771b17e4293973efaa277399a1ea53a1e8bd7b60e03fedc54cabd40f26af78f4
+// SHA-256 of the text below: 247a3ad30e0bc32fdab6873b613df81d961570148b56e029f987485d56cf79d7
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d616899bc333dd62e7916c99ac2aacc0cc0a8839653532fb0d461fa45f484071
+// specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 
 //! `nsv_attitude`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

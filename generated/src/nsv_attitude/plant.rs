@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 20f5b3abaa9e06e962bf8d7428b93b399290ecc06f1850f2ba81e2f157dc5642
+// SHA-256 of the text below: 970d893644f64ab2db1ac6740b71448c65a1cab2551f0cb90e91e82793cb22ff
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d616899bc333dd62e7916c99ac2aacc0cc0a8839653532fb0d461fa45f484071
+// specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // plant: 436 additions, 601 multiplications, 23 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
 
 //! `nsv_attitude`: plant and disturbances.
@@ -93,16 +93,14 @@ pub fn plant<T: Real>(
     let beta = x[1];
     let mu = x[2];
     let alpha_deg = alpha / real(0.017453292519943295);
-    let lift = real(97170193.3485195)
-        * params.CL_scale
+    let lift = real(97170193.3485195) * params.CL_scale
         * (polynomials::CL_alpha(alpha_deg, real(10.122243135087704), real(0.0))
             + polynomials::CL_LE(alpha_deg, real(10.122243135087704), real(0.0))
             + polynomials::CL_RE(alpha_deg, real(10.122243135087704), real(0.0)));
     let t1 = polynomials::CY_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
         + polynomials::CY_LE(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::CY_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let side = real(97170193.3485195)
-        * params.CY_scale
+    let side = real(97170193.3485195) * params.CY_scale
         * (t1 + polynomials::CY_RUD(alpha_deg, real(10.122243135087704), real(0.0)));
     let p = x[3];
     let q = x[4];
@@ -111,40 +109,35 @@ pub fn plant<T: Real>(
     let t3 = polynomials::Cl_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
         + polynomials::Cl_LE(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::Cl_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t4 = t3
-        + polynomials::Cl_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cl_p(alpha_deg, real(10.122243135087704), real(0.0)) * p * real(18.288)
-            / real(6000.0);
+    let t4 = t3 + polynomials::Cl_RUD(alpha_deg, real(10.122243135087704), real(0.0))
+        + polynomials::Cl_p(alpha_deg, real(10.122243135087704), real(0.0)) * p
+            * real(18.288) / real(6000.0);
     let roll = t2
         * (t4
-            + polynomials::Cl_r(alpha_deg, real(10.122243135087704), real(0.0)) * r * real(18.288)
-                / real(6000.0));
+            + polynomials::Cl_r(alpha_deg, real(10.122243135087704), real(0.0)) * r
+                * real(18.288) / real(6000.0));
     let t5 = polynomials::Cm_alpha(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::Cm_LE(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::Cm_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t6 = t5
-        + polynomials::Cm_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cm_q(alpha_deg, real(10.122243135087704), real(0.0)) * q * real(24.384)
-            / real(6000.0);
+    let t6 = t5 + polynomials::Cm_RUD(alpha_deg, real(10.122243135087704), real(0.0))
+        + polynomials::Cm_q(alpha_deg, real(10.122243135087704), real(0.0)) * q
+            * real(24.384) / real(6000.0);
     let pitch = real(2369397994.6102996) * params.Cm_scale * t6;
     let t7 = polynomials::CD_alpha(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::CD_LE(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::CD_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let drag = real(97170193.3485195)
-        * params.CD_scale
+    let drag = real(97170193.3485195) * params.CD_scale
         * (t7 + polynomials::CD_RUD(alpha_deg, real(10.122243135087704), real(0.0)));
     let t8 = polynomials::Cn_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
         + polynomials::Cn_LE(alpha_deg, real(10.122243135087704), real(0.0))
         + polynomials::Cn_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t9 = t8
-        + polynomials::Cn_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cn_p(alpha_deg, real(10.122243135087704), real(0.0)) * p * real(18.288)
-            / real(6000.0);
-    let yaw = real(1777048495.9577248)
-        * params.Cn_scale
+    let t9 = t8 + polynomials::Cn_RUD(alpha_deg, real(10.122243135087704), real(0.0))
+        + polynomials::Cn_p(alpha_deg, real(10.122243135087704), real(0.0)) * p
+            * real(18.288) / real(6000.0);
+    let yaw = real(1777048495.9577248) * params.Cn_scale
         * (t9
-            + polynomials::Cn_r(alpha_deg, real(10.122243135087704), real(0.0)) * r * real(18.288)
-                / real(6000.0));
+            + polynomials::Cn_r(alpha_deg, real(10.122243135087704), real(0.0)) * r
+                * real(18.288) / real(6000.0));
     let dCl = Vector([
         polynomials::Cl_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
         polynomials::Cl_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
@@ -169,7 +162,8 @@ pub fn plant<T: Real>(
     let t10 = alpha.sin();
     let t11 = alpha.cos();
     let t12 = (dCD * params.CD_scale * t10 + dCL * params.CL_scale * t11) * real(0.0);
-    let pitch_delta = (dCm * (real(24.384) * params.Cm_scale) + t12) * real(97170193.3485195);
+    let pitch_delta = (dCm * (real(24.384) * params.Cm_scale) + t12)
+        * real(97170193.3485195);
     let dCn = Vector([
         polynomials::Cn_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
         polynomials::Cn_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
@@ -180,8 +174,8 @@ pub fn plant<T: Real>(
         polynomials::CY_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
         polynomials::CY_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
     ]);
-    let yaw_delta = (dCn * (real(18.288) * params.Cn_scale) + dCY * (real(0.0) * params.CY_scale))
-        * real(97170193.3485195);
+    let yaw_delta = (dCn * (real(18.288) * params.Cn_scale)
+        + dCY * (real(0.0) * params.CY_scale)) * real(97170193.3485195);
 
     // -- true dynamics of block 1 (attitude) (11) --
     let t13 = mu.cos();
@@ -196,7 +190,8 @@ pub fn plant<T: Real>(
     // F_1 with the plant's parameters
     let F1_plant = Vector([
         (-lift - real(0.0) * t10 + t14) / (real(410460000.0) * t15),
-        (side - real(0.0) * t11 * t16 + real(1332506.5352200002) * t17) / real(410460000.0),
+        (side - real(0.0) * t11 * t16 + real(1332506.5352200002) * t17)
+            / real(410460000.0),
         (lift * t19 + t20 * t13 - t14 * t18 + t21) / real(410460000.0),
     ]);
     let t22 = -t18;
@@ -270,17 +265,30 @@ pub fn plant<T: Real>(
         ],
     ]);
     // H_2 Sigma_2
-    let HSigma2 = t28.hadamard(Matrix::<T, 3, 3>::from_f64([
-        [0.05, 0.05, 0.05],
-        [0.05, 0.05, 0.05],
-        [0.05, 0.05, 0.05],
-    ]));
+    let HSigma2 = t28
+        .hadamard(
+            Matrix::<
+                T,
+                3,
+                3,
+            >::from_f64([[0.05, 0.05, 0.05], [0.05, 0.05, 0.05], [0.05, 0.05, 0.05]]),
+        );
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // dx/dt without noise
     let drift = Vector([
-        x1_flow[0], x1_flow[1], x1_flow[2], x2_flow[0], x2_flow[1], x2_flow[2], w2_flow[0],
-        w2_flow[1], w2_flow[2], w2_flow[3], w2_flow[4], w2_flow[5],
+        x1_flow[0],
+        x1_flow[1],
+        x1_flow[2],
+        x2_flow[0],
+        x2_flow[1],
+        x2_flow[2],
+        w2_flow[0],
+        w2_flow[1],
+        w2_flow[2],
+        w2_flow[3],
+        w2_flow[4],
+        w2_flow[5],
     ]);
     // columns: one per Wiener process
     let diffusion = Matrix([

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: d42738a5a3dab711139a1fc064f4699472b72e737be7c25a10aad426608dc632
+// SHA-256 of the text below: 56bc81fc484c5f8cf057c3b98495428cf47541cedd92cdc1848c2be46f6b2658
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d616899bc333dd62e7916c99ac2aacc0cc0a8839653532fb0d461fa45f484071
+// specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 
 //! `nsv_attitude`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -21,16 +21,9 @@ pub fn CL_alpha<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let a2 = real(5.99e-7) * mach * mach + real(-0.000152);
     let a1 = real(-0.000473) * mach + real(0.0186);
     let a0 = ((((real(4.12e-7) * mach + real(-2.93e-5)) * mach + real(0.000774)) * mach
-        + real(-0.00919))
-        * mach
-        + real(0.047))
-        * mach
-        + real(-0.0819);
-    ((((real(1.3e-8) * alpha_deg + real(-3.91e-7)) * alpha_deg + real(4.08e-6)) * alpha_deg + a2)
-        * alpha_deg
-        + a1)
-        * alpha_deg
-        + a0
+        + real(-0.00919)) * mach + real(0.047)) * mach + real(-0.0819);
+    ((((real(1.3e-8) * alpha_deg + real(-3.91e-7)) * alpha_deg + real(4.08e-6))
+        * alpha_deg + a2) * alpha_deg + a1) * alpha_deg + a0
 }
 
 /// Polynomial data `CL_LE` in `alpha_deg`, `mach`, `deflection_deg`, by Horner's scheme.
@@ -72,19 +65,15 @@ pub fn CL_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 #[inline]
 pub fn CY_beta<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
-    let a4 = (real(2.6144e-11) * mach * mach + real(-2.0675e-8)) * mach * mach + real(2.8183e-5);
-    let a2 = (real(-4.649e-9) * mach * mach + real(4.6205e-6)) * mach * mach + real(0.00073535);
+    let a4 = (real(2.6144e-11) * mach * mach + real(-2.0675e-8)) * mach * mach
+        + real(2.8183e-5);
+    let a2 = (real(-4.649e-9) * mach * mach + real(4.6205e-6)) * mach * mach
+        + real(0.00073535);
     let a1 = real(-0.00028943) * mach + real(0.0028803);
-    let a0 = ((((real(-2.0829e-6) * mach + real(0.00015495)) * mach + real(-0.0043203)) * mach
-        + real(0.054822))
-        * mach
-        + real(-0.29253))
-        * mach;
-    ((((real(-5.2083e-7) * alpha_deg + a4) * alpha_deg + real(-0.00037405)) * alpha_deg + a2)
-        * alpha_deg
-        + a1)
-        * alpha_deg
-        + a0
+    let a0 = ((((real(-2.0829e-6) * mach + real(0.00015495)) * mach + real(-0.0043203))
+        * mach + real(0.054822)) * mach + real(-0.29253)) * mach;
+    ((((real(-5.2083e-7) * alpha_deg + a4) * alpha_deg + real(-0.00037405)) * alpha_deg
+        + a2) * alpha_deg + a1) * alpha_deg + a0
 }
 
 /// Polynomial data `CY_LE` in `alpha_deg`, `mach`, `deflection_deg`, by Horner's scheme.
@@ -98,7 +87,8 @@ pub fn CY_LE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let a2 = a2_2 * mach * mach + real(-2.82e-9);
     let a1_1 = real(-4.11e-9) * deflection_deg;
     let a1 = a1_1 * mach + real(1.12e-7);
-    let a0_0 = (real(5.04e-8) * deflection_deg + real(-2.27e-7)) * deflection_deg + real(1.02e-6);
+    let a0_0 = (real(5.04e-8) * deflection_deg + real(-2.27e-7)) * deflection_deg
+        + real(1.02e-6);
     let a0 = (real(2.36e-8) * mach + real(-4.48e-7)) * mach + a0_0;
     (a2 * alpha_deg + a1) * alpha_deg + a0
 }
@@ -114,7 +104,8 @@ pub fn CY_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let a2 = a2_2 * mach * mach + real(2.82e-9);
     let a1_1 = real(4.11e-9) * deflection_deg;
     let a1 = a1_1 * mach + real(-1.12e-7);
-    let a0_0 = (real(-5.04e-8) * deflection_deg + real(2.27e-7)) * deflection_deg + real(-1.02e-6);
+    let a0_0 = (real(-5.04e-8) * deflection_deg + real(2.27e-7)) * deflection_deg
+        + real(-1.02e-6);
     let a0 = (real(-2.36e-8) * mach + real(4.48e-7)) * mach + a0_0;
     (a2 * alpha_deg + a1) * alpha_deg + a0
 }
@@ -144,19 +135,10 @@ pub fn Cl_beta<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2 = real(-1.044e-8) * mach * mach + real(2.354e-6);
     let a1 = real(8.596e-6) * mach + real(-0.000759);
-    let a0 = ((((real(7.419e-8) * mach + real(-6.462e-6)) * mach + real(0.0002219)) * mach
-        + real(-0.003794))
-        * mach
-        + real(0.03326))
-        * mach
-        + real(-0.1402);
+    let a0 = ((((real(7.419e-8) * mach + real(-6.462e-6)) * mach + real(0.0002219))
+        * mach + real(-0.003794)) * mach + real(0.03326)) * mach + real(-0.1402);
     ((((real(-3.353e-21) * alpha_deg + real(3.803e-19)) * alpha_deg + real(-8.964e-18))
-        * alpha_deg
-        + a2)
-        * alpha_deg
-        + a1)
-        * alpha_deg
-        + a0
+        * alpha_deg + a2) * alpha_deg + a1) * alpha_deg + a0
 }
 
 /// Polynomial data `Cl_LE` in `alpha_deg`, `mach`, `deflection_deg`, by Horner's scheme.
@@ -170,8 +152,8 @@ pub fn Cl_LE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let a2 = a2_2 * mach * mach + real(-4.95e-6);
     let a1_1 = real(-2.794e-8) * deflection_deg;
     let a1 = a1_1 * mach + real(9.569e-5);
-    let a0_0 =
-        (real(1.16e-6) * deflection_deg + real(-0.000117)) * deflection_deg + real(-0.000357);
+    let a0_0 = (real(1.16e-6) * deflection_deg + real(-0.000117)) * deflection_deg
+        + real(-0.000357);
     let a0 = (real(-1.411e-6) * mach + real(3.598e-5)) * mach + a0_0;
     (a2 * alpha_deg + a1) * alpha_deg + a0
 }
@@ -187,7 +169,8 @@ pub fn Cl_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let a2 = a2_2 * mach * mach + real(4.95e-6);
     let a1_1 = real(2.794e-8) * deflection_deg;
     let a1 = a1_1 * mach + real(-9.569e-5);
-    let a0_0 = (real(-1.16e-6) * deflection_deg + real(0.000117)) * deflection_deg + real(0.000357);
+    let a0_0 = (real(-1.16e-6) * deflection_deg + real(0.000117)) * deflection_deg
+        + real(0.000357);
     let a0 = (real(1.411e-6) * mach + real(-3.598e-5)) * mach + a0_0;
     (a2 * alpha_deg + a1) * alpha_deg + a0
 }
@@ -218,16 +201,9 @@ pub fn Cl_p<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let a2 = real(-1.52e-7) * mach * mach + real(-0.000204);
     let a1 = real(-8.78e-5) * mach + real(0.00138);
     let a0 = ((((real(2.2e-7) * mach + real(-1.79e-5)) * mach + real(0.000573)) * mach
-        + real(-0.00913))
-        * mach
-        + real(0.0747))
-        * mach
-        + real(-0.299);
-    ((((real(-1.15e-7) * alpha_deg + real(4.21e-6)) * alpha_deg + real(-3.86e-5)) * alpha_deg + a2)
-        * alpha_deg
-        + a1)
-        * alpha_deg
-        + a0
+        + real(-0.00913)) * mach + real(0.0747)) * mach + real(-0.299);
+    ((((real(-1.15e-7) * alpha_deg + real(4.21e-6)) * alpha_deg + real(-3.86e-5))
+        * alpha_deg + a2) * alpha_deg + a1) * alpha_deg + a0
 }
 
 /// Polynomial data `Cl_r` in `alpha_deg`, `mach`, `deflection_deg`, by Horner's scheme. Source:
@@ -240,16 +216,9 @@ pub fn Cl_r<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let a2 = real(4.49e-8) * mach * mach + real(-9.76e-6);
     let a1 = real(-8.15e-5) * mach + real(0.00194);
     let a0 = ((((real(-4.81e-7) * mach + real(3.56e-5)) * mach + real(-0.00102)) * mach
-        + real(0.0145))
-        * mach
-        + real(-0.106))
-        * mach
-        + real(0.382);
-    ((((real(-1.06e-9) * alpha_deg + real(3.19e-8)) * alpha_deg + real(-2.7e-7)) * alpha_deg + a2)
-        * alpha_deg
-        + a1)
-        * alpha_deg
-        + a0
+        + real(0.0145)) * mach + real(-0.106)) * mach + real(0.382);
+    ((((real(-1.06e-9) * alpha_deg + real(3.19e-8)) * alpha_deg + real(-2.7e-7))
+        * alpha_deg + a2) * alpha_deg + a1) * alpha_deg + a0
 }
 
 /// Polynomial data `Cm_alpha` in `alpha_deg`, `mach`, `deflection_deg`, by Horner's scheme.
@@ -262,17 +231,9 @@ pub fn Cm_alpha<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let a2 = real(-2.88e-7) * mach * mach + real(0.0002616);
     let a1 = real(0.0001808) * mach + real(-0.00226);
     let a0 = ((((real(1.082e-8) * mach + real(-1.143e-6)) * mach + real(4.617e-5)) * mach
-        + real(-0.0008849))
-        * mach
-        + real(0.007739))
-        * mach
-        + real(-0.02192);
-    ((((real(-2.789e-7) * alpha_deg + real(8.288e-6)) * alpha_deg + real(-7.887e-5)) * alpha_deg
-        + a2)
-        * alpha_deg
-        + a1)
-        * alpha_deg
-        + a0
+        + real(-0.0008849)) * mach + real(0.007739)) * mach + real(-0.02192);
+    ((((real(-2.789e-7) * alpha_deg + real(8.288e-6)) * alpha_deg + real(-7.887e-5))
+        * alpha_deg + a2) * alpha_deg + a1) * alpha_deg + a0
 }
 
 /// Polynomial data `Cm_LE` in `alpha_deg`, `mach`, `deflection_deg`, by Horner's scheme.
@@ -315,32 +276,14 @@ pub fn Cm_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 pub fn Cm_RUD<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a0_0 = (((real(2.63e-24) * deflection_deg + real(-3.38e-10)) * deflection_deg
-        + real(-4.77e-22))
-        * deflection_deg
-        + real(1.43e-7))
-        * deflection_deg
-        * deflection_deg
-        * deflection_deg
-        * deflection_deg;
+        + real(-4.77e-22)) * deflection_deg + real(1.43e-7)) * deflection_deg
+        * deflection_deg * deflection_deg * deflection_deg;
     let a0 = (((((real(-3.58e-9) * mach + real(2.7e-7)) * mach + real(-7.74e-6)) * mach
-        + real(0.000105))
-        * mach
-        + real(-0.000669))
-        * mach
-        + real(0.00158))
-        * mach
-        * mach
+        + real(0.000105)) * mach + real(-0.000669)) * mach + real(0.00158)) * mach * mach
         + a0_0;
-    ((((((real(5.74e-12) * alpha_deg + real(-2.18e-10)) * alpha_deg + real(3.14e-9)) * alpha_deg
-        + real(-2.1e-8))
-        * alpha_deg
-        + real(6.42e-8))
-        * alpha_deg
-        + real(-5.89e-8))
-        * alpha_deg
-        + real(-2.79e-5))
-        * alpha_deg
-        + a0
+    ((((((real(5.74e-12) * alpha_deg + real(-2.18e-10)) * alpha_deg + real(3.14e-9))
+        * alpha_deg + real(-2.1e-8)) * alpha_deg + real(6.42e-8)) * alpha_deg
+        + real(-5.89e-8)) * alpha_deg + real(-2.79e-5)) * alpha_deg + a0
 }
 
 /// Polynomial data `Cm_q` in `alpha_deg`, `mach`, `deflection_deg`, by Horner's scheme. Source:
@@ -353,17 +296,9 @@ pub fn Cm_q<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let a2 = real(-1.95e-6) * mach * mach + real(0.00236);
     let a1 = real(0.00014) * mach + real(0.000785);
     let a0 = ((((real(1.71e-6) * mach + real(-0.00013)) * mach + real(0.0038)) * mach
-        + real(-0.0542))
-        * mach
-        + real(0.386))
-        * mach
-        + real(-1.36);
-    ((((real(-5.93e-6) * alpha_deg + real(0.000169)) * alpha_deg + real(-0.00148)) * alpha_deg
-        + a2)
-        * alpha_deg
-        + a1)
-        * alpha_deg
-        + a0
+        + real(-0.0542)) * mach + real(0.386)) * mach + real(-1.36);
+    ((((real(-5.93e-6) * alpha_deg + real(0.000169)) * alpha_deg + real(-0.00148))
+        * alpha_deg + a2) * alpha_deg + a1) * alpha_deg + a0
 }
 
 /// Polynomial data `CD_alpha` in `alpha_deg`, `mach`, `deflection_deg`, by Horner's scheme.
@@ -375,18 +310,10 @@ pub fn CD_alpha<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2 = real(1.405e-7) * mach * mach + real(-0.0011);
     let a1 = real(-0.000125) * mach + real(0.003179);
-    let a0 = ((((real(-1.705e-7) * mach + real(1.274e-5)) * mach + real(-0.0003658)) * mach
-        + real(0.005036))
-        * mach
-        + real(-0.03307))
-        * mach
-        + real(0.08717);
-    ((((real(9.766e-7) * alpha_deg + real(-2.985e-5)) * alpha_deg + real(0.0003175)) * alpha_deg
-        + a2)
-        * alpha_deg
-        + a1)
-        * alpha_deg
-        + a0
+    let a0 = ((((real(-1.705e-7) * mach + real(1.274e-5)) * mach + real(-0.0003658))
+        * mach + real(0.005036)) * mach + real(-0.03307)) * mach + real(0.08717);
+    ((((real(9.766e-7) * alpha_deg + real(-2.985e-5)) * alpha_deg + real(0.0003175))
+        * alpha_deg + a2) * alpha_deg + a1) * alpha_deg + a0
 }
 
 /// Polynomial data `CD_LE` in `alpha_deg`, `mach`, `deflection_deg`, by Horner's scheme.
@@ -400,8 +327,8 @@ pub fn CD_LE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let a2 = a2_2 * mach * mach + real(3.2187e-6);
     let a1_1 = real(-5.3015e-7) * deflection_deg;
     let a1 = a1_1 * mach + real(2.5411e-5);
-    let a0_0 =
-        (real(6.9629e-6) * deflection_deg + real(-3.6417e-5)) * deflection_deg + real(0.00045548);
+    let a0_0 = (real(6.9629e-6) * deflection_deg + real(-3.6417e-5)) * deflection_deg
+        + real(0.00045548);
     let a0 = (real(3.014e-6) * mach + real(-0.00011436)) * mach + a0_0;
     (a2 * alpha_deg + a1) * alpha_deg + a0
 }
@@ -417,8 +344,8 @@ pub fn CD_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let a2 = a2_2 * mach * mach + real(3.2187e-6);
     let a1_1 = real(-5.3015e-7) * deflection_deg;
     let a1 = a1_1 * mach + real(2.5411e-5);
-    let a0_0 =
-        (real(6.9629e-6) * deflection_deg + real(-3.6417e-5)) * deflection_deg + real(0.00045548);
+    let a0_0 = (real(6.9629e-6) * deflection_deg + real(-3.6417e-5)) * deflection_deg
+        + real(0.00045548);
     let a0 = (real(3.014e-6) * mach + real(-0.00011436)) * mach + a0_0;
     (a2 * alpha_deg + a1) * alpha_deg + a0
 }
@@ -434,7 +361,8 @@ pub fn CD_RUD<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let a2 = a2_2 * mach * mach + real(8.76e-7);
     let a1_1 = real(9.13e-9) * deflection_deg;
     let a1 = a1_1 * mach + real(-2.29e-5);
-    let a0_0 = (real(1.9701e-6) * deflection_deg + real(-1.83e-6)) * deflection_deg + real(0.00075);
+    let a0_0 = (real(1.9701e-6) * deflection_deg + real(-1.83e-6)) * deflection_deg
+        + real(0.00075);
     let a0 = (real(2.7e-6) * mach + real(-9.69e-5)) * mach + a0_0;
     (a2 * alpha_deg + a1) * alpha_deg + a0
 }
@@ -451,12 +379,10 @@ pub fn Cn_beta<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let a3 = real(1.0707e-8) * mach * mach * mach + real(-0.00010777);
     let a2 = real(-2.1924e-7) * mach * mach + real(0.0002516);
     let a1 = real(-7.525e-5) * mach + real(0.0006998);
-    let a0 = ((((real(6.4284e-7) * mach + real(-4.7098e-5)) * mach + real(0.0012692)) * mach
-        + real(-0.014824))
-        * mach
-        + real(0.059115))
-        * mach;
-    ((((a5 * alpha_deg + a4) * alpha_deg + a3) * alpha_deg + a2) * alpha_deg + a1) * alpha_deg + a0
+    let a0 = ((((real(6.4284e-7) * mach + real(-4.7098e-5)) * mach + real(0.0012692))
+        * mach + real(-0.014824)) * mach + real(0.059115)) * mach;
+    ((((a5 * alpha_deg + a4) * alpha_deg + a3) * alpha_deg + a2) * alpha_deg + a1)
+        * alpha_deg + a0
 }
 
 /// Polynomial data `Cn_LE` in `alpha_deg`, `mach`, `deflection_deg`, by Horner's scheme.
@@ -470,7 +396,8 @@ pub fn Cn_LE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let a2 = a2_2 * mach * mach + real(6.39e-7);
     let a1_1 = real(8.93e-8) * deflection_deg;
     let a1 = a1_1 * mach + real(-1.83e-5);
-    let a0_0 = (real(-1.97e-6) * deflection_deg + real(1.3e-5)) * deflection_deg + real(-0.00021);
+    let a0_0 = (real(-1.97e-6) * deflection_deg + real(1.3e-5)) * deflection_deg
+        + real(-0.00021);
     let a0 = (real(-8.16e-7) * mach + real(3.56e-5)) * mach + a0_0;
     (a2 * alpha_deg + a1) * alpha_deg + a0
 }
@@ -486,7 +413,8 @@ pub fn Cn_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let a2 = a2_2 * mach * mach + real(-6.39e-7);
     let a1_1 = real(-8.93e-8) * deflection_deg;
     let a1 = a1_1 * mach + real(1.83e-5);
-    let a0_0 = (real(1.97e-6) * deflection_deg + real(-1.3e-5)) * deflection_deg + real(0.00021);
+    let a0_0 = (real(1.97e-6) * deflection_deg + real(-1.3e-5)) * deflection_deg
+        + real(0.00021);
     let a0 = (real(8.16e-7) * mach + real(-3.56e-5)) * mach + a0_0;
     (a2 * alpha_deg + a1) * alpha_deg + a0
 }
@@ -515,17 +443,9 @@ pub fn Cn_RUD<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 pub fn Cn_p<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a0 = ((((real(-3.2e-7) * mach + real(2.57e-5)) * mach + real(-0.000805)) * mach
-        + real(0.0124))
-        * mach
-        + real(-0.0979))
-        * mach
-        + real(0.368);
-    ((((real(2.96e-19) * alpha_deg + real(-9.18e-18)) * alpha_deg + real(1.01e-16)) * alpha_deg
-        + real(-4.64e-16))
-        * alpha_deg
-        + real(7.61e-16))
-        * alpha_deg
-        + a0
+        + real(0.0124)) * mach + real(-0.0979)) * mach + real(0.368);
+    ((((real(2.96e-19) * alpha_deg + real(-9.18e-18)) * alpha_deg + real(1.01e-16))
+        * alpha_deg + real(-4.64e-16)) * alpha_deg + real(7.61e-16)) * alpha_deg + a0
 }
 
 /// Polynomial data `Cn_r` in `alpha_deg`, `mach`, `deflection_deg`, by Horner's scheme. Source:
@@ -538,16 +458,9 @@ pub fn Cn_r<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let a2 = real(-6.53e-8) * mach * mach + real(0.00115);
     let a1 = real(0.000209) * mach + real(-0.00274);
     let a0 = ((((real(1.96e-6) * mach + real(-0.000157)) * mach + real(0.0049)) * mach
-        + real(-0.0757))
-        * mach
-        + real(0.596))
-        * mach
-        + real(-2.41);
-    ((((real(-1.18e-6) * alpha_deg + real(3.6e-5)) * alpha_deg + real(-0.000387)) * alpha_deg + a2)
-        * alpha_deg
-        + a1)
-        * alpha_deg
-        + a0
+        + real(-0.0757)) * mach + real(0.596)) * mach + real(-2.41);
+    ((((real(-1.18e-6) * alpha_deg + real(3.6e-5)) * alpha_deg + real(-0.000387))
+        * alpha_deg + a2) * alpha_deg + a1) * alpha_deg + a0
 }
 
 /// Polynomial data `Cl_LE_d3` in `alpha_deg`, `mach`, `deflection_deg`, by Horner's scheme.
@@ -621,12 +534,9 @@ pub fn Cm_RE_d3<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 #[inline]
 pub fn Cm_RUD_d3<T: Real>(_alpha_deg: T, _mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
-    (((real(1.841e-23) * deflection_deg + real(-2.028e-9)) * deflection_deg + real(-2.385e-21))
-        * deflection_deg
-        + real(5.72e-7))
-        * deflection_deg
-        * deflection_deg
-        * deflection_deg
+    (((real(1.841e-23) * deflection_deg + real(-2.028e-9)) * deflection_deg
+        + real(-2.385e-21)) * deflection_deg + real(5.72e-7)) * deflection_deg
+        * deflection_deg * deflection_deg
 }
 
 /// Polynomial data `CD_LE_d3` in `alpha_deg`, `mach`, `deflection_deg`, by Horner's scheme.
@@ -784,9 +694,8 @@ pub fn CL_alpha_d1<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1 = real(1.198e-6) * mach * mach + real(-0.000304);
     let a0 = real(-0.000473) * mach + real(0.0186);
-    (((real(6.5e-8) * alpha_deg + real(-1.564e-6)) * alpha_deg + real(1.224e-5)) * alpha_deg + a1)
-        * alpha_deg
-        + a0
+    (((real(6.5e-8) * alpha_deg + real(-1.564e-6)) * alpha_deg + real(1.224e-5))
+        * alpha_deg + a1) * alpha_deg + a0
 }
 
 /// Polynomial data `CL_LE_d1` in `alpha_deg`, `mach`, `deflection_deg`, by Horner's scheme.
@@ -820,14 +729,13 @@ pub fn CL_RE_d1<T: Real>(_alpha_deg: T, mach: T, deflection_deg: T) -> T {
 #[inline]
 pub fn CY_beta_d1<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
-    let a3 = (real(1.04576e-10) * mach * mach + real(-8.27e-8)) * mach * mach + real(0.000112732);
-    let a1 = (real(-9.298e-9) * mach * mach + real(9.241e-6)) * mach * mach + real(0.0014707);
+    let a3 = (real(1.04576e-10) * mach * mach + real(-8.27e-8)) * mach * mach
+        + real(0.000112732);
+    let a1 = (real(-9.298e-9) * mach * mach + real(9.241e-6)) * mach * mach
+        + real(0.0014707);
     let a0 = real(-0.00028943) * mach + real(0.0028803);
-    (((real(-2.6041500000000003e-6) * alpha_deg + a3) * alpha_deg + real(-0.0011221500000000001))
-        * alpha_deg
-        + a1)
-        * alpha_deg
-        + a0
+    (((real(-2.6041500000000003e-6) * alpha_deg + a3) * alpha_deg
+        + real(-0.0011221500000000001)) * alpha_deg + a1) * alpha_deg + a0
 }
 
 /// Polynomial data `CY_LE_d1` in `alpha_deg`, `mach`, `deflection_deg`, by Horner's scheme.
@@ -993,6 +901,24 @@ pub fn basis2<T: Real>(z: Vector<T, 3>) -> Vector<T, 19> {
     let q_r2 = q_r * r;
     let r3 = r2 * r;
     Vector([
-        one, p, q, r, p2, p_q, p_r, q2, q_r, r2, p3, p2_q, p2_r, p_q2, p_r2, q3, q2_r, q_r2, r3,
+        one,
+        p,
+        q,
+        r,
+        p2,
+        p_q,
+        p_r,
+        q2,
+        q_r,
+        r2,
+        p3,
+        p2_q,
+        p2_r,
+        p_q2,
+        p_r2,
+        q3,
+        q2_r,
+        q_r2,
+        r3,
     ])
 }

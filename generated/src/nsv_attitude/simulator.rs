@@ -1,6 +1,6 @@
-// SHA-256 of the text below: c5409b762b98c12486db27f4471d756b30a3a6b307887f756ab8f8b10140fcff
+// SHA-256 of the text below: 22c38f7cbaf6741481b71d76e286d5b5db81538c823fc48506ab0f92823c25f8
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d616899bc333dd62e7916c99ac2aacc0cc0a8839653532fb0d461fa45f484071
+// specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 
 //! `nsv_attitude`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -25,7 +25,7 @@ use nsv_runtime::status::Status;
 pub const HORIZON: f64 = 20.0;
 
 /// Plant steps per sample.
-pub const SUBSTEPS: u32 = 4;
+pub const SUBSTEPS: u32 = 1;
 
 /// Length of a plant step, s.
 pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;
@@ -75,25 +75,25 @@ impl Simulator {
 
     /// Exosystem states of block 2.
     fn w2(&self) -> Vector<f64, 6> {
-        Vector([
-            self.x[6], self.x[7], self.x[8], self.x[9], self.x[10], self.x[11],
-        ])
+        Vector([self.x[6], self.x[7], self.x[8], self.x[9], self.x[10], self.x[11]])
     }
 
     /// Standard normal draws of all channels; zeros in a run without noise.
     fn draw(&self, step: u64) -> Vector<f64, NOISE_CHANNELS> {
         match &self.noise {
-            Some(noise) => Vector([
-                noise.normal(step, 0),
-                noise.normal(step, 1),
-                noise.normal(step, 2),
-                noise.normal(step, 3),
-                noise.normal(step, 4),
-                noise.normal(step, 5),
-                noise.normal(step, 6),
-                noise.normal(step, 7),
-                noise.normal(step, 8),
-            ]),
+            Some(noise) => {
+                Vector([
+                    noise.normal(step, 0),
+                    noise.normal(step, 1),
+                    noise.normal(step, 2),
+                    noise.normal(step, 3),
+                    noise.normal(step, 4),
+                    noise.normal(step, 5),
+                    noise.normal(step, 6),
+                    noise.normal(step, 7),
+                    noise.normal(step, 8),
+                ])
+            }
             None => Vector::zero(),
         }
     }
@@ -163,10 +163,9 @@ impl ClosedLoop for Simulator {
         let mut controller = Controller::new(Params::design());
         controller.reset(0.0, Vector([x[0], x[1], x[2]]), Vector([x[3], x[4], x[5]]));
         let state = *controller.state();
-        let output =
-            controller
-                .clone()
-                .step(0.0, Vector([x[0], x[1], x[2]]), Vector([x[3], x[4], x[5]]));
+        let output = controller
+            .clone()
+            .step(0.0, Vector([x[0], x[1], x[2]]), Vector([x[3], x[4], x[5]]));
         let process = Noise::process(options.seed, options.run);
         Self {
             controller,

@@ -222,7 +222,8 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     // y_r'
     let y_r_dot = Vector([real(FRAC_PI_2) * t.cos()]);
     // k_1(t)
-    let k1 = (real(30.0) * (real(-2.0) * t).exp() + real(6.0)) * real(0.017453292519943295);
+    let k1 = (real(30.0) * (real(-2.0) * t).exp() + real(6.0))
+        * real(0.017453292519943295);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -250,8 +251,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1
-        * real(5.0)
+    let Lam0_1 = e1 * real(5.0)
         * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
         + e1 * real(4.0);
     // eta_2/2 ||G||^2 c^T (37)
@@ -336,7 +336,8 @@ pub fn control<T: Real>(
     // y_r'
     let y_r_dot = Vector([real(FRAC_PI_2) * t.cos()]);
     // k_1(t)
-    let k1 = (real(30.0) * (real(-2.0) * t).exp() + real(6.0)) * real(0.017453292519943295);
+    let k1 = (real(30.0) * (real(-2.0) * t).exp() + real(6.0))
+        * real(0.017453292519943295);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -360,8 +361,7 @@ pub fn control<T: Real>(
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1
-        * real(5.0)
+    let Lam0_1 = e1 * real(5.0)
         * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
         + e1 * real(4.0);
     // eta_2/2 ||G||^2 c^T (37)

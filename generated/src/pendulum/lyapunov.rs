@@ -245,7 +245,8 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t22 * (real(4.0) * (t7 * k1) * k1_dot / real(TAU)) + t21 * (E1_flow / t9);
+    let V_T1_flow = t22 * (real(4.0) * (t7 * k1) * k1_dot / real(TAU))
+        + t21 * (E1_flow / t9);
     let t27 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
     let V_zeta1_flow = (t27 + t27) * real(0.5);
@@ -256,9 +257,10 @@ pub fn lyapunov<T: Real>(
     let t30 = t29 * (kernel::sin_cos_over_d1(E1) * E1_flow)
         + T::select(t28, real(0.0), -(t10 * (t11 / E1_free * E1_free_flow)));
     // Lam0_1' along the flow
-    let Lam0_1_flow = Vector([real(5.0) * e1[0] * t30
-        + t10 * t29 * (real(5.0) * e1_flow[0])
-        + real(4.0) * e1_flow[0]]);
+    let Lam0_1_flow = Vector([
+        real(5.0) * e1[0] * t30 + t10 * t29 * (real(5.0) * e1_flow[0])
+            + real(4.0) * e1_flow[0],
+    ]);
     // cosE1' along the flow
     let cosE1_flow = -(E1.sin() * E1_flow);
     let t31 = s1 * e1[0] / t9 / t9 * ((cosE1 + cosE1) * cosE1_flow);
@@ -319,22 +321,25 @@ pub fn lyapunov<T: Real>(
     // s_c1' along the flow
     let s_c1_flow = t41 + t41;
     // Lam2_coupling' along the flow
-    let Lam2_coupling_flow =
-        Vector([(e2[0] * ((s_c1 + s_c1) * s_c1_flow) + t15 * e2_flow[0]) * real(0.25)]);
+    let Lam2_coupling_flow = Vector([
+        (e2[0] * ((s_c1 + s_c1) * s_c1_flow) + t15 * e2_flow[0]) * real(0.25),
+    ]);
     // Lam2' along the flow
     let Lam2_flow = Lam0_2_flow + Lam2_disturbance_flow + Lam2_coupling_flow;
     // bracket2' along the flow
-    let bracket2_flow =
-        F2_flow + A_hat2_flow - h1_dot_flow + zeta2_dot * real(50.0) + D_hat2_flow + Lam2_flow;
+    let bracket2_flow = F2_flow + A_hat2_flow - h1_dot_flow + zeta2_dot * real(50.0)
+        + D_hat2_flow + Lam2_flow;
     // u' along the flow
     let u_flow = -G2.solve(bracket2_flow);
     let t42 = real(-8.0).lt(u[0]);
     // u_sat' along the flow
-    let u_sat_flow = Vector([T::select(
-        T::select(t42, u[0], real(-8.0)).lt(real(8.0)),
-        T::select(t42, u_flow[0], real(0.0)),
-        real(0.0),
-    )]);
+    let u_sat_flow = Vector([
+        T::select(
+            T::select(t42, u[0], real(-8.0)).lt(real(8.0)),
+            T::select(t42, u_flow[0], real(0.0)),
+            real(0.0),
+        ),
+    ]);
     // D2' along the flow
     let D2_flow = d2_dot + (F2_plant_flow - F2_flow) + t24 * u_sat_flow;
     // D_error2' along the flow
@@ -346,7 +351,7 @@ pub fn lyapunov<T: Real>(
     // V_zeta2' along the flow
     let V_zeta2_flow = (t44 + t44) * real(0.5);
     // LV = V_t + V_x f + 1/2 sum_j g_j^T V_xx g_j
-    let LV =
-        V_T1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow + V_W2_flow + V_D2_flow + V_zeta2_flow;
+    let LV = V_T1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow + V_W2_flow + V_D2_flow
+        + V_zeta2_flow;
     LyapunovOutputs { V, LV }
 }

@@ -22,16 +22,12 @@ pub struct Params<T> {
 impl<T: Real> Params<T> {
     /// The plant's nominal values.
     pub fn plant() -> Self {
-        Self {
-            mass: T::from_f64(1.0),
-        }
+        Self { mass: T::from_f64(1.0) }
     }
 
     /// The values that the controller is designed with.
     pub fn design() -> Self {
-        Self {
-            mass: T::from_f64(1.0),
-        }
+        Self { mass: T::from_f64(1.0) }
     }
 
     /// The plant's values in one run, drawn from the dispersions of the specification.

@@ -264,8 +264,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1
-        * real(5.0)
+    let Lam0_1 = e1 * real(5.0)
         * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
         + e1 * real(4.0);
     // eta_2/2 ||G||^2 c^T (37)
@@ -285,13 +284,11 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let e2 = x2 + t6;
 
     // -- given --
-    let th2 = -(Matrix::<T, 5, 2>::from_f64([
-        [12.0, 0.0],
-        [36.0, 0.0],
-        [0.0, 8.0],
-        [0.0, 2.0],
-        [0.0, 11.0],
-    ]) * e2);
+    let th2 = -(Matrix::<
+        T,
+        5,
+        2,
+    >::from_f64([[12.0, 0.0], [36.0, 0.0], [0.0, 8.0], [0.0, 2.0], [0.0, 11.0]]) * e2);
     State {
         zeta1,
         zeta2,
@@ -409,8 +406,7 @@ pub fn control<T: Real>(
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1
-        * real(5.0)
+    let Lam0_1 = e1 * real(5.0)
         * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
         + e1 * real(4.0);
     // eta_2/2 ||G||^2 c^T (37)
@@ -474,14 +470,15 @@ pub fn control<T: Real>(
     // w_hat_2 = th_2 + S_2 e_2
     let w_hat2 = state.th2 + t15 * e2;
     // d_hat_2 = L_2 w_hat_2
-    let D_hat2 =
-        Matrix::<T, 2, 5>::from_f64([[1.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 1.0, 0.0]])
-            * w_hat2;
+    let D_hat2 = Matrix::<
+        T,
+        2,
+        5,
+    >::from_f64([[1.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 1.0, 0.0]]) * w_hat2;
 
     // -- robust feedback of block 2 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2
-        * real(10.0)
+    let Lam0_2 = e2 * real(10.0)
         * (kernel::sin_cos_over(E2) * real(1.0).min(real(1.5697963267948967) / E2_free))
         + e2 * real(8.0);
     // ||L||^2/(2 eta_1) c^T (63)
@@ -494,7 +491,8 @@ pub fn control<T: Real>(
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
     let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25) * t14;
     // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound + Lam2_coupling;
+    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
+        + Lam2_coupling;
 
     // -- control (64) of block 2 --
     let t17 = F2 + A_hat2;
@@ -555,20 +553,8 @@ pub fn control<T: Real>(
             -1.5893642172162748e-5,
             -3.1840370705434745e-8,
         ],
-        [
-            0.0,
-            0.0,
-            -4.0171910527606606e-6,
-            0.001995970820999854,
-            5.991956185266466e-6,
-        ],
-        [
-            0.0,
-            0.0,
-            -2.1845797894047418e-5,
-            -2.784571417199025e-5,
-            0.0019999442315428947,
-        ],
+        [0.0, 0.0, -4.0171910527606606e-6, 0.001995970820999854, 5.991956185266466e-6],
+        [0.0, 0.0, -2.1845797894047418e-5, -2.784571417199025e-5, 0.0019999442315428947],
     ]);
     // th2(t + dt) = th2 + Gamma th2'
     let th2_next = state.th2 + t21 * th2_dot;

@@ -180,15 +180,16 @@ pub fn lyapunov<T: Real>(
     ]);
     // w_hat_2 = th_2 + S_2 e_2
     let w_hat2 = state.th2 + t25 * e2;
-    let t26: Matrix<T, 2, 5> =
-        Matrix::from_f64([[1.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 1.0, 0.0]]);
+    let t26: Matrix<T, 2, 5> = Matrix::from_f64([
+        [1.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 1.0, 1.0, 0.0],
+    ]);
     // d_hat_2 = L_2 w_hat_2
     let D_hat2 = t26 * w_hat2;
 
     // -- robust feedback of block 2 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2
-        * real(10.0)
+    let Lam0_2 = e2 * real(10.0)
         * (kernel::sin_cos_over(E2) * real(1.0).min(real(1.5697963267948967) / E2_free))
         + e2 * real(8.0);
     // ||L||^2/(2 eta_1) c^T (63)
@@ -201,7 +202,8 @@ pub fn lyapunov<T: Real>(
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
     let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25) * t23;
     // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound + Lam2_coupling;
+    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
+        + Lam2_coupling;
 
     // -- control (64) of block 2 --
     let t28 = F2 + A_hat2;
@@ -324,7 +326,8 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t43 * (real(4.0) * (t14 * k1) * k1_dot / real(TAU)) + t42 * (E1_flow / t16);
+    let V_T1_flow = t43 * (real(4.0) * (t14 * k1) * k1_dot / real(TAU))
+        + t42 * (E1_flow / t16);
     let t49 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
     let V_zeta1_flow = (t49 + t49) * real(0.5);
@@ -338,7 +341,8 @@ pub fn lyapunov<T: Real>(
     let t54 = t17 * t52;
     // Lam0_1' along the flow
     let Lam0_1_flow = Vector([
-        real(5.0) * e1[0] * t53 + t54 * (real(5.0) * e1_flow[0]) + real(4.0) * e1_flow[0],
+        real(5.0) * e1[0] * t53 + t54 * (real(5.0) * e1_flow[0])
+            + real(4.0) * e1_flow[0],
         real(5.0) * e1[1] * t53 + t54 * (real(5.0) * e1_flow[1]) + real(4.0) * e1_flow[1],
     ]);
     // cosE1' along the flow
@@ -377,7 +381,8 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T2' along the flow
-    let V_T2_flow = t45 * (real(4.0) * (t21 * k2) * k2_dot / real(TAU)) + t44 * (E2_flow / t23);
+    let V_T2_flow = t45 * (real(4.0) * (t21 * k2) * k2_dot / real(TAU))
+        + t44 * (E2_flow / t23);
     let t61 = W2_dot.transpose() * state.W2 + t24 * W2_dot;
     // V_W2' along the flow
     let V_W2_flow = (t61[(0, 0)] + t61[(1, 1)]) * real(0.5);
@@ -395,13 +400,7 @@ pub fn lyapunov<T: Real>(
     // V_eps2' along the flow
     let V_eps2_flow = (t64 + t64) / real(0.2);
     // LV = V_t + V_x f + 1/2 sum_j g_j^T V_xx g_j
-    let LV = V_T1_flow
-        + V_zeta1_flow
-        + V_chi1_flow
-        + V_T2_flow
-        + V_W2_flow
-        + V_D2_flow
-        + V_zeta2_flow
-        + V_eps2_flow;
+    let LV = V_T1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow + V_W2_flow + V_D2_flow
+        + V_zeta2_flow + V_eps2_flow;
     LyapunovOutputs { V, LV }
 }

@@ -22,16 +22,12 @@ pub struct Params<T> {
 impl<T: Real> Params<T> {
     /// The plant's nominal values.
     pub fn plant() -> Self {
-        Self {
-            m_e: T::from_f64(2.0),
-        }
+        Self { m_e: T::from_f64(2.0) }
     }
 
     /// The values that the controller is designed with.
     pub fn design() -> Self {
-        Self {
-            m_e: T::from_f64(2.0),
-        }
+        Self { m_e: T::from_f64(2.0) }
     }
 
     /// The plant's values in one run, drawn from the dispersions of the specification.

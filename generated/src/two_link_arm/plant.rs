@@ -105,8 +105,11 @@ pub fn plant<T: Real>(
     // F_2 with the plant's parameters
     let F2_plant = -inverse_M * torque;
     // d_2 = L_2 w_2 (12)
-    let d2 =
-        Matrix::<T, 2, 5>::from_f64([[1.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 1.0, 0.0]]) * w2;
+    let d2 = Matrix::<
+        T,
+        2,
+        5,
+    >::from_f64([[1.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 1.0, 0.0]]) * w2;
     let t6: Matrix<T, 5, 5> = Matrix::from_f64([
         [0.0, 1.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 0.0, 0.0, 0.0],
@@ -122,8 +125,15 @@ pub fn plant<T: Real>(
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // dx/dt without noise
     let drift = Vector([
-        x1_flow[0], x1_flow[1], x2_flow[0], x2_flow[1], w2_flow[0], w2_flow[1], w2_flow[2],
-        w2_flow[3], w2_flow[4],
+        x1_flow[0],
+        x1_flow[1],
+        x2_flow[0],
+        x2_flow[1],
+        w2_flow[0],
+        w2_flow[1],
+        w2_flow[2],
+        w2_flow[3],
+        w2_flow[4],
     ]);
     PlantOutputs { drift, d2 }
 }

@@ -35,7 +35,25 @@ pub fn basis2<T: Real>(z: Vector<T, 3>) -> Vector<T, 20> {
     let v2_q22 = v2_q2 * q2;
     let q23 = q22 * q2;
     Vector([
-        one, v1, v2, q2, v12, v1_v2, v1_q2, v22, v2_q2, q22, v13, v12_v2, v12_q2, v1_v22, v1_v2_q2,
-        v1_q22, v23, v22_q2, v2_q22, q23,
+        one,
+        v1,
+        v2,
+        q2,
+        v12,
+        v1_v2,
+        v1_q2,
+        v22,
+        v2_q2,
+        q22,
+        v13,
+        v12_v2,
+        v12_q2,
+        v1_v22,
+        v1_v2_q2,
+        v1_q22,
+        v23,
+        v22_q2,
+        v2_q22,
+        q23,
     ])
 }
