@@ -37,7 +37,8 @@ pub(super) fn figure(report: &Report<'_>, band: &Table) -> Option<Figure> {
         .enumerate()
         .map(|(i, block)| (i + 1, block))
     {
-        for channel in &block.channels {
+        // A bounded disturbance is the same in every run.
+        for channel in block.channels.iter().filter(|_| block.exosystem) {
             let title = format!("{}: disturbance of {}", block.name, channel.name);
             plots.extend(panel(
                 band,
