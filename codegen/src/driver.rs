@@ -33,6 +33,21 @@ pub fn compile(model: &Model, partials: &mut dyn Partials) -> Result<Compiled, D
         plant: optimise(programs.plant),
         lyapunov: optimise(programs.lyapunov),
     };
-    let files = module(&artifact).into_iter().map(|(file, text)| (file, seal(&text))).collect();
-    Ok(Compiled { files, eval: optimise(programs.quantities) })
+    let files = module(&artifact)
+        .into_iter()
+        .map(|(file, text)| (file, seal(&text)))
+        .collect();
+    Ok(Compiled {
+        files,
+        eval: optimise(programs.quantities),
+    })
+}
+
+/// The text of the library that declares the given modules, name and title of each, under its [seal](crate::seal).
+pub fn library(modules: &BTreeMap<String, String>) -> String {
+    let modules: Vec<(&str, &str)> = modules
+        .iter()
+        .map(|(name, title)| (name.as_str(), title.as_str()))
+        .collect();
+    seal(&crate::emit::library(&modules))
 }

@@ -160,3 +160,158 @@ fn alive(pid: i32) -> bool {
         .next()
         .is_some_and(|rest| !rest.is_empty() && !rest.starts_with('Z'))
 }
+
+const PENDULUM: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/pendulum.yaml");
+
+/// What nsv says with a cache that lives as long as the tests' target folder.
+fn with_cache(arguments: &[&str]) -> Output {
+    let cache = Path::new(env!("CARGO_TARGET_TMPDIR")).join("cache");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_nsv"));
+    command
+        .args(arguments)
+        .env("NSV_CACHE_DIR", cache)
+        .output()
+        .expect("nsv starts")
+}
+
+fn document(output: &Output) -> serde_json::Value {
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    serde_json::from_slice(&output.stdout).unwrap_or_else(|error| panic!("{error}: {stderr}"))
+}
+
+#[test]
+fn a_sound_specification_is_zero_and_a_faulty_one_is_one() {
+    check(&["check", PENDULUM], 0, "ok, 2 blocks of 1 channel");
+    let folder = tempfile::tempdir().expect("a folder");
+    let faulty = folder.path().join("faulty.yaml");
+    std::fs::write(&faulty, "nsv: 1\nname: faulty\nname: again\n").expect("a file");
+    let faulty = faulty.to_str().expect("a path in UTF-8");
+    check(&["check", faulty], 1, "error[");
+    check(
+        &["check", "--format", "short", faulty],
+        1,
+        "faulty.yaml:3:1: error[",
+    );
+    check(&["simulate", faulty], 1, "error[");
+    check(&["check", "/no/such.yaml"], 1, "/no/such.yaml");
+    let output = nsv(&["check", "--format", "json", PENDULUM, faulty]);
+    assert_eq!((output.status.code(), output.stderr.len()), (Some(1), 0));
+    let specs = &document(&output)["specs"];
+    assert_eq!(
+        (&specs[0]["ok"], &specs[1]["ok"]),
+        (&true.into(), &false.into())
+    );
+    let places = specs[1]["diagnostics"].as_array().expect("a list").iter();
+    let mut lines = places.map(|diagnostic| &diagnostic["place"]["start"]["line"]);
+    assert!(lines.any(|line| *line == 3), "{specs}");
+}
+
+#[test]
+fn a_campaign_replays_and_its_runs_stand_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| {
+        folder
+            .path()
+            .join(name)
+            .to_str()
+            .expect("a path in UTF-8")
+            .to_owned()
+    };
+    let common = ["simulate", PENDULUM, "--horizon", "4", "--format", "json"];
+    let run = |more: &[&str]| document(&with_cache(&[&common[..], more].concat()));
+    let all = run(&[
+        "--runs",
+        "20",
+        "--run",
+        "7",
+        "--out",
+        &at("all.csv"),
+        "--report",
+        &at("all.html"),
+    ]);
+    assert_eq!(
+        (&all["spec"], &all["runs"], &all["nonfinite"]),
+        (&"pendulum".into(), &20.into(), &0.into())
+    );
+    assert_eq!(all["horizon_s"], 4.0);
+    assert!(
+        all["rms_tracking"]["theta"]
+            .as_f64()
+            .is_some_and(|rms| rms < 0.02),
+        "{all}"
+    );
+    let one = run(&["--run", "7", "--out", &at("one.csv")]);
+    assert_eq!(one["runs"], 1);
+    assert_eq!(
+        std::fs::read(at("all.csv")).expect("a file"),
+        std::fs::read(at("one.csv")).expect("a file")
+    );
+    let page = std::fs::read_to_string(at("all.html")).expect("a file");
+    assert!(page.contains("Figure 9") && page.contains("Single-link arm"));
+    let threads =
+        ["1", "3"].map(|threads| run(&["--runs", "5", "--threads", threads])["ratio"].clone());
+    assert_eq!(threads[0], threads[1]);
+}
+
+#[test]
+fn quantities_are_evaluated_or_the_missing_ones_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("at.json");
+    let state = r#"{"t": 0, "x1": [0.1], "x2": [0], "zeta1": [0], "zeta2": [0], "h1": [0], "th2": [0], "W2": [[0], [0], [0], [0], [0], [0]]}"#;
+    std::fs::write(&path, state).expect("a file");
+    let output = with_cache(&[
+        "eval",
+        PENDULUM,
+        "--at",
+        path.to_str().expect("a path in UTF-8"),
+    ]);
+    let found = document(&output);
+    assert_eq!(found["e1"], serde_json::json!([0.1]));
+    assert!(found["V"].as_f64().is_some_and(|v| v > 0.0), "{found}");
+    std::fs::write(&path, r#"{"t": 0, "y9": 1}"#).expect("a file");
+    let output = with_cache(&[
+        "eval",
+        PENDULUM,
+        "--at",
+        path.to_str().expect("a path in UTF-8"),
+    ]);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{stderr}");
+    assert!(
+        stderr.contains("x1 (a list of 1)") && stderr.contains("unknown: y9"),
+        "{stderr}"
+    );
+}
+
+#[test]
+fn generated_code_is_checked_against_its_specification() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("a path in UTF-8");
+    // A copy: what is generated keeps its derivatives beside the specification.
+    let spec = folder.path().join("pendulum.yaml");
+    let partials = Path::new(PENDULUM).with_file_name("partials");
+    std::fs::copy(PENDULUM, &spec).expect("a copy");
+    std::fs::create_dir(folder.path().join("partials")).expect("a folder");
+    for entry in std::fs::read_dir(partials).into_iter().flatten().flatten() {
+        std::fs::copy(
+            entry.path(),
+            folder.path().join("partials").join(entry.file_name()),
+        )
+        .expect("a copy");
+    }
+    let spec = spec.to_str().expect("a path in UTF-8");
+    let run = |more: &[&str]| with_cache(&[&["generate", spec, "--out", out], more].concat());
+    assert_eq!(run(&["--check"]).status.code(), Some(4));
+    assert_eq!(run(&[]).status.code(), Some(0));
+    assert_eq!(run(&["--check"]).status.code(), Some(0));
+    let plant = folder.path().join("pendulum/plant.rs");
+    let edited = std::fs::read_to_string(&plant).expect("a file") + "// mine\n";
+    std::fs::write(&plant, &edited).expect("a file");
+    for more in [&["--check"][..], &[]] {
+        let output = run(more);
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(4), "{stderr}");
+        assert!(stderr.contains("plant.rs` was edited by hand"), "{stderr}");
+    }
+    assert_eq!(std::fs::read_to_string(&plant).expect("a file"), edited);
+}

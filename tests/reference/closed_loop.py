@@ -51,7 +51,7 @@ class Integrator:
         for name, (_, integral) in self.held.items():
             new[name] = state[name] + integral @ out[f"{name}_dot"]  # exp - I = integral a
         for i, block in enumerate(self.problem.blocks, 1):
-            if i < len(self.problem.blocks):
+            if f"h{i}" in state:
                 new[f"h{i}"] = self._decay(state[f"h{i}"], out[f"h{i}_dot"], 1 / block.filter)
             if block.network:
                 net = block.network
@@ -120,9 +120,13 @@ class Plant:
             if wiener and rng is not None:
                 kicks, exo_kicks = draw()
                 k, l = self.rates(t, x, w, u, none, none)
-                add = lambda i: blocks[i].noise.effectiveness(x[: i + 1], self.params) @ (blocks[i].noise.intensity * kicks[i])
-                self.x = [x[i] + h * k[i] + (np.sqrt(h) * add(i) if blocks[i].noise else 0) for i in range(len(x))]
-                self.w = [v if v is None else v + h * l[i] + np.sqrt(h) * blocks[i].disturbance.N @ exo_kicks[i] for i, v in enumerate(w)]
+                self.x, self.w = _add(x, w, h, (k, l))
+                for i, block in enumerate(blocks):
+                    if block.noise:
+                        H = block.noise.effectiveness(x[: i + 1], self.params)
+                        self.x[i] = self.x[i] + np.sqrt(h) * H @ (block.noise.intensity * kicks[i])
+                    if w[i] is not None:
+                        self.w[i] = self.w[i] + np.sqrt(h) * block.disturbance.N @ exo_kicks[i]
             elif scheme == "euler":
                 self.x, self.w = _add(x, w, h, self.rates(t, x, w, u, xi, eta))
             else:
@@ -148,7 +152,7 @@ def _add(x, w, h, k):
 
 
 def simulate(problem, seed=None, params=None, horizon=None, scheme="euler"):
-    """Run the loop; returns a dict of arrays over the samples: t, x<i>, e<i>, y_r, d<i>, D_hat<i>, u, u_sat, ratio<i>, phi<i>, ..."""
+    """Run the loop; returns a dict of arrays over the samples: t, x<i>, e<i>, y_r, d<i>, D_hat<i>, u, u_sat, ratio<i>, ..."""
     rng = None if seed is None else np.random.default_rng(seed)
     plant = Plant(problem, params or problem.parameters)
     state, integrator, log = initial_state(problem), Integrator(problem), {}
@@ -180,7 +184,7 @@ def _record(log, problem, t, plant, state, out):
         if block.noise:
             row[f"phi{i}"], row[f"sigma{i}"], row[f"Psi{i}"] = state[f"phi{i}"], state[f"sigma{i}"], out[f"Psi{i}"]
         if f"alpha{i}" in out:
-            row[f"alpha{i}"], row[f"h{i}"] = out[f"alpha{i}"], state[f"h{i}"]
+            row[f"alpha{i}"] = out[f"alpha{i}"]
     for name, value in row.items():
         log.setdefault(name, []).append(value)
 

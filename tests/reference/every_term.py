@@ -87,3 +87,34 @@ def single_block():
     )
     reference = (lambda t: np.array([sin(t)]), lambda t: np.array([cos(t)]))
     return Problem("single_block", 1, [only], reference, np.array([3.0]), {}, {}, 5.0, 0.005, 1.0)
+
+
+def exact_chain():
+    """n = 3, width 1, commands differentiated exactly."""
+    first = Block(
+        "first", np.array([0.1]), lambda x, p: -0.5 * sin(x[0]), lambda x, p: np.array([[2 + cos(x[0][0])]]),
+        K=np.array([2.0]), kbar=2.0, C=10 * np.eye(1), eta_1=1.0, eta_2=1.0, eta_3=1.0,
+        disturbance=Bounded(lambda t: np.array([0.2 * sin(t)])), observer=6 * np.eye(1), constraint=funnel(1.0, 0.3),
+        network=Network(2, lambda x: x[0], 1, np.array([0.2]), 1.0, 0.1),
+    )
+    second = Block(
+        "second", np.array([0.0]), lambda x, p: x[0] * x[1] - 0.2 * x[1],
+        lambda x, p: np.array([[1.5 + 0.5 * tanh(x[0][0])]]),
+        K=np.array([4.0]), kbar=4.0, C=20 * np.eye(1), eta_1=1.0, eta_2=0.5, eta_3=1.0, eta_noise=0.1,
+        disturbance=Exosystem.of_channels([([[0, 2], [-2, 0]], [[0.1, 0], [0, 0.1]], [1, 0], [0.3, 0])]),
+        noise=Noise(lambda x, p: np.array([[0.1 * (1 + x[0][0] ** 2)]]), np.array([0.4])),
+        observer=np.array([[8.0], [3.0]]),
+        network=Network(2, lambda x: np.array([x[0][0], x[1][0]]), 2, np.array([0.2]), 1.0, 0.1),
+        error_bound=ErrorBound(0.1, np.array([1.0])), noise_bound=NoiseBound(1.0, 0.1, 1.0, 5.0, 1.0, 0.02),
+    )
+    third = Block(
+        "third", np.array([0.0]), lambda x, p: -x[2] + x[0] * x[1], lambda x, p: np.array([[3.0]]),
+        K=np.array([20.0]), kbar=20.0, C=50 * np.eye(1),
+    )
+    reference = (
+        lambda t: np.array([0.5 * sin(t) + 0.1 * cos(2 * t)]),
+        lambda t: np.array([0.5 * cos(t) - 0.2 * sin(2 * t)]),
+    )
+    return Problem(
+        "exact_chain", 1, [first, second, third], reference, np.array([20.0]), {}, {}, 5.0, 0.001, 1.0, exact=True
+    )

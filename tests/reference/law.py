@@ -6,6 +6,7 @@ compiler (e<i>, E<i>, c<i>, Lam<i>, alpha<i>, u, th<i>_dot, ...).
 """
 
 import numpy as np
+from mpmath import mpf
 
 from problem import Bounded, Exosystem
 from real import cos, exact, frobenius, is_exact, pi_like, sin, solve, spectral, sqrt, tan, tanh
@@ -67,6 +68,7 @@ def evaluate(problem, state, params=None):
     out["u_sat"] = saturate(out["u"], problem.limits)
     for i in range(1, n + 1):
         _rates(problem, i, state, x, out)
+        out.pop(f"h{i}", None)
     return out
 
 
@@ -74,8 +76,9 @@ def _block(problem, i, state, params, x, out):
     """Errors, barrier, Lam_i and alpha_i of block i (31)(64); needs the results of block i - 1."""
     block, n, m = problem.blocks[i - 1], len(problem.blocks), problem.width
     norm = spectral if problem.norm == "spectral" else frobenius
-    h = out["y_r"] if i == 1 else state[f"h{i - 1}"]
-    h_dot = out["y_r_dot"] if i == 1 else out[f"h{i - 1}_dot"]
+    if i > 1:
+        _follow(problem, i - 1, state, params, out)
+    h, h_dot = (out["y_r"], out["y_r_dot"]) if i == 1 else (out[f"h{i - 1}"], out[f"h{i - 1}_dot"])
     zeta = state[f"zeta{i}"]
     e = x[-1] - h - zeta  # (14)
     s = e @ e
@@ -125,8 +128,25 @@ def _block(problem, i, state, params, x, out):
         out[f"D_hat{i}"] = D_hat
     if w_hat is not None:
         out[f"w_hat{i}"] = w_hat
-    if f"h{i}" in state:
-        out[f"h{i}_dot"] = (alpha - state[f"h{i}"]) / block.filter  # (33)
+
+
+def _follow(problem, i, state, params, out):
+    """h_i and h_i' of an inner command: of the filter (33), or alpha_i and its derivative along the known dynamics (34)."""
+    if not problem.exact:
+        out[f"h{i}"] = state[f"h{i}"]
+        out[f"h{i}_dot"] = (out[f"alpha{i}"] - state[f"h{i}"]) / problem.blocks[i - 1].filter
+        return
+    x = [state[f"x{j}"] for j in range(1, i + 2)]
+    flow = {"t": 1}
+    for j in range(1, i + 1):
+        flow[f"x{j}"] = out[f"F{j}"] + out[f"G{j}"] @ x[j] + out[f"A_hat{j}"] + out.get(f"D_hat{j}", 0)
+        rates = dict(out)
+        _rates(problem, j, state, x, rates)
+        flow |= {name: rates[f"{name}_dot"] for name in state if name.endswith(str(j)) and f"{name}_dot" in rates}
+    step = mpf(10) ** -27 if is_exact(state["t"]) else 1e-5
+    along = lambda by: upto(problem, i, state | {name: state[name] + by * rate for name, rate in flow.items()}, params)
+    out[f"h{i}"] = out[f"alpha{i}"]
+    out[f"h{i}_dot"] = (along(step)[f"alpha{i}"] - along(-step)[f"alpha{i}"]) / (2 * step)
 
 
 def _estimate(block, state, i, x, e):
@@ -190,14 +210,12 @@ def initial_state(problem, params=None):
             state[f"eps{i}"] = 0.0
         if block.noise:
             state[f"sigma{i}"], state[f"phi{i}"] = 0.0, block.noise_bound.phi_initial
-        if i < n:
-            state[f"h{i}"] = np.zeros(m)
     for i, block in enumerate(problem.blocks, 1):  # block i's errors need h_{i-1}, its alpha needs its own estimate
         out = upto(problem, i, state, params)
         if isinstance(block.disturbance, Exosystem):
             state[f"th{i}"] = -block.observer @ out[f"e{i}"]
             out = upto(problem, i, state, params)
-        if i < n:
+        if i < n and not problem.exact:
             state[f"h{i}"] = out[f"alpha{i}"]
     return state
 

@@ -1,11 +1,12 @@
 """Writes tests/points/<spec>.json: states of the closed loop and what the law must give there, to the last digit.
 
 Run from anywhere: python tests/reference/make_points.py. The result depends on nothing but this folder.
-A point has a label, `inputs` (names as in `nsv eval`), `expected`, and `plant`: with dispersed parameters, the drift of (x, w) under
-u_sat and the covariance diffusion * diffusion^T. Matrices are lists of rows. `tolerance` is what float64 can be asked for, per output:
-the largest change of any entry when the law is evaluated in float64 or its inputs move by one unit in the last place, eight times,
-plus 1e-13 of the largest entry (1e-10 for LV), plus 1e-15. A point with "clamped": true violates a constraint: E is held at pi/2 - margin, everything else follows from it with
-k^4 sin E cos E/(2 pi s^2) written as sin E cos E/(4 E), and V and LV mean nothing.
+A point has a label, `inputs` (names as in `nsv eval`), `expected`, and `plant`: with dispersed parameters, the drift of (x, w)
+under u_sat and the covariance diffusion * diffusion^T. Matrices are lists of rows. `tolerance` is what float64 can be asked for,
+per output: the largest change of any entry when the law is evaluated in float64 or its inputs move by one unit in the last place,
+eight times, plus 1e-13 of the largest entry (1e-10 for LV), plus 1e-15. A point with "clamped": true violates a constraint: E is held
+at pi/2 - margin, everything else follows from it with k^4 sin E cos E/(2 pi s^2) written as sin E cos E/(4 E), and V and LV mean
+nothing.
 """
 
 import json
@@ -17,12 +18,12 @@ from law import evaluate, initial_state, upto
 from lyapunov import generator, noise_columns, plant_rates, value
 from problem import Exosystem
 from real import exact
-from every_term import every_term, single_block
+from every_term import every_term, exact_chain, single_block
 from specs import SPECS
 
 POINTS = Path(__file__).parents[1] / "points"
 RANDOM_POINTS = 20
-ALL = SPECS | {"every_term": every_term, "single_block": single_block}
+ALL = SPECS | {make.__name__: make for make in (every_term, single_block, exact_chain)}
 
 # Typical size of h<i>, zeta<i> and of far-away states, per spec.
 SIZES = {
@@ -32,12 +33,15 @@ SIZES = {
     "motor_arm": {"h1": 2.0, "h2": 4.0, "zeta1": 0.1, "zeta2": 0.5, "zeta3": 1.0, "x1": 2.0, "x2": 5.0, "x3": 5.0},
     "every_term": {"h1": 1.0, "h2": 1.0, "zeta1": 0.2, "zeta2": 0.2, "zeta3": 0.2, "x1": 2.0, "x2": 2.0, "x3": 2.0},
     "single_block": {"zeta1": 0.2, "x1": 2.0},
+    "exact_chain": {"zeta1": 0.2, "zeta2": 0.2, "zeta3": 0.2, "x1": 2.0, "x2": 2.0, "x3": 2.0},
 }
 
 
 def target(problem, state, i):
     """h_{i-1}, what block i follows."""
-    return problem.reference[0](state["t"]) if i == 1 else state[f"h{i - 1}"]
+    if i == 1:
+        return problem.reference[0](state["t"])
+    return upto(problem, i - 1, state)[f"alpha{i - 1}"] if problem.exact else state[f"h{i - 1}"]
 
 
 class Sampler:
@@ -78,7 +82,7 @@ class Sampler:
                 exo = isinstance(block.disturbance, Exosystem)
                 measured = state[f"x{i}"] - h - zeta if exo else state[f"x{i}"]
                 state[f"th{i}"] = self.vector(len(block.observer), quiet) - block.observer @ measured
-            if i < len(problem.blocks):
+            if i < len(problem.blocks) and not problem.exact:
                 near = upto(problem, i, state)[f"alpha{i}"] if calm else 0
                 state[f"h{i}"] = near + self.vector(problem.width, quiet * self.size[f"h{i}"])
         return state
@@ -103,9 +107,10 @@ def adversarial(sampler):
     yield "zero error", state
     yield "error of 1e-9 of the constraint", sampler.state(lambda: 1e-9)
     yield "error of 1e-3 of the constraint", sampler.state(lambda: 1e-3)
-    yield "error at 0.98 of the constraint", sampler.state(lambda: 0.98)
-    yield "error at 0.9995 of the constraint", sampler.state(lambda: 0.9995)
-    yield "constraint violated", sampler.state(lambda: 1.2)
+    for near in (0.8, 0.9) if problem.exact else (0.98, 0.9995):  # derivatives of tan(E) multiply along the chain
+        yield f"error at {near} of the constraint", sampler.state(lambda: near)
+    if not problem.exact:
+        yield "constraint violated", sampler.state(lambda: 1.2)
     yield "saturated", _saturated(sampler)
 
     state = sampler.state(uniform)  # far from the reference; zeta keeps the errors small
@@ -125,7 +130,8 @@ def adversarial(sampler):
         yield "phi at its floor", state
         state = sampler.state(uniform)
         for i in noisy:
-            state[f"x{i}"] = target(problem, state, i) + state[f"zeta{i}"] + sampler.direction() * problem.blocks[i - 1].noise_bound.phi_threshold / 2
+            small = problem.blocks[i - 1].noise_bound.phi_threshold / 2
+            state[f"x{i}"] = target(problem, state, i) + state[f"zeta{i}"] + small * sampler.direction()
         yield "error below the threshold of phi", state
 
 
@@ -195,10 +201,11 @@ def plant(problem, state, u_sat, rng):
 
 
 def plain(x):
-    """Nested lists of the nearest floats."""
+    """Nested lists of the nearest floats; what only rounding keeps from 0 is 0."""
     if isinstance(x, dict):
         return {name: plain(v) for name, v in x.items()}
-    return np.frompyfunc(float, 1, 1)(np.asarray(x, dtype=object)).tolist() if np.ndim(x) else float(x)
+    number = lambda v: float(v) if abs(v) > 1e-60 else 0.0
+    return np.frompyfunc(number, 1, 1)(np.asarray(x, dtype=object)).tolist() if np.ndim(x) else number(x)
 
 
 def points(name):

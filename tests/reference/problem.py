@@ -135,4 +135,5 @@ class Problem:
     norm: str = "frobenius"
     barrier_margin: float = 1e-3
     wiener: bool = False
+    exact: bool = False  # virtual_derivative: exact
     substeps: int = 4

@@ -6,7 +6,7 @@ The law is written once over both: floats simulate, mpmath numbers give expected
 import mpmath
 import numpy as np
 
-mpmath.mp.dps = 80
+mpmath.mp.dps = 120
 
 
 def exact(x):

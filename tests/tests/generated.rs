@@ -41,17 +41,15 @@ fn committed_code_is_fresh_and_complete() {
     let source = repository("generated/src");
     let paths = specifications("specs");
     let mut provider = provider(&paths[0]);
-    let mut modules = Vec::new();
+    let mut modules = BTreeMap::new();
     for path in &paths {
         let (name, title, generated) = generate(path, &mut provider);
         check(&name, &generated, &files(&source.join(&name)));
-        modules.push((name, title));
+        modules.insert(name, title);
     }
-    modules.sort();
-    let modules: Vec<(&str, &str)> = modules.iter().map(|(name, title)| (name.as_str(), title.as_str())).collect();
     assert_eq!(fs::read_to_string(source.join("lib.rs")).unwrap(), library(&modules));
     let present: BTreeSet<String> = source.read_dir().unwrap().map(|entry| file_name(&entry.unwrap().path())).collect();
-    let declared = modules.iter().map(|(name, _)| (*name).to_owned()).chain(["lib.rs".to_owned()]).collect();
+    let declared = modules.into_keys().chain(["lib.rs".to_owned()]).collect();
     assert_eq!(present, declared, "nothing else stands in generated/src");
     assert_eq!(provider.unused().unwrap(), BTreeSet::new(), "every export in specs/partials is used");
 }

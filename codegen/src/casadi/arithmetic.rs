@@ -33,24 +33,35 @@ impl Decoder<'_> {
             "POW" | "CONSTPOW" => return Some(self.pow(a, b)),
             "AND" | "OR" => {
                 let (a, b) = (self.truth(a), self.truth(b));
-                let op = if name == "AND" { Op::And(a, b) } else { Op::Or(a, b) };
+                let op = if name == "AND" {
+                    Op::And(a, b)
+                } else {
+                    Op::Or(a, b)
+                };
                 return Some(Term::Truth(self.program.push(op)));
             }
             _ => {}
         }
         if let Some(comparison) = comparison(name) {
             let (a, b) = (self.real(a), self.real(b));
-            return Some(Term::Truth(self.program.push(Op::Compare(comparison, a, b))));
+            return Some(Term::Truth(
+                self.program.push(Op::Compare(comparison, a, b)),
+            ));
         }
         match (name, self.terms[a], self.terms[b]) {
-            ("MUL", Term::Zero, _) | ("MUL", _, Term::Zero) | ("DIV", Term::Zero, _) => return Some(Term::Zero),
+            ("MUL", Term::Zero, _) | ("MUL", _, Term::Zero) | ("DIV", Term::Zero, _) => {
+                return Some(Term::Zero);
+            }
             ("SUB", _, Term::Zero) => return Some(self.terms[a]),
             ("SUB", Term::Zero, _) => return self.unary("NEG", b),
             _ => {}
         }
         let (x, y) = (self.real(a), self.real(b));
         if name == "HYPOT" {
-            let (x, y) = (self.program.push(Op::PowInt(x, 2)), self.program.push(Op::PowInt(y, 2)));
+            let (x, y) = (
+                self.program.push(Op::PowInt(x, 2)),
+                self.program.push(Op::PowInt(y, 2)),
+            );
             let sum = self.program.binary(Operator::Add, x, y);
             return Some(self.push(Op::Apply(Function::Sqrt, sum)));
         }
@@ -94,7 +105,8 @@ impl Decoder<'_> {
             Node(name, _, data) if name == "const" => self.constant(data[0]).and_then(Result::ok),
             _ => None,
         };
-        let integer = exponent.filter(|value| value.fract() == 0.0 && value.abs() <= f64::from(u16::MAX));
+        let integer =
+            exponent.filter(|value| value.fract() == 0.0 && value.abs() <= f64::from(u16::MAX));
         let (x, one) = (self.real(a), self.scalar(1.0));
         let Some(n) = integer else {
             let y = self.real(b);
@@ -105,7 +117,11 @@ impl Decoder<'_> {
             1 => x,
             n => self.program.push(Op::PowInt(x, n)),
         };
-        if n < 0.0 { self.push(Op::Binary(Operator::Div, one, positive)) } else { Term::Real(positive) }
+        if n < 0.0 {
+            self.push(Op::Binary(Operator::Div, one, positive))
+        } else {
+            Term::Real(positive)
+        }
     }
 
     fn masked(&self, node: usize) -> Option<(usize, usize)> {
@@ -123,8 +139,23 @@ impl Decoder<'_> {
 
 /// Whether CasADi's operation is decoded.
 pub(super) fn is_known(name: &str) -> bool {
-    let special = ["ASSIGN", "NOT", "SQ", "TWICE", "INV", "IF_ELSE_ZERO", "POW", "CONSTPOW", "AND", "OR", "HYPOT"];
-    special.contains(&name) || function(name).is_some() || comparison(name).is_some() || operator(name).is_some()
+    let special = [
+        "ASSIGN",
+        "NOT",
+        "SQ",
+        "TWICE",
+        "INV",
+        "IF_ELSE_ZERO",
+        "POW",
+        "CONSTPOW",
+        "AND",
+        "OR",
+        "HYPOT",
+    ];
+    special.contains(&name)
+        || function(name).is_some()
+        || comparison(name).is_some()
+        || operator(name).is_some()
 }
 
 fn function(name: &str) -> Option<Function> {

@@ -23,9 +23,15 @@ const MAX_NODES: usize = 1_000_000;
 pub fn decode(question: &Question<'_>, tape: &Tape) -> Result<Program, TapeError> {
     let (formula, job) = (question.formula, &question.request.job);
     if tape.nodes.len() > MAX_NODES {
-        return Err(TapeError::TooLarge { nodes: tape.nodes.len() });
+        return Err(TapeError::TooLarge {
+            nodes: tape.nodes.len(),
+        });
     }
-    let program = Program { name: format!("{}_{}", formula.name, job.suffix()), inputs: job.inputs(formula), ..Program::default() };
+    let program = Program {
+        name: format!("{}_{}", formula.name, job.suffix()),
+        inputs: job.inputs(formula),
+        ..Program::default()
+    };
     let mut decoder = Decoder {
         question,
         tape,
@@ -69,15 +75,29 @@ pub(super) struct Decoder<'a> {
 impl Decoder<'_> {
     fn node(&mut self, number: usize, node: &Node) -> Result<Term, TapeError> {
         let Node(name, operands, data) = node;
-        let malformed = || TapeError::Malformed { node: number, operation: name.clone() };
+        let malformed = || TapeError::Malformed {
+            node: number,
+            operation: name.clone(),
+        };
         if operands.iter().any(|operand| *operand >= number) {
             return Err(malformed());
         }
         match (name.as_str(), operands.as_slice(), data.as_slice()) {
-            ("const", [], [position]) => self.constant(*position).ok_or_else(malformed)?.map(|value| self.scalar_term(value)),
-            ("input", [], [position, entry]) => self.input(*position, *entry).map(Term::Real).ok_or_else(malformed),
-            ("powi", [a], [n]) => u32::try_from(*n).ok().and_then(|n| self.power(*a, n)).ok_or_else(malformed),
-            ("polynomial", arguments, data) => self.polynomial(arguments, data).ok_or_else(malformed),
+            ("const", [], [position]) => self
+                .constant(*position)
+                .ok_or_else(malformed)?
+                .map(|value| self.scalar_term(value)),
+            ("input", [], [position, entry]) => self
+                .input(*position, *entry)
+                .map(Term::Real)
+                .ok_or_else(malformed),
+            ("powi", [a], [n]) => u32::try_from(*n)
+                .ok()
+                .and_then(|n| self.power(*a, n))
+                .ok_or_else(malformed),
+            ("polynomial", arguments, data) => {
+                self.polynomial(arguments, data).ok_or_else(malformed)
+            }
             ("sin_cos_over" | "tan_over", [a], [order]) => {
                 let kernel = kernel(name, *order).ok_or_else(malformed)?;
                 let a = self.real(*a);
@@ -95,11 +115,18 @@ impl Decoder<'_> {
     }
 
     fn scalar_term(&mut self, value: f64) -> Term {
-        if value == 0.0 { Term::Zero } else { Term::Real(self.scalar(value)) }
+        if value == 0.0 {
+            Term::Zero
+        } else {
+            Term::Real(self.scalar(value))
+        }
     }
 
     fn input(&mut self, position: i64, entry: i64) -> Option<ValueId> {
-        let (position, entry) = (usize::try_from(position).ok()?, usize::try_from(entry).ok()?);
+        let (position, entry) = (
+            usize::try_from(position).ok()?,
+            usize::try_from(entry).ok()?,
+        );
         let shape = self.program.inputs.get(position)?.shape;
         if entry >= size(shape) {
             return None;
@@ -109,12 +136,19 @@ impl Decoder<'_> {
         }
         // The whole array is kept under an entry number that no array has.
         let whole = (position, usize::MAX);
-        let array = self.inputs.get(&whole).copied().unwrap_or_else(|| self.program.push(Op::Input(position)));
+        let array = self
+            .inputs
+            .get(&whole)
+            .copied()
+            .unwrap_or_else(|| self.program.push(Op::Input(position)));
         self.inputs.insert(whole, array);
         let id = match shape {
             Shape::Scalar => array,
             Shape::Vector(_) => self.program.push(Op::Element(array, entry, 0)),
-            Shape::Matrix(_, columns) => self.program.push(Op::Element(array, entry / columns, entry % columns)),
+            Shape::Matrix(_, columns) => {
+                self.program
+                    .push(Op::Element(array, entry / columns, entry % columns))
+            }
         };
         self.inputs.insert((position, entry), id);
         Some(id)
@@ -122,8 +156,14 @@ impl Decoder<'_> {
 
     fn polynomial(&mut self, arguments: &[usize], data: &[i64]) -> Option<Term> {
         let (index, orders) = data.split_first()?;
-        let orders: Vec<u32> = orders.iter().map(|order| u32::try_from(*order).ok()).collect::<Option<_>>()?;
-        let source = self.question.polynomials.get(usize::try_from(*index).ok()?)?;
+        let orders: Vec<u32> = orders
+            .iter()
+            .map(|order| u32::try_from(*order).ok())
+            .collect::<Option<_>>()?;
+        let source = self
+            .question
+            .polynomials
+            .get(usize::try_from(*index).ok()?)?;
         let source = &self.question.formula.polynomials[source.0 as usize];
         let fits = arguments.len() == source.arguments.len() && orders.len() == arguments.len();
         if !fits || orders.iter().any(|order| *order > MAX_ORDER as u32) {
@@ -132,14 +172,21 @@ impl Decoder<'_> {
         let known = self.polynomials.get(data).copied();
         let id = known.unwrap_or_else(|| {
             let derived = differentiate(source, &orders);
-            let next = PolynomialId(u32::try_from(self.program.polynomials.len()).expect("invariant: few polynomials"));
+            let next = PolynomialId(
+                u32::try_from(self.program.polynomials.len()).expect("invariant: few polynomials"),
+            );
             let id = (!derived.terms.is_empty()).then_some(next);
             self.program.polynomials.extend(id.map(|_| derived));
             self.polynomials.insert(data.to_vec(), id);
             id
         });
-        let Some(id) = id else { return Some(Term::Zero) };
-        let arguments = arguments.iter().map(|argument| self.real(*argument)).collect();
+        let Some(id) = id else {
+            return Some(Term::Zero);
+        };
+        let arguments = arguments
+            .iter()
+            .map(|argument| self.real(*argument))
+            .collect();
         Some(self.push(Op::Polynomial(id, arguments)))
     }
 
@@ -184,7 +231,10 @@ impl Decoder<'_> {
     }
 
     pub(super) fn scalar(&mut self, value: f64) -> ValueId {
-        *self.scalars.entry(value.to_bits()).or_insert_with(|| self.program.scalar(value))
+        *self
+            .scalars
+            .entry(value.to_bits())
+            .or_insert_with(|| self.program.scalar(value))
     }
 
     pub(super) fn push(&mut self, op: Op) -> Term {
@@ -199,7 +249,10 @@ impl Decoder<'_> {
         for (position, (name, shape)) in expected.iter().enumerate() {
             let wrong = || TapeError::Outputs { name: name.clone() };
             let (found, entries) = self.tape.outputs.get(position).ok_or_else(wrong)?;
-            let in_range = entries.iter().flatten().all(|node| *node < self.terms.len());
+            let in_range = entries
+                .iter()
+                .flatten()
+                .all(|node| *node < self.terms.len());
             if found != name || entries.len() != size(*shape) || !in_range {
                 return Err(wrong());
             }
@@ -211,21 +264,37 @@ impl Decoder<'_> {
 
     /// An output from its scalar entries.
     fn assemble(&mut self, shape: Shape, entries: &[Option<usize>]) -> ValueId {
-        let zero = |entry: &Option<usize>| entry.is_none_or(|node| matches!(self.terms[node], Term::Zero));
+        let zero =
+            |entry: &Option<usize>| entry.is_none_or(|node| matches!(self.terms[node], Term::Zero));
         if entries.iter().all(zero) {
             return self.program.constant(shape, vec![0.0; size(shape)]);
         }
         let items: Vec<ValueId> = entries.iter().map(|entry| self.entry(*entry)).collect();
-        if shape == Shape::Scalar { items[0] } else { self.program.array(shape, items) }
+        if shape == Shape::Scalar {
+            items[0]
+        } else {
+            self.program.array(shape, items)
+        }
     }
 }
 
 /// The error of a node that no operation fits.
 fn unfit(node: usize, operation: &str) -> TapeError {
-    let calls = ["const", "input", "powi", "polynomial", "sin_cos_over", "tan_over"];
+    let calls = [
+        "const",
+        "input",
+        "powi",
+        "polynomial",
+        "sin_cos_over",
+        "tan_over",
+    ];
     let known = calls.contains(&operation) || arithmetic::is_known(operation);
     let operation = operation.to_owned();
-    if known { TapeError::Malformed { node, operation } } else { TapeError::Unsupported { node, operation } }
+    if known {
+        TapeError::Malformed { node, operation }
+    } else {
+        TapeError::Unsupported { node, operation }
+    }
 }
 
 fn kernel(name: &str, order: i64) -> Option<Kernel> {

@@ -60,13 +60,27 @@ impl Settings {
     /// As the user's environment has it: `NSV_PYTHON`, `NSV_CACHE_DIR` (else `$XDG_CACHE_HOME/nsv`, else `~/.cache/nsv`) and
     /// `NSV_CASADI_TIMEOUT` in seconds.
     pub fn from_environment(exports: impl Into<PathBuf>, mode: Mode) -> Self {
-        let path = |name: &str| env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from);
+        let path = |name: &str| {
+            env::var_os(name)
+                .filter(|value| !value.is_empty())
+                .map(PathBuf::from)
+        };
         let cache = path("NSV_CACHE_DIR")
             .or_else(|| path("XDG_CACHE_HOME").map(|cache| cache.join("nsv")))
             .or_else(|| path("HOME").map(|home| home.join(".cache/nsv")));
-        let seconds = env::var("NSV_CASADI_TIMEOUT").ok().and_then(|text| text.parse().ok());
-        let timeout = seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok()).unwrap_or(TIMEOUT);
-        Self { cache, python: path("NSV_PYTHON"), mode, timeout, ..Self::offline(exports) }
+        let seconds = env::var("NSV_CASADI_TIMEOUT")
+            .ok()
+            .and_then(|text| text.parse().ok());
+        let timeout = seconds
+            .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok())
+            .unwrap_or(TIMEOUT);
+        Self {
+            cache,
+            python: path("NSV_PYTHON"),
+            mode,
+            timeout,
+            ..Self::offline(exports)
+        }
     }
 
     /// The user's stored exports.
@@ -82,7 +96,11 @@ impl Settings {
 
     /// The interpreter that is used at present: the user's, or the managed one if it is installed.
     pub fn installed_python(&self) -> Option<PathBuf> {
-        let managed = || self.managed().map(|directory| interpreter(&directory)).filter(|python| python.is_file());
+        let managed = || {
+            self.managed()
+                .map(|directory| interpreter(&directory))
+                .filter(|python| python.is_file())
+        };
         self.python.clone().or_else(managed)
     }
 
@@ -92,7 +110,9 @@ impl Settings {
             return Ok(python);
         }
         let directory = self.managed().ok_or(Error::CacheMissing)?;
-        let parent = directory.parent().expect("invariant: a joined path has a parent");
+        let parent = directory
+            .parent()
+            .expect("invariant: a joined path has a parent");
         fs::create_dir_all(parent).map_err(|error| storage(parent, error))?;
         let lock = parent.join("lock");
         let _held = hold(&lock, progress).map_err(|error| storage(&lock, error))?;
@@ -104,26 +124,60 @@ impl Settings {
     }
 
     /// Makes the environment under another name and moves it into place when it is complete.
-    fn install(&self, parent: &Path, directory: &Path, progress: &mut dyn FnMut(&str)) -> Result<PathBuf, Error> {
+    fn install(
+        &self,
+        parent: &Path,
+        directory: &Path,
+        progress: &mut dyn FnMut(&str),
+    ) -> Result<PathBuf, Error> {
         let draft = tempfile::tempdir_in(parent).map_err(|error| storage(parent, error))?;
-        progress(&format!("creating a Python environment in {}", directory.display()));
+        progress(&format!(
+            "creating a Python environment in {}",
+            directory.display()
+        ));
         let program = &self.base_python;
-        let created = Command::new(program).args(["-I", "-m", "venv"]).arg(draft.path()).output();
-        let created = created.map_err(|error| Error::PythonMissing { program: program.clone(), error })?;
+        let created = Command::new(program)
+            .args(["-I", "-m", "venv"])
+            .arg(draft.path())
+            .output();
+        let created = created.map_err(|error| Error::PythonMissing {
+            program: program.clone(),
+            error,
+        })?;
         if !created.status.success() {
-            return Err(Error::VenvFailed { program: program.clone(), detail: report(&created) });
+            return Err(Error::VenvFailed {
+                program: program.clone(),
+                detail: report(&created),
+            });
         }
         progress("installing casadi and numpy from PyPI (about 110 MB, once)");
         let requirements = draft.path().join("requirements.txt");
         fs::write(&requirements, REQUIREMENTS).map_err(|error| storage(&requirements, error))?;
         let installed = Command::new(interpreter(draft.path()))
-            .args(["-m", "pip", "install", "--quiet", "--no-input", "--disable-pip-version-check"])
-            .args(["--require-hashes", "--only-binary", ":all:", "--requirement"])
+            .args([
+                "-m",
+                "pip",
+                "install",
+                "--quiet",
+                "--no-input",
+                "--disable-pip-version-check",
+            ])
+            .args([
+                "--require-hashes",
+                "--only-binary",
+                ":all:",
+                "--requirement",
+            ])
             .arg(&requirements)
             .output()
-            .map_err(|error| Error::VenvFailed { program: program.clone(), detail: format!("its python: {error}") })?;
+            .map_err(|error| Error::VenvFailed {
+                program: program.clone(),
+                detail: format!("its python: {error}"),
+            })?;
         if !installed.status.success() {
-            return Err(Error::InstallFailed { detail: report(&installed) });
+            return Err(Error::InstallFailed {
+                detail: report(&installed),
+            });
         }
         replace(draft, directory).map_err(|error| storage(directory, error))?;
         Ok(interpreter(directory))
@@ -144,7 +198,11 @@ fn replace(draft: tempfile::TempDir, directory: &Path) -> io::Result<()> {
 
 /// Locks a file until the result is dropped, so that one process at a time installs.
 fn hold(path: &Path, progress: &mut dyn FnMut(&str)) -> io::Result<File> {
-    let file = File::options().create(true).truncate(false).write(true).open(path)?;
+    let file = File::options()
+        .create(true)
+        .truncate(false)
+        .write(true)
+        .open(path)?;
     match file.try_lock() {
         Ok(()) => {}
         Err(TryLockError::WouldBlock) => {
@@ -157,15 +215,26 @@ fn hold(path: &Path, progress: &mut dyn FnMut(&str)) -> io::Result<File> {
 }
 
 fn interpreter(environment: &Path) -> PathBuf {
-    if cfg!(windows) { environment.join("Scripts/python.exe") } else { environment.join("bin/python") }
+    if cfg!(windows) {
+        environment.join("Scripts/python.exe")
+    } else {
+        environment.join("bin/python")
+    }
 }
 
 /// What a failed command said; `venv` writes its reason to standard output.
 fn report(output: &Output) -> String {
-    let text = if output.stderr.is_empty() { &output.stdout } else { &output.stderr };
+    let text = if output.stderr.is_empty() {
+        &output.stdout
+    } else {
+        &output.stderr
+    };
     tail(&String::from_utf8_lossy(text))
 }
 
 fn storage(path: &Path, error: io::Error) -> Error {
-    Error::Storage { path: path.to_owned(), error }
+    Error::Storage {
+        path: path.to_owned(),
+        error,
+    }
 }

@@ -52,10 +52,17 @@ impl fmt::Display for Error {
         );
         match self {
             Error::ExportMissing { formula, key } => {
-                write!(f, "the partial derivatives of `{formula}` are not stored (key {key}); run `nsv generate` once with Python")
+                write!(
+                    f,
+                    "the partial derivatives of `{formula}` are not stored (key {key}); run `nsv generate` once with Python"
+                )
             }
             Error::ExportInvalid { path, reason } => {
-                write!(f, "{} is not a valid export: {reason}; delete it and run `nsv generate`", path.display())
+                write!(
+                    f,
+                    "{} is not a valid export: {reason}; delete it and run `nsv generate`",
+                    path.display()
+                )
             }
             Error::Storage { path, error } => write!(f, "cannot use {}: {error}", path.display()),
             Error::CacheMissing => {
@@ -77,7 +84,10 @@ impl fmt::Display for Error {
                 )
             }
             Error::InstallFailed { detail } => {
-                write!(f, "pip could not install casadi {CASADI_VERSION} ({detail}): connect to the network and try again, or {by_hand}")
+                write!(
+                    f,
+                    "pip could not install casadi {CASADI_VERSION} ({detail}): connect to the network and try again, or {by_hand}"
+                )
             }
             Error::CasadiMissing { python, detail } => write!(
                 f,
@@ -92,19 +102,32 @@ impl fmt::Display for Error {
                 python = python.display()
             ),
             Error::Timeout { seconds } => {
-                write!(f, "casadi did not answer within {seconds} s; set NSV_CASADI_TIMEOUT to more seconds for a large formula")
+                write!(
+                    f,
+                    "casadi did not answer within {seconds} s; set NSV_CASADI_TIMEOUT to more seconds for a large formula"
+                )
             }
             Error::Crashed { status, detail } => {
-                write!(f, "casadi ended with {status} ({detail}); `nsv doctor` shows the interpreter used")
+                write!(
+                    f,
+                    "casadi ended with {status} ({detail}); `nsv doctor` shows the interpreter used"
+                )
             }
-            Error::OutputTooLarge { limit } => write!(f, "casadi wrote more than {limit} bytes; the formula is too large"),
+            Error::OutputTooLarge { limit } => write!(
+                f,
+                "casadi wrote more than {limit} bytes; the formula is too large"
+            ),
             Error::Garbled { python, detail } => write!(
                 f,
                 "{} did not answer as a Python interpreter with casadi {CASADI_VERSION} does ({detail}); check NSV_PYTHON",
                 python.display()
             ),
-            Error::Refused { formula, detail } => write!(f, "casadi cannot differentiate `{formula}`: {detail}"),
-            Error::Tape { formula, error } => write!(f, "casadi's answer for `{formula}` does not fit: {error}"),
+            Error::Refused { formula, detail } => {
+                write!(f, "casadi cannot differentiate `{formula}`: {detail}")
+            }
+            Error::Tape { formula, error } => {
+                write!(f, "casadi's answer for `{formula}` does not fit: {error}")
+            }
         }
     }
 }
@@ -158,9 +181,14 @@ impl fmt::Display for TapeError {
         match self {
             TapeError::TooLarge { nodes } => write!(f, "{nodes} instructions, more than are read"),
             TapeError::Constant { text } => write!(f, "`{text}` is not a finite constant"),
-            TapeError::Malformed { node, operation } => write!(f, "instruction {node} (`{operation}`) has wrong operands"),
+            TapeError::Malformed { node, operation } => {
+                write!(f, "instruction {node} (`{operation}`) has wrong operands")
+            }
             TapeError::Unsupported { node, operation } => {
-                write!(f, "instruction {node} is `{operation}`, an operation that nsv does not have")
+                write!(
+                    f,
+                    "instruction {node} is `{operation}`, an operation that nsv does not have"
+                )
             }
             TapeError::Outputs { name } => write!(f, "output `{name}` is not the one asked for"),
         }

@@ -2,7 +2,9 @@
 
 /// The finite value of `text`, such as `0x1.8p+1` or `-0x0.0p+0`; `None` if it is written otherwise.
 pub(crate) fn parse(text: &str) -> Option<f64> {
-    let (negative, rest) = text.strip_prefix('-').map_or((false, text), |rest| (true, rest));
+    let (negative, rest) = text
+        .strip_prefix('-')
+        .map_or((false, text), |rest| (true, rest));
     let (mantissa, exponent) = rest.strip_prefix("0x")?.split_once('p')?;
     let (lead, digits) = mantissa.split_once('.').unwrap_or((mantissa, ""));
     if digits.len() > 13 || !digits.bytes().all(|digit| digit.is_ascii_hexdigit()) {
@@ -15,7 +17,9 @@ pub(crate) fn parse(text: &str) -> Option<f64> {
         "0" if fraction == 0 || exponent == -1022 => 0,
         _ => return None,
     };
-    Some(f64::from_bits(u64::from(negative) << 63 | biased << 52 | fraction))
+    Some(f64::from_bits(
+        u64::from(negative) << 63 | biased << 52 | fraction,
+    ))
 }
 
 #[cfg(test)]
@@ -32,13 +36,28 @@ mod tests {
             ("0x1.fffffffffffffp+1023", f64::MAX),
         ];
         for (text, value) in cases {
-            assert_eq!(parse(text).map(f64::to_bits), Some(value.to_bits()), "{text}");
+            assert_eq!(
+                parse(text).map(f64::to_bits),
+                Some(value.to_bits()),
+                "{text}"
+            );
         }
     }
 
     #[test]
     fn anything_else_is_refused() {
-        for text in ["", "1.5", "0x2.0p+0", "0x1.0p+1024", "0x1.00000000000000p+0", "inf", "nan", "0x1.+p+0", "0x1.0p", "--0x1.0p+0"] {
+        for text in [
+            "",
+            "1.5",
+            "0x2.0p+0",
+            "0x1.0p+1024",
+            "0x1.00000000000000p+0",
+            "inf",
+            "nan",
+            "0x1.+p+0",
+            "0x1.0p",
+            "--0x1.0p+0",
+        ] {
             assert_eq!(parse(text), None, "{text}");
         }
     }

@@ -39,7 +39,10 @@ impl Job {
         if let Job::Rates { order, varying } = self {
             for name in varying {
                 let shape = shape_of(formula, name);
-                inputs.extend((1..=*order).map(|k| Input { name: format!("{name}.rate{k}"), shape }));
+                inputs.extend((1..=*order).map(|k| Input {
+                    name: format!("{name}.rate{k}"),
+                    shape,
+                }));
             }
         }
         inputs
@@ -51,15 +54,28 @@ impl Job {
         for (q, id) in &formula.outputs {
             let shape = formula.shape(*id);
             match self {
-                Job::Rates { order, .. } => outputs.extend((1..=*order).map(|k| (format!("{q}.rate{k}"), shape))),
+                Job::Rates { order, .. } => {
+                    outputs.extend((1..=*order).map(|k| (format!("{q}.rate{k}"), shape)))
+                }
                 Job::Jacobian { wrt } => {
-                    outputs.extend(wrt.iter().map(|x| (format!("{q}/{x}"), Shape::Matrix(size(shape), width(formula, x)))));
+                    outputs.extend(wrt.iter().map(|x| {
+                        (
+                            format!("{q}/{x}"),
+                            Shape::Matrix(size(shape), width(formula, x)),
+                        )
+                    }));
                 }
                 Job::Hessian { wrt } => {
                     assert_eq!(shape, Shape::Scalar, "invariant: a Hessian is of a scalar");
-                    outputs.extend(wrt.iter().map(|x| (format!("{q}/{x}"), Shape::Vector(width(formula, x)))));
+                    outputs.extend(
+                        wrt.iter()
+                            .map(|x| (format!("{q}/{x}"), Shape::Vector(width(formula, x)))),
+                    );
                     for (x, y) in wrt.iter().flat_map(|x| wrt.iter().map(move |y| (x, y))) {
-                        outputs.push((format!("{q}/{x}/{y}"), Shape::Matrix(width(formula, x), width(formula, y))));
+                        outputs.push((
+                            format!("{q}/{x}/{y}"),
+                            Shape::Matrix(width(formula, x), width(formula, y)),
+                        ));
                     }
                 }
             }
@@ -79,19 +95,29 @@ impl Job {
     /// Panics unless the job fits the formula.
     pub(crate) fn assert_fits(&self, formula: &Program) {
         if let Job::Rates { order, .. } = self {
-            assert!((1..=MAX_ORDER).contains(order), "invariant: rates up to order {MAX_ORDER}, not {order}");
+            assert!(
+                (1..=MAX_ORDER).contains(order),
+                "invariant: rates up to order {MAX_ORDER}, not {order}"
+            );
         }
-        let (Job::Rates { varying: names, .. } | Job::Jacobian { wrt: names } | Job::Hessian { wrt: names }) = self;
+        let (Job::Rates { varying: names, .. }
+        | Job::Jacobian { wrt: names }
+        | Job::Hessian { wrt: names }) = self;
         for (position, name) in names.iter().enumerate() {
             shape_of(formula, name);
-            assert!(!names[..position].contains(name), "invariant: `{name}` is named once");
+            assert!(
+                !names[..position].contains(name),
+                "invariant: `{name}` is named once"
+            );
         }
     }
 }
 
 fn shape_of(formula: &Program, name: &str) -> Shape {
     let input = formula.inputs.iter().find(|input| input.name == name);
-    input.unwrap_or_else(|| panic!("invariant: `{name}` is an input of `{}`", formula.name)).shape
+    input
+        .unwrap_or_else(|| panic!("invariant: `{name}` is an input of `{}`", formula.name))
+        .shape
 }
 
 fn width(formula: &Program, name: &str) -> usize {

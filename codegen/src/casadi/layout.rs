@@ -16,7 +16,10 @@ fn write(value: &Value, indent: usize, text: &mut String) {
     let compact = value.to_string();
     let items: Vec<(String, &Value)> = match value {
         Value::Array(items) => items.iter().map(|item| (String::new(), item)).collect(),
-        Value::Object(entries) => entries.iter().map(|(key, item)| (format!("{}: ", Value::from(key.as_str())), item)).collect(),
+        Value::Object(entries) => entries
+            .iter()
+            .map(|(key, item)| (format!("{}: ", Value::from(key.as_str())), item))
+            .collect(),
         _ => Vec::new(),
     };
     // An object is opened always, so that its keys stand one below the other.
@@ -24,7 +27,11 @@ fn write(value: &Value, indent: usize, text: &mut String) {
         text.push_str(&compact);
         return;
     }
-    let (open, close) = if value.is_array() { ('[', ']') } else { ('{', '}') };
+    let (open, close) = if value.is_array() {
+        ('[', ']')
+    } else {
+        ('{', '}')
+    };
     text.push(open);
     for (position, (key, item)) in items.iter().enumerate() {
         text.push_str(if position == 0 { "\n" } else { ",\n" });
@@ -43,10 +50,14 @@ mod tests {
 
     #[test]
     fn short_arrays_stay_on_a_line() {
-        let value = serde_json::json!({"nodes": [["ADD", [0, 1], []]], "long": vec![1_000_000; 20]});
+        let value =
+            serde_json::json!({"nodes": [["ADD", [0, 1], []]], "long": vec![1_000_000; 20]});
         let text = render(&value);
         assert_eq!(serde_json::from_str::<Value>(&text).unwrap(), value);
         assert!(text.contains("\"nodes\": [[\"ADD\",[0,1],[]]]\n"), "{text}");
-        assert!(text.lines().all(|line| line.len() <= WIDTH) && text.ends_with("}\n"), "{text}");
+        assert!(
+            text.lines().all(|line| line.len() <= WIDTH) && text.ends_with("}\n"),
+            "{text}"
+        );
     }
 }

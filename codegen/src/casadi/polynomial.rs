@@ -9,13 +9,20 @@ pub(crate) fn differentiate(data: &PolynomialData, orders: &[u32]) -> Polynomial
     for (argument, order) in orders.iter().enumerate() {
         for _ in 0..*order {
             result.name = format!("{}_d{}", result.name, argument + 1);
-            result.terms = result.terms.iter().filter_map(|term| derivative(term, argument)).collect();
+            result.terms = result
+                .terms
+                .iter()
+                .filter_map(|term| derivative(term, argument))
+                .collect();
         }
     }
     result
 }
 
-fn derivative((coefficient, exponents): &(f64, Vec<u32>), argument: usize) -> Option<(f64, Vec<u32>)> {
+fn derivative(
+    (coefficient, exponents): &(f64, Vec<u32>),
+    argument: usize,
+) -> Option<(f64, Vec<u32>)> {
     let mut lower = exponents.clone();
     lower[argument] = exponents[argument].checked_sub(1)?;
     Some((coefficient * f64::from(exponents[argument]), lower))

@@ -34,14 +34,37 @@ pub(crate) enum Failure {
 
 /// Runs `command` with `input` on standard input until it ends. Reading and writing go on in parallel, so that no full pipe can stop
 /// both sides; at the deadline the child and its process group are killed.
-pub(crate) fn run(command: &mut Command, input: Vec<u8>, limit: usize, timeout: Duration) -> Result<Output, Failure> {
+pub(crate) fn run(
+    command: &mut Command,
+    input: Vec<u8>,
+    limit: usize,
+    timeout: Duration,
+) -> Result<Output, Failure> {
     let deadline = Instant::now() + timeout;
     own_group(command);
-    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    command
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped());
     let mut child = command.spawn().map_err(Failure::Start)?;
-    let mut stdin = child.stdin.take().expect("invariant: standard input is piped");
-    let stdout = reader(child.stdout.take().expect("invariant: standard output is piped"), limit + 1);
-    let stderr = reader(child.stderr.take().expect("invariant: standard error is piped"), STDERR_BYTES);
+    let mut stdin = child
+        .stdin
+        .take()
+        .expect("invariant: standard input is piped");
+    let stdout = reader(
+        child
+            .stdout
+            .take()
+            .expect("invariant: standard output is piped"),
+        limit + 1,
+    );
+    let stderr = reader(
+        child
+            .stderr
+            .take()
+            .expect("invariant: standard error is piped"),
+        STDERR_BYTES,
+    );
     // A child that ends early closes the pipe; its status tells more than the failed write.
     thread::spawn(move || {
         let _ = stdin.write_all(&input);
@@ -62,7 +85,10 @@ fn collect(
 ) -> Result<Output, Failure> {
     let receive = |receiver: &Receiver<io::Result<Vec<u8>>>| {
         let left = deadline.saturating_duration_since(Instant::now());
-        receiver.recv_timeout(left).map_err(|_| Failure::Timeout)?.map_err(Failure::Io)
+        receiver
+            .recv_timeout(left)
+            .map_err(|_| Failure::Timeout)?
+            .map_err(Failure::Io)
     };
     let stdout = receive(stdout)?;
     if stdout.len() > limit {
@@ -71,7 +97,11 @@ fn collect(
     let stderr = String::from_utf8_lossy(&receive(stderr)?).into_owned();
     loop {
         if let Some(status) = child.try_wait().map_err(Failure::Io)? {
-            return Ok(Output { status, stdout, stderr });
+            return Ok(Output {
+                status,
+                stdout,
+                stderr,
+            });
         }
         if Instant::now() >= deadline {
             return Err(Failure::Timeout);
@@ -85,7 +115,10 @@ fn reader(pipe: impl Read + Send + 'static, limit: usize) -> Receiver<io::Result
     let (sender, receiver) = mpsc::channel();
     thread::spawn(move || {
         let mut bytes = Vec::new();
-        let read = pipe.take(limit as u64).read_to_end(&mut bytes).map(|_| bytes);
+        let read = pipe
+            .take(limit as u64)
+            .read_to_end(&mut bytes)
+            .map(|_| bytes);
         // The other side is gone after a timeout.
         let _ = sender.send(read);
     });
@@ -102,7 +135,10 @@ fn own_group(_: &mut Command) {}
 
 fn kill(child: &mut Child) {
     #[cfg(unix)]
-    if let Some(group) = i32::try_from(child.id()).ok().and_then(rustix::process::Pid::from_raw) {
+    if let Some(group) = i32::try_from(child.id())
+        .ok()
+        .and_then(rustix::process::Pid::from_raw)
+    {
         // An error means that the group has ended.
         let _ = rustix::process::kill_process_group(group, rustix::process::Signal::KILL);
     }
@@ -113,8 +149,20 @@ fn kill(child: &mut Child) {
 /// The last lines of a report that say something: no traceback, no source lines.
 pub(crate) fn tail(stderr: &str) -> String {
     const LINES: usize = 3;
-    let telling = |line: &&str| !line.trim().is_empty() && !line.starts_with([' ', '\t']) && !line.starts_with("Traceback");
-    let mut lines: Vec<&str> = stderr.lines().rev().filter(telling).take(LINES).map(str::trim_end).collect();
+    let telling = |line: &&str| {
+        !line.trim().is_empty() && !line.starts_with([' ', '\t']) && !line.starts_with("Traceback")
+    };
+    let mut lines: Vec<&str> = stderr
+        .lines()
+        .rev()
+        .filter(telling)
+        .take(LINES)
+        .map(str::trim_end)
+        .collect();
     lines.reverse();
-    if lines.is_empty() { "no message".to_owned() } else { lines.join("; ") }
+    if lines.is_empty() {
+        "no message".to_owned()
+    } else {
+        lines.join("; ")
+    }
 }

@@ -28,7 +28,14 @@ impl<'a> Provider<'a> {
     pub fn new(settings: Settings, progress: impl FnMut(&str) + 'a) -> Self {
         let exports = Store::new(&settings.exports);
         let cache = settings.cached_exports().map(Store::new);
-        Self { settings, exports, cache, python: None, progress: Box::new(progress), used: BTreeMap::new() }
+        Self {
+            settings,
+            exports,
+            cache,
+            python: None,
+            progress: Box::new(progress),
+            used: BTreeMap::new(),
+        }
     }
 
     /// The derivatives of `formula` that `job` asks for, as a program of scalar instructions.
@@ -40,7 +47,10 @@ impl<'a> Provider<'a> {
             None => self.find(&key, &question)?,
         };
         let decoded = decode(&question, &export.tape);
-        let program = decoded.map_err(|error| Error::Tape { formula: formula.name.clone(), error })?;
+        let program = decoded.map_err(|error| Error::Tape {
+            formula: formula.name.clone(),
+            error,
+        })?;
         self.used.insert(key, export);
         Ok(program)
     }
@@ -57,12 +67,19 @@ impl<'a> Provider<'a> {
 
     /// Writes the exports used so far to the committed directory.
     pub fn commit(&self) -> Result<(), Error> {
-        self.used.values().try_for_each(|export| self.exports.save(export))
+        self.used
+            .values()
+            .try_for_each(|export| self.exports.save(export))
     }
 
     /// Committed exports that nothing has used so far.
     pub fn unused(&self) -> Result<BTreeSet<Key>, Error> {
-        Ok(self.exports.keys()?.into_iter().filter(|key| !self.used.contains_key(key)).collect())
+        Ok(self
+            .exports
+            .keys()?
+            .into_iter()
+            .filter(|key| !self.used.contains_key(key))
+            .collect())
     }
 
     fn find(&mut self, key: &Key, question: &Question<'_>) -> Result<Export, Error> {
@@ -70,14 +87,20 @@ impl<'a> Provider<'a> {
             return Ok(export);
         }
         // A cache can be made again: what is wrong in it is not an error but absent.
-        if let Some(Ok(Some(export))) = self.cache.as_ref().map(|cache| cache.load(key, &question.request))
+        if let Some(Ok(Some(export))) = self
+            .cache
+            .as_ref()
+            .map(|cache| cache.load(key, &question.request))
             && decode(question, &export.tape).is_ok()
         {
             return Ok(export);
         }
         let formula = &question.formula.name;
         match self.settings.mode {
-            Mode::Offline => Err(Error::ExportMissing { formula: formula.clone(), key: key.clone() }),
+            Mode::Offline => Err(Error::ExportMissing {
+                formula: formula.clone(),
+                key: key.clone(),
+            }),
             Mode::Provision => self.ask(question),
         }
     }
@@ -88,13 +111,23 @@ impl<'a> Provider<'a> {
             None => self.settings.provision(&mut *self.progress)?,
         };
         let formula = &question.formula.name;
-        (self.progress)(&format!("taking the partial derivatives of `{formula}` with casadi"));
+        (self.progress)(&format!(
+            "taking the partial derivatives of `{formula}` with casadi"
+        ));
         let tape = exporter::tape(&python, self.settings.timeout, formula, &question.request)?;
         self.python = Some(python);
         let fits = decode(question, &tape);
-        fits.map_err(|error| Error::Tape { formula: formula.clone(), error })?;
+        fits.map_err(|error| Error::Tape {
+            formula: formula.clone(),
+            error,
+        })?;
         let request = question.request.clone();
-        let export = Export { schema: SCHEMA.to_owned(), casadi: CASADI_VERSION.to_owned(), request, tape };
+        let export = Export {
+            schema: SCHEMA.to_owned(),
+            casadi: CASADI_VERSION.to_owned(),
+            request,
+            tape,
+        };
         if let Some(cache) = &self.cache {
             // The answer is good even if it cannot be kept.
             let _ = cache.save(&export);

@@ -30,18 +30,43 @@ impl<'a> Question<'a> {
     pub fn new(formula: &'a Program, job: &Job) -> Self {
         job.assert_fits(formula);
         for (name, id) in &formula.outputs {
-            assert!(matches!(formula.ty(*id), Type::Real(_)), "invariant: `{name}` is real");
+            assert!(
+                matches!(formula.ty(*id), Type::Real(_)),
+                "invariant: `{name}` is real"
+            );
         }
-        let mut builder = Builder { formula, nodes: Vec::new(), index: BTreeMap::new(), polynomials: Vec::new() };
+        let mut builder = Builder {
+            formula,
+            nodes: Vec::new(),
+            index: BTreeMap::new(),
+            polynomials: Vec::new(),
+        };
         let mut nodes = BTreeMap::new();
         for id in needed(formula) {
             let node = builder.node(id, &nodes);
             nodes.insert(id, node);
         }
-        let inputs = formula.inputs.iter().map(|input| (input.name.clone(), dimensions(input.shape))).collect();
-        let outputs = formula.outputs.iter().map(|(name, id)| (name.clone(), nodes[id])).collect();
-        let request = Request { inputs, nodes: builder.nodes, outputs, job: job.clone() };
-        Self { formula, request, polynomials: builder.polynomials }
+        let inputs = formula
+            .inputs
+            .iter()
+            .map(|input| (input.name.clone(), dimensions(input.shape)))
+            .collect();
+        let outputs = formula
+            .outputs
+            .iter()
+            .map(|(name, id)| (name.clone(), nodes[id]))
+            .collect();
+        let request = Request {
+            inputs,
+            nodes: builder.nodes,
+            outputs,
+            job: job.clone(),
+        };
+        Self {
+            formula,
+            request,
+            polynomials: builder.polynomials,
+        }
     }
 
     /// Hash of the schema, CasADi's version and the request.
@@ -73,8 +98,13 @@ fn needed(formula: &Program) -> Vec<ValueId> {
     let mut values = Vec::new();
     let mut stack: Vec<ValueId> = formula.outputs.iter().rev().map(|(_, id)| *id).collect();
     while let Some(&id) = stack.last() {
-        let missing: Vec<ValueId> =
-            formula.instruction(id).op.operands().into_iter().filter(|operand| !placed[operand.0 as usize]).collect();
+        let missing: Vec<ValueId> = formula
+            .instruction(id)
+            .op
+            .operands()
+            .into_iter()
+            .filter(|operand| !placed[operand.0 as usize])
+            .collect();
         if !missing.is_empty() {
             stack.extend(missing.iter().rev());
             continue;
@@ -123,7 +153,11 @@ impl Builder<'_> {
             Op::Dot(..) => ("dot", Vec::new()),
             Op::Outer(..) => ("outer", Vec::new()),
             Op::SumSquares(_) => ("sum_squares", Vec::new()),
-            Op::Solve(..) | Op::SingularVector(_) | Op::Basis(..) | Op::BasisRate(..) | Op::BasisRate2(..) => {
+            Op::Solve(..)
+            | Op::SingularVector(_)
+            | Op::Basis(..)
+            | Op::BasisRate(..)
+            | Op::BasisRate2(..) => {
                 panic!("invariant: CasADi is not asked for derivatives of {op:?}")
             }
         };
@@ -132,25 +166,38 @@ impl Builder<'_> {
 
     /// A literal array as an array of scalar literals.
     fn literal(&mut self, values: &[f64], shape: Shape) -> usize {
-        let entries: Vec<usize> = values.iter().map(|value| self.scalar_literal(*value)).collect();
+        let entries: Vec<usize> = values
+            .iter()
+            .map(|value| self.scalar_literal(*value))
+            .collect();
         match shape {
             Shape::Scalar => entries[0],
-            _ => self.intern(Node("array".to_owned(), entries, integers(&dimensions(shape)))),
+            _ => self.intern(Node(
+                "array".to_owned(),
+                entries,
+                integers(&dimensions(shape)),
+            )),
         }
     }
 
     fn scalar_literal(&mut self, value: f64) -> usize {
-        let integer = [-1i64, 0, 1].into_iter().find(|integer| *integer as f64 == value);
+        let integer = [-1i64, 0, 1]
+            .into_iter()
+            .find(|integer| *integer as f64 == value);
         let integer = integer.expect("invariant: a formula has no literals but -1, 0 and 1");
         self.intern(Node("const".to_owned(), Vec::new(), vec![integer]))
     }
 
     /// Index by first use.
     fn polynomial(&mut self, id: PolynomialId) -> i64 {
-        let position = self.polynomials.iter().position(|known| *known == id).unwrap_or_else(|| {
-            self.polynomials.push(id);
-            self.polynomials.len() - 1
-        });
+        let position = self
+            .polynomials
+            .iter()
+            .position(|known| *known == id)
+            .unwrap_or_else(|| {
+                self.polynomials.push(id);
+                self.polynomials.len() - 1
+            });
         integers(&[position])[0]
     }
 
@@ -163,5 +210,8 @@ impl Builder<'_> {
 }
 
 fn integers(values: &[usize]) -> Vec<i64> {
-    values.iter().map(|value| i64::try_from(*value).expect("invariant: sizes are small")).collect()
+    values
+        .iter()
+        .map(|value| i64::try_from(*value).expect("invariant: sizes are small"))
+        .collect()
 }

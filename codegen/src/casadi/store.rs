@@ -58,7 +58,9 @@ pub struct Store {
 impl Store {
     /// The store in `directory`, which need not exist.
     pub fn new(directory: impl Into<PathBuf>) -> Self {
-        Self { directory: directory.into() }
+        Self {
+            directory: directory.into(),
+        }
     }
 
     /// The file of a key.
@@ -69,15 +71,23 @@ impl Store {
     /// The export of a question, if there is one. A file that holds anything else is an error.
     pub fn load(&self, key: &Key, request: &Request) -> Result<Option<Export>, Error> {
         let path = self.path(key);
-        let text = match fs::metadata(&path).and_then(|metadata| read_bounded(&path, metadata.len())) {
-            Ok(text) => text,
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
-            Err(error) => return Err(Error::Storage { path, error }),
+        let text =
+            match fs::metadata(&path).and_then(|metadata| read_bounded(&path, metadata.len())) {
+                Ok(text) => text,
+                Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+                Err(error) => return Err(Error::Storage { path, error }),
+            };
+        let invalid = |reason: String| Error::ExportInvalid {
+            path: path.clone(),
+            reason,
         };
-        let invalid = |reason: String| Error::ExportInvalid { path: path.clone(), reason };
-        let export: Export = serde_json::from_str(&text).map_err(|error| invalid(error.to_string()))?;
+        let export: Export =
+            serde_json::from_str(&text).map_err(|error| invalid(error.to_string()))?;
         if export.schema != SCHEMA || export.casadi != CASADI_VERSION {
-            return Err(invalid(format!("written for {} with casadi {}", export.schema, export.casadi)));
+            return Err(invalid(format!(
+                "written for {} with casadi {}",
+                export.schema, export.casadi
+            )));
         }
         if export.request != *request {
             return Err(invalid("it answers another request".to_owned()));
@@ -97,20 +107,32 @@ impl Store {
 
     /// Keys of the exports present.
     pub fn keys(&self) -> Result<BTreeSet<Key>, Error> {
-        let storage = |error| Error::Storage { path: self.directory.clone(), error };
+        let storage = |error| Error::Storage {
+            path: self.directory.clone(),
+            error,
+        };
         let entries = match fs::read_dir(&self.directory) {
             Ok(entries) => entries,
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(BTreeSet::new()),
             Err(error) => return Err(storage(error)),
         };
-        let names = entries.map(|entry| entry.map(|entry| entry.file_name())).collect::<io::Result<Vec<_>>>().map_err(storage)?;
-        Ok(names.iter().filter_map(|name| Key::from_file_name(name.to_str()?)).collect())
+        let names = entries
+            .map(|entry| entry.map(|entry| entry.file_name()))
+            .collect::<io::Result<Vec<_>>>()
+            .map_err(storage)?;
+        Ok(names
+            .iter()
+            .filter_map(|name| Key::from_file_name(name.to_str()?))
+            .collect())
     }
 }
 
 fn read_bounded(path: &Path, length: u64) -> io::Result<String> {
     if length > MAX_BYTES {
-        return Err(io::Error::new(io::ErrorKind::FileTooLarge, "file is too large"));
+        return Err(io::Error::new(
+            io::ErrorKind::FileTooLarge,
+            "file is too large",
+        ));
     }
     fs::read_to_string(path)
 }

@@ -54,9 +54,15 @@ pub(crate) fn compile(spec: &Path, model: &Model, partials: Partials) -> Result<
         Partials::Stored => Mode::Offline,
         Partials::Cached | Partials::Committed => Mode::Provision,
     };
-    let mut provider = Provider::new(Settings::from_environment(exports(spec), mode), |text| {
-        note(text)
-    });
+    let mut said = String::new();
+    let progress = |text: &str| {
+        // One formula may need several derivatives.
+        if said != text {
+            note(text);
+            text.clone_into(&mut said);
+        }
+    };
+    let mut provider = Provider::new(Settings::from_environment(exports(spec), mode), progress);
     let compiled =
         compile_model(model, &mut provider).map_err(|error| Failure::new(exit(&error), &error))?;
     if partials == Partials::Committed {

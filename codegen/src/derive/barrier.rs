@@ -91,12 +91,10 @@ impl Law<'_> {
     /// (the factor 8 E = 4 pi s^2 / k^4 is not clamped).
     pub(super) fn define_hessian_norm(&mut self, i: usize) {
         let (big, cos) = (name(format!("E{i}")), name(format!("cosE{i}")));
-        let rank_one = match self.model.blocks[i - 1].constraint {
-            Some(_) => {
-                Some(number(8.0) * name(format!("E{i}_free")) * big.apply(Function::Sin) / cos.pow(3))
-            }
-            None => None,
-        };
+        let constraint = self.model.blocks[i - 1].constraint;
+        let rank_one = constraint.map(|_| {
+            number(8.0) * name(format!("E{i}_free")) * big.apply(Function::Sin) / cos.pow(3)
+        });
         let identity = self.over_cos2(i, number(3.0));
         let largest = match rank_one {
             Some(rank_one) => rank_one + identity.clone(),

@@ -31,8 +31,8 @@ struct Abstraction<'l, 'm> {
 }
 
 impl Formula {
-    /// The formula of a right-hand side.
-    pub fn of(law: &Law, rhs: &Symbol) -> Self {
+    /// The formula of a quantity's right-hand side.
+    pub fn of(law: &Law, quantity: &str, rhs: &Symbol) -> Self {
         let context = Abstraction {
             law,
             bindings: BTreeMap::new(),
@@ -42,7 +42,7 @@ impl Formula {
         let mut lowering = Lowering::new(law, context);
         let y = lowering.symbol(rhs);
         let (mut program, context) = lowering.finish();
-        program.name = "formula".into();
+        program.name = quantity.into();
         program.outputs.push(("y".into(), y));
         Self {
             program,

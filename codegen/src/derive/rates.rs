@@ -156,7 +156,7 @@ impl<'p, 'm> Rates<'p, 'm> {
         direction: &Direction,
         order: usize,
     ) -> Result<Option<String>, DeriveError> {
-        let formula = Formula::of(&self.law, rhs);
+        let formula = Formula::of(&self.law, quantity, rhs);
         let mut bindings = formula.bindings.clone();
         let mut varying = Vec::new();
         for (input, of) in &formula.quantities {
@@ -203,13 +203,14 @@ impl<'p, 'm> Rates<'p, 'm> {
         if let Term::Name(existing) = rate.term() {
             return existing.clone();
         }
-        let suffix = if order == 1 { String::new() } else { order.to_string() };
+        let suffix = if order == 1 {
+            String::new()
+        } else {
+            order.to_string()
+        };
         let result = format!("{quantity}_{}{suffix}", direction.tag);
-        self.law.define(
-            result.clone(),
-            direction.rate_text(quantity, order),
-            rate,
-        );
+        self.law
+            .define(result.clone(), direction.rate_text(quantity, order), rate);
         self.made.insert(
             result.clone(),
             (quantity.to_string(), direction.tag.clone(), order),

@@ -76,7 +76,6 @@ impl Names<'_> {
     }
 
     /// The formula of a value.
-    #[expect(clippy::too_many_lines, reason = "a flat match over all operations")]
     pub(crate) fn formula(&self, id: ValueId) -> Fragment {
         let ty = self.program.ty(id);
         Fragment::postfix(match &self.program.instruction(id).op {
@@ -297,4 +296,99 @@ impl Names<'_> {
 
 fn is_scalar(ty: Type) -> bool {
     ty == Type::Real(Shape::Scalar)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::emit::standalone;
+    use crate::ir::Program;
+
+    /// The last `let` of a program of these instructions on `a, b: real`, `v: vec2` and `m: mat2x2`.
+    fn check(instructions: &str, expected: &str) {
+        let frame = "input a: real\ninput b: real\ninput v: vec2\ninput m: mat2x2\n\
+                     %0: real = input a\n%1: real = input b\n%2: vec2 = input v\n%3: mat2x2 = input m\n";
+        let lines = instructions.split("; ").enumerate();
+        let lines: String = lines
+            .map(|(index, line)| format!("%{}: {line}\n", index + 4))
+            .collect();
+        let last = instructions.split("; ").count() + 3;
+        let program: Program = format!("{frame}{lines}output y = %{last}")
+            .parse()
+            .expect("a program");
+        program.assert_sound();
+        let text = standalone(&program);
+        let line = text
+            .lines()
+            .rfind(|line| line.trim_start().starts_with("let y"));
+        assert_eq!(line.map(str::trim), Some(expected), "{text}");
+    }
+
+    #[test]
+    fn parentheses_keep_the_order_of_operations() {
+        check(
+            "real = add %0, %1; real = add %0, %4",
+            "let y = a + (a + b);",
+        );
+        check("real = add %0, %1; real = add %4, %0", "let y = a + b + a;");
+        check(
+            "real = div %0, %1; real = mul %0, %4",
+            "let y = a * (a / b);",
+        );
+        check(
+            "real = sub %0, %1; real = mul %4, %0",
+            "let y = (a - b) * a;",
+        );
+        check(
+            "real = add %0, %1; real = neg %4; real = sin %5",
+            "let y = (-(a + b)).sin();",
+        );
+        check(
+            "real = mul %0, %1; real = neg %4; real = neg %5",
+            "let y = -(-(a * b));",
+        );
+        check(
+            "real = neg %0; real = mul %4, %1; real = sub %0, %5",
+            "let y = a - -a * b;",
+        );
+        check(
+            "real = add %0, %1; real = powi %4, 3",
+            "let y = (a + b).powi(3);",
+        );
+    }
+
+    #[test]
+    fn arrays_use_operators_where_there_are_some() {
+        check(
+            "vec2 = matmul %3, %2; vec2 = mul %0, %4",
+            "let y = m * v * a;",
+        );
+        check(
+            "vec2 = mul %2, %2; vec2 = div %4, %2",
+            "let y = v.hadamard(v).quotient(v);",
+        );
+        check("vec2 = sub %0, %2", "let y = (-v).add_scalar(a);");
+        check("vec2 = sub %2, %0", "let y = v.add_scalar(-a);");
+        check("vec2 = div %0, %2", "let y = v.map(|entry| a / entry);");
+        check("vec2 = min %2, %0", "let y = v.map(|entry| entry.min(a));");
+        check(
+            "vec2 = atan2 %2, %2; vec2 = tanh %4",
+            "let y = v.zip(v, T::atan2).map(T::tanh);",
+        );
+        check(
+            "real = element %3, 1, 0; real = element %2, 1, 0; real = mul %4, %5",
+            "let y = m[(1, 0)] * v[1];",
+        );
+    }
+
+    #[test]
+    fn truth_values_use_masks() {
+        check(
+            "bool = lt %0, %1; bool = not %4; real = select %5, %0, %1",
+            "let y = T::select(a.lt(b).not(), a, b);",
+        );
+        check(
+            "bool = lt %0, %1; bool = and %4, %4; vec2 = select %5, %2, %2",
+            "let y = Vector::select(t1.and(t1), v, v);",
+        );
+    }
 }

@@ -234,18 +234,20 @@ impl Function<'_> {
         comments: &mut Comments,
     ) -> Vec<TokenStream> {
         let mut statements = Vec::new();
-        let mut last = None;
+        let unknown = Origin::default();
+        let mut group = "";
+        let mut equation = "";
         for step in &plan.steps {
-            let origin = self.origin(step.value);
-            let group =
-                origin.filter(|origin| last.is_none_or(|last: &Origin| last.group != origin.group));
-            statements.extend(group.map(|origin| comments.heading(&origin.group)));
+            let origin = self.origin(step.value).unwrap_or(&unknown);
+            if !origin.group.is_empty() && origin.group != group {
+                statements.push(comments.heading(&origin.group));
+            }
             statements.extend(step.temporaries.iter().map(|&id| self.statement(id, names)));
-            let equation =
-                origin.filter(|origin| last != Some(*origin) && !origin.equation.is_empty());
-            statements.extend(equation.map(|origin| comments.note(&origin.equation)));
+            if !origin.equation.is_empty() && origin.equation != equation {
+                statements.push(comments.note(&origin.equation));
+            }
             statements.push(self.statement(step.value, names));
-            last = origin.or(last);
+            (group, equation) = (&origin.group, &origin.equation);
         }
         statements
     }
@@ -340,7 +342,7 @@ impl Function<'_> {
 
 /// `field: value`, or `field` where both are one name.
 fn assigned(field: &Ident, value: &TokenStream) -> TokenStream {
-    if value.to_string() == field.to_string() {
+    if *field == value.to_string() {
         quote!(#field)
     } else {
         quote!(#field: #value)

@@ -7,8 +7,8 @@ use quote::quote;
 
 use crate::emit::names::ident;
 
-/// Numbers that `core::f64::consts` names, and that people would rather read by name.
-const NAMED: [(f64, &str); 5] = [
+/// Numbers that `core::f64::consts` names, and that people would rather read by name; files import them from there.
+pub(crate) const NAMED: [(f64, &str); 5] = [
     (consts::TAU, "TAU"),
     (consts::PI, "PI"),
     (consts::FRAC_PI_2, "FRAC_PI_2"),
@@ -35,7 +35,7 @@ fn magnitude(value: f64) -> TokenStream {
     }
     if let Some((_, name)) = NAMED.iter().find(|(named, _)| *named == value) {
         let name = ident(name);
-        return quote!(core::f64::consts::#name);
+        return quote!(#name);
     }
     let literal: Literal = format!("{value:?}")
         .parse()
@@ -70,7 +70,7 @@ mod tests {
             (0.1 + 0.2, "0.30000000000000004"),
             (f64::NAN, "f64 :: NAN"),
             (f64::NEG_INFINITY, "- f64 :: INFINITY"),
-            (consts::PI, "core :: f64 :: consts :: PI"),
+            (consts::PI, "PI"),
         ];
         for (value, expected) in cases {
             assert_eq!(float(value).to_string(), expected);

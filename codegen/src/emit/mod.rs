@@ -4,6 +4,7 @@
 //! equation; nothing of the specification reaches the text except as checked identifiers, literals and cleaned comments. The same
 //! programs give the same bytes.
 
+mod basis;
 mod comment;
 mod controller;
 mod expression;

@@ -17,9 +17,34 @@ const KEYWORDS: [&str; 53] = [
     "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
-/// Names with a meaning in emitted functions: the number type, its literals, and types that could be taken for a pattern.
-const OCCUPIED: [&str; 10] = [
-    "Matrix", "None", "Params", "Real", "Sde", "State", "Status", "T", "Vector", "real",
+/// Names with a meaning in emitted functions: the number type and its literals, types and variants, and constants, which `let` would take
+/// for patterns.
+const OCCUPIED: [&str; 25] = [
+    "Err",
+    "FRAC_1_PI",
+    "FRAC_PI_2",
+    "FRAC_PI_4",
+    "HORIZON",
+    "INITIAL_STATE",
+    "INPUT_LIMIT",
+    "Matrix",
+    "NOISE_CHANNELS",
+    "None",
+    "Ok",
+    "PI",
+    "Params",
+    "Real",
+    "SAFE_INPUT",
+    "SAMPLE_TIME",
+    "STATES",
+    "Sde",
+    "Some",
+    "State",
+    "Status",
+    "T",
+    "TAU",
+    "Vector",
+    "real",
 ];
 
 /// Types of emitted code that no record may be called.
@@ -40,7 +65,7 @@ fn sanitised(name: &str) -> String {
         identifier.insert(0, 'n');
     }
     if KEYWORDS.binary_search(&identifier.as_str()).is_ok()
-        || OCCUPIED.contains(&identifier.as_str())
+        || OCCUPIED.binary_search(&identifier.as_str()).is_ok()
     {
         identifier.push('_');
     }
@@ -158,7 +183,7 @@ mod tests {
 
     #[test]
     fn keywords_are_sorted() {
-        assert!(KEYWORDS.is_sorted());
+        assert!(KEYWORDS.is_sorted() && OCCUPIED.is_sorted());
     }
 
     #[test]
@@ -172,6 +197,7 @@ mod tests {
             ("self", "self_"),
             ("T", "T_"),
             ("real", "real_"),
+            ("STATES", "STATES_"),
             ("1st", "n1st"),
             ("", "value"),
             ("_", "value_"),

@@ -110,8 +110,8 @@ fn dispersed(interface: &Interface, fields: &[Field]) -> TokenStream {
             let channel = Literal::usize_unsuffixed(channel);
             let value = match parameter.dispersion? {
                 Dispersion::Uniform(low, high) => {
-                    let (low, width) = (float(low), float(high - low));
-                    quote!(#low + #width * noise.uniform(0, #channel))
+                    let (low, high) = (float(low), float(high));
+                    quote!(#low + (#high - #low) * noise.uniform(0, #channel))
                 }
                 Dispersion::Normal(mean, deviation) => {
                     let (mean, deviation) = (float(mean), float(deviation));

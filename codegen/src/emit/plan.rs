@@ -225,9 +225,11 @@ impl Order<'_> {
         steps
     }
 
+    /// The group of a value's origin, if it has a name.
     fn group(&self, id: ValueId) -> Option<&str> {
         let origin = self.program.instruction(id).origin?;
-        Some(self.program.origins.get(origin)?.group.as_str())
+        let group = self.program.origins.get(origin)?.group.as_str();
+        Some(group).filter(|group| !group.is_empty())
     }
 
     /// The labelled values that a labelled value uses, directly or through unlabelled ones.
@@ -265,13 +267,64 @@ impl Order<'_> {
 
 /// The first ready value of the group, or of any group, or of none.
 fn next(ready: &BTreeSet<(Option<&str>, ValueId)>, group: Option<&str>) -> Option<ValueId> {
-    let same = ready
-        .range((group, ValueId(0))..=(group, ValueId(u32::MAX)))
-        .next();
+    let of_group = |group| {
+        let range = (Some(group), ValueId(0))..=(Some(group), ValueId(u32::MAX));
+        ready.range(range).next()
+    };
+    let same = group.and_then(of_group);
     same.or_else(|| {
         ready
             .iter()
             .min_by_key(|(group, id)| (group.is_none(), *id))
     })
     .map(|&(_, id)| id)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn statements_of_a_group_stay_together() {
+        let text = "input a: real\norigin \"one\" \"\"\norigin \"two\" \"\"\n%0: real = input a\n%1 p: real = sin %0 @0\n\
+                    %2 q: real = cos %0 @1\n%3 r: real = neg %1 @0\n%4 s: real = add %2, %3 @1\noutput s = %4";
+        let program: Program = text.parse().expect("a program");
+        let order: Vec<u32> = Plan::new(&program)
+            .steps
+            .iter()
+            .map(|step| step.value.0)
+            .collect();
+        assert_eq!(order, [1, 3, 2, 4]);
+    }
+
+    #[test]
+    fn long_formulas_are_cut() {
+        let mut program = Program {
+            inputs: vec![crate::ir::Input {
+                name: "a".into(),
+                shape: Shape::Scalar,
+            }],
+            ..Program::default()
+        };
+        let a = program.push(Op::Input(0));
+        let sum = (0..5000).fold(a, |sum, _| program.binary(Operator::Add, sum, a));
+        program.outputs.push(("y".into(), sum));
+        let plan = Plan::new(&program);
+        assert_eq!(plan.steps.len(), 1);
+        assert!((200..1000).contains(&plan.steps[0].temporaries.len()));
+    }
+
+    #[test]
+    fn what_no_output_needs_is_left_out() {
+        let text = "input a: real\n%0: real = input a\n%1 p: real = sin %0\n%2 q: real = cos %0\noutput q = %2";
+        let plan = Plan::new(&text.parse().expect("a program"));
+        assert_eq!(
+            plan.steps
+                .iter()
+                .map(|step| step.value.0)
+                .collect::<Vec<_>>(),
+            [2]
+        );
+        assert_eq!(plan.live, [true, false, true]);
+    }
 }

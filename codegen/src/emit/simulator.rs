@@ -152,7 +152,7 @@ impl Simulator<'_> {
             self.plant.program,
         );
         let signals = columns.iter().map(|column| &column.name);
-        let (new, control, advance) = (self.new(), self.control(), self.advance());
+        let (start, control, advance) = (self.start(), self.control(), self.advance());
         let (telemetry, queries) = (self.telemetry(&columns), self.queries());
         quote! {
             impl ClosedLoop for Simulator {
@@ -161,7 +161,7 @@ impl Simulator<'_> {
                 const OUTPUTS: &'static [&'static str] = &[#(#outputs),*];
                 const INPUTS: &'static [&'static str] = &[#(#inputs),*];
                 const SIGNALS: &'static [&'static str] = &[#(#signals),*];
-                #new
+                #start
                 #control
                 #advance
                 #telemetry
@@ -176,7 +176,7 @@ impl Simulator<'_> {
             .collect()
     }
 
-    fn new(&self) -> TokenStream {
+    fn start(&self) -> TokenStream {
         let measured: Vec<TokenStream> = self.segments_of(&quote!(x)).collect();
         let noisy = self.channels() > 0;
         let process =

@@ -3,13 +3,13 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
+use crate::emit::basis::monomial_names;
 use crate::emit::comment::{code, docs};
 use crate::emit::interface::Block;
 use crate::emit::names::Fields;
-use crate::emit::polynomial::monomial_names;
 use crate::emit::quantity;
 use crate::emit::record::{self, Field, constructor};
-use crate::ir::{Program, ValueId};
+use crate::ir::{Origin, Program, ValueId};
 
 /// What the struct is made from.
 pub(crate) struct State<'a> {
@@ -80,20 +80,32 @@ impl State<'_> {
         vec![definition, implementation]
     }
 
-    fn docs(&self, name: &str) -> Vec<String> {
+    /// The equation of a state's rate, or else of its next value.
+    fn origin(&self, name: &str) -> Option<&Origin> {
+        let rate = format!("{name}_dot");
+        let named = self
+            .control
+            .instructions
+            .iter()
+            .find(|instruction| instruction.name.as_ref() == Some(&rate));
         let next = format!("next.{name}");
-        let origin = self
+        let output = self
             .control
             .outputs
             .iter()
-            .find(|(output, _)| *output == next)
-            .and_then(|(_, id)| {
-                let origin = self.control.instruction(*id).origin?;
-                self.control
-                    .origins
-                    .get(origin)
-                    .filter(|origin| !origin.equation.is_empty())
-            });
+            .find(|(output, _)| *output == next);
+        let output = output.map(|(_, id)| self.control.instruction(*id));
+        let origins = [named, output]
+            .into_iter()
+            .flatten()
+            .filter_map(|instruction| self.control.origins.get(instruction.origin?));
+        origins
+            .into_iter()
+            .find(|origin| !origin.equation.is_empty())
+    }
+
+    fn docs(&self, name: &str) -> Vec<String> {
+        let origin = self.origin(name);
         let mut lines = vec![quantity::describe(name, self.blocks)];
         if let Some(origin) = origin {
             lines.extend([String::new(), code(&origin.equation)]);

@@ -37,7 +37,11 @@ impl MonomialBasis {
         for degree in 0..=order {
             append(&mut exponents, &mut monomial, inputs.len(), factors, degree);
         }
-        MonomialBasis { name: name.to_owned(), inputs: inputs.to_vec(), exponents }
+        MonomialBasis {
+            name: name.to_owned(),
+            inputs: inputs.to_vec(),
+            exponents,
+        }
     }
 
     /// The recipe of each monomial: the one without its last factor, times that factor. `None` if a needed monomial is not in the basis
@@ -53,7 +57,10 @@ impl MonomialBasis {
                 Some(input) => {
                     let mut earlier = exponents.clone();
                     earlier[input] -= 1;
-                    Monomial::Product { of: *position.get(&earlier)?, input }
+                    Monomial::Product {
+                        of: *position.get(&earlier)?,
+                        input,
+                    }
                 }
             });
             position.insert(exponents.clone(), index);
@@ -63,7 +70,13 @@ impl MonomialBasis {
 }
 
 /// Appends the monomials of `degree` that begin with `monomial`, with at most `factors` different further inputs.
-fn append(all: &mut Vec<Vec<u32>>, monomial: &mut Vec<u32>, inputs: usize, factors: usize, degree: u32) {
+fn append(
+    all: &mut Vec<Vec<u32>>,
+    monomial: &mut Vec<u32>,
+    inputs: usize,
+    factors: usize,
+    degree: u32,
+) {
     if monomial.len() == inputs {
         if degree == 0 {
             all.push(monomial.clone());
@@ -92,7 +105,12 @@ mod tests {
 
     fn text(basis: &MonomialBasis) -> String {
         let digits = |e: &Vec<u32>| e.iter().map(u32::to_string).collect::<String>();
-        basis.exponents.iter().map(digits).collect::<Vec<_>>().join(" ")
+        basis
+            .exponents
+            .iter()
+            .map(digits)
+            .collect::<Vec<_>>()
+            .join(" ")
     }
 
     fn choose(n: usize, k: usize) -> usize {
@@ -101,7 +119,10 @@ mod tests {
 
     #[test]
     fn three_inputs_of_order_three_have_the_papers_nineteen_nodes() {
-        assert_eq!(text(&basis(3, Kind::Pairwise, 3)), "000 100 010 001 200 110 101 020 011 002 300 210 201 120 102 030 021 012 003");
+        assert_eq!(
+            text(&basis(3, Kind::Pairwise, 3)),
+            "000 100 010 001 200 110 101 020 011 002 300 210 201 120 102 030 021 012 003"
+        );
     }
 
     #[test]
@@ -110,8 +131,16 @@ mod tests {
             for inputs in 1..=6 {
                 let (m, pairs) = (order as usize, choose(inputs, 2));
                 let pairwise = 1 + inputs * m + pairs * (m * m.saturating_sub(1) / 2);
-                assert_eq!(basis(order, Kind::Pairwise, inputs).exponents.len(), pairwise, "pairwise {order} {inputs}");
-                assert_eq!(basis(order, Kind::Complete, inputs).exponents.len(), choose(inputs + m, m), "complete {order} {inputs}");
+                assert_eq!(
+                    basis(order, Kind::Pairwise, inputs).exponents.len(),
+                    pairwise,
+                    "pairwise {order} {inputs}"
+                );
+                assert_eq!(
+                    basis(order, Kind::Complete, inputs).exponents.len(),
+                    choose(inputs + m, m),
+                    "complete {order} {inputs}"
+                );
             }
         }
     }
@@ -138,7 +167,11 @@ mod tests {
 
     #[test]
     fn recipe_needs_the_earlier_monomials() {
-        let gap = MonomialBasis { name: "b".into(), inputs: vec!["z".into()], exponents: vec![vec![0], vec![3]] };
+        let gap = MonomialBasis {
+            name: "b".into(),
+            inputs: vec!["z".into()],
+            exponents: vec![vec![0], vec![3]],
+        };
         assert_eq!(gap.recipe(), None);
     }
 }

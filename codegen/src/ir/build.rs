@@ -11,7 +11,11 @@ impl Program {
 
     /// Appends a literal array.
     pub fn constant(&mut self, shape: Shape, data: Vec<f64>) -> ValueId {
-        assert_eq!(data.len(), size(shape), "invariant: literal fills its shape");
+        assert_eq!(
+            data.len(),
+            size(shape),
+            "invariant: literal fills its shape"
+        );
         self.push_as(Op::Const(data), Type::Real(shape))
     }
 
@@ -22,7 +26,11 @@ impl Program {
 
     /// Appends an array of scalars.
     pub fn array(&mut self, shape: Shape, items: Vec<ValueId>) -> ValueId {
-        assert_eq!(items.len(), size(shape), "invariant: entries fill the shape");
+        assert_eq!(
+            items.len(),
+            size(shape),
+            "invariant: entries fill the shape"
+        );
         self.push_as(Op::Array(items), Type::Real(shape))
     }
 
@@ -41,8 +49,16 @@ impl Program {
 
     /// Appends an operation of a known type.
     pub fn push_as(&mut self, op: Op, ty: Type) -> ValueId {
-        let id = ValueId(u32::try_from(self.instructions.len()).expect("invariant: fewer than 2^32 instructions"));
-        self.instructions.push(Instruction { op, ty, name: None, origin: None });
+        let id = ValueId(
+            u32::try_from(self.instructions.len())
+                .expect("invariant: fewer than 2^32 instructions"),
+        );
+        self.instructions.push(Instruction {
+            op,
+            ty,
+            name: None,
+            origin: None,
+        });
         id
     }
 

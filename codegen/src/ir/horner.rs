@@ -27,7 +27,9 @@ impl Horner {
     pub fn new(data: &PolynomialData) -> Horner {
         let mut sums: BTreeMap<&[u32], f64> = BTreeMap::new();
         for (coefficient, exponents) in &data.terms {
-            sums.entry(exponents).and_modify(|sum| *sum += coefficient).or_insert(*coefficient);
+            sums.entry(exponents)
+                .and_modify(|sum| *sum += coefficient)
+                .or_insert(*coefficient);
         }
         let terms: Vec<(&[u32], f64)> = sums.into_iter().filter(|&(_, c)| c != 0.0).collect();
         nest(&terms, 0)
@@ -37,12 +39,18 @@ impl Horner {
     pub fn eval(&self, arguments: &[f64]) -> f64 {
         match self {
             Horner::Constant(c) => *c,
-            Horner::Scheme { argument, leading, steps } => {
+            Horner::Scheme {
+                argument,
+                leading,
+                steps,
+            } => {
                 let z = arguments[*argument];
-                steps.iter().fold(leading.eval(arguments), |r, step| match step {
-                    Some(c) => r * z + c.eval(arguments),
-                    None => r * z,
-                })
+                steps
+                    .iter()
+                    .fold(leading.eval(arguments), |r, step| match step {
+                        Some(c) => r * z + c.eval(arguments),
+                        None => r * z,
+                    })
             }
         }
     }
@@ -53,10 +61,13 @@ impl Horner {
             Horner::Constant(_) => (0, 0),
             Horner::Scheme { leading, steps, .. } => {
                 let (additions, multiplications) = leading.operations();
-                steps.iter().flatten().fold((additions, multiplications + steps.len() as u64), |(add, mul), c| {
-                    let (inner_add, inner_mul) = c.operations();
-                    (add + 1 + inner_add, mul + inner_mul)
-                })
+                steps.iter().flatten().fold(
+                    (additions, multiplications + steps.len() as u64),
+                    |(add, mul), c| {
+                        let (inner_add, inner_mul) = c.operations();
+                        (add + 1 + inner_add, mul + inner_mul)
+                    },
+                )
             }
         }
     }
@@ -76,11 +87,16 @@ fn nest(terms: &[(&[u32], f64)], argument: usize) -> Horner {
         let end = terms.partition_point(|(e, _)| e[argument] <= power);
         (start < end).then(|| nest(&terms[start..end], argument + 1))
     };
-    let leading = coefficient_of(highest).expect("invariant: the last term has the highest exponent");
+    let leading =
+        coefficient_of(highest).expect("invariant: the last term has the highest exponent");
     if highest == 0 {
         return leading;
     }
-    Horner::Scheme { argument, leading: Box::new(leading), steps: (0..highest).rev().map(coefficient_of).collect() }
+    Horner::Scheme {
+        argument,
+        leading: Box::new(leading),
+        steps: (0..highest).rev().map(coefficient_of).collect(),
+    }
 }
 
 #[cfg(test)]
@@ -90,14 +106,22 @@ mod tests {
     fn data(terms: &[(f64, &[u32])]) -> PolynomialData {
         let count = terms.first().map_or(2, |(_, e)| e.len());
         let arguments = (1..=count).map(|i| format!("z{i}")).collect();
-        PolynomialData { name: "p".into(), arguments, terms: terms.iter().map(|(c, e)| (*c, e.to_vec())).collect() }
+        PolynomialData {
+            name: "p".into(),
+            arguments,
+            terms: terms.iter().map(|(c, e)| (*c, e.to_vec())).collect(),
+        }
     }
 
     /// The scheme as a formula.
     fn formula(horner: &Horner) -> String {
         match horner {
             Horner::Constant(c) => c.to_string(),
-            Horner::Scheme { argument, leading, steps } => steps.iter().fold(formula(leading), |r, step| match step {
+            Horner::Scheme {
+                argument,
+                leading,
+                steps,
+            } => steps.iter().fold(formula(leading), |r, step| match step {
                 Some(c) => format!("({r}*z{} + {})", argument + 1, formula(c)),
                 None => format!("{r}*z{}", argument + 1),
             }),
@@ -110,7 +134,15 @@ mod tests {
 
     #[test]
     fn coefficients_nest_in_later_arguments() {
-        check(&[(3.0, &[0, 0]), (4.0, &[0, 1]), (5.0, &[2, 0]), (7.0, &[1, 2])], "((5*z1 + 7*z2*z2)*z1 + (4*z2 + 3))");
+        check(
+            &[
+                (3.0, &[0, 0]),
+                (4.0, &[0, 1]),
+                (5.0, &[2, 0]),
+                (7.0, &[1, 2]),
+            ],
+            "((5*z1 + 7*z2*z2)*z1 + (4*z2 + 3))",
+        );
     }
 
     #[test]
@@ -120,7 +152,10 @@ mod tests {
 
     #[test]
     fn equal_exponents_are_summed_and_zeros_dropped() {
-        check(&[(2.0, &[1]), (3.0, &[0]), (4.0, &[1]), (-3.0, &[0])], "6*z1");
+        check(
+            &[(2.0, &[1]), (3.0, &[0]), (4.0, &[1]), (-3.0, &[0])],
+            "6*z1",
+        );
     }
 
     #[test]
@@ -130,7 +165,12 @@ mod tests {
 
     #[test]
     fn value_is_the_polynomial() {
-        let horner = Horner::new(&data(&[(3.0, &[0, 0]), (4.0, &[0, 1]), (5.0, &[2, 0]), (7.0, &[1, 2])]));
+        let horner = Horner::new(&data(&[
+            (3.0, &[0, 0]),
+            (4.0, &[0, 1]),
+            (5.0, &[2, 0]),
+            (7.0, &[1, 2]),
+        ]));
         assert_eq!(horner.eval(&[2.0, 3.0]), 3.0 + 12.0 + 20.0 + 126.0);
         assert_eq!(horner.operations(), (3, 5));
     }

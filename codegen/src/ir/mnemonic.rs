@@ -54,10 +54,17 @@ pub(crate) const KERNELS: [(Kernel, &str); 5] = [
 
 /// The word of `item`.
 pub(crate) fn word<T: Copy + PartialEq>(table: &[(T, &'static str)], item: T) -> &'static str {
-    table.iter().find(|(entry, _)| *entry == item).expect("invariant: the table names every item").1
+    table
+        .iter()
+        .find(|(entry, _)| *entry == item)
+        .expect("invariant: the table names every item")
+        .1
 }
 
 /// The item of a word.
 pub(crate) fn item<T: Copy>(table: &[(T, &'static str)], word: &str) -> Option<T> {
-    table.iter().find(|(_, entry)| *entry == word).map(|&(item, _)| item)
+    table
+        .iter()
+        .find(|(_, entry)| *entry == word)
+        .map(|&(item, _)| item)
 }

@@ -245,7 +245,9 @@ impl Op {
             Op::SumSquares(a) => Op::SumSquares(f(a)),
             Op::Solve(a, b) => Op::Solve(f(a), f(b)),
             Op::SingularVector(a) => Op::SingularVector(f(a)),
-            Op::Polynomial(id, ref items) => Op::Polynomial(id, items.iter().map(|&item| f(item)).collect()),
+            Op::Polynomial(id, ref items) => {
+                Op::Polynomial(id, items.iter().map(|&item| f(item)).collect())
+            }
             Op::Basis(id, a) => Op::Basis(id, f(a)),
             Op::BasisRate(id, a, b) => Op::BasisRate(id, f(a), f(b)),
             Op::BasisRate2(id, a, b, c) => Op::BasisRate2(id, f(a), f(b), f(c)),

@@ -15,7 +15,9 @@
 use std::fmt::{self, Display, Formatter};
 
 use super::mnemonic::{COMPARISONS, FUNCTIONS, KERNELS, OPERATORS, word};
-use super::{Instruction, MonomialBasis, Op, Origin, PolynomialData, Program, Shape, Type, ValueId};
+use super::{
+    Instruction, MonomialBasis, Op, Origin, PolynomialData, Program, Shape, Type, ValueId,
+};
 
 impl Display for Program {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
@@ -43,12 +45,22 @@ impl Display for Program {
 }
 
 impl Program {
-    fn write_instruction(&self, f: &mut Formatter<'_>, index: usize, instruction: &Instruction) -> fmt::Result {
+    fn write_instruction(
+        &self,
+        f: &mut Formatter<'_>,
+        index: usize,
+        instruction: &Instruction,
+    ) -> fmt::Result {
         write!(f, "%{index}")?;
         if let Some(name) = &instruction.name {
             write!(f, " {name}")?;
         }
-        write!(f, ": {} = {}", instruction.ty, self.text_of(&instruction.op))?;
+        write!(
+            f,
+            ": {} = {}",
+            instruction.ty,
+            self.text_of(&instruction.op)
+        )?;
         if let Some(origin) = instruction.origin {
             write!(f, " @{origin}")?;
             if let Some(origin) = self.origins.get(origin) {
@@ -64,12 +76,17 @@ impl Program {
         match op {
             Op::Const(data) if data.len() == 1 => format!("const {:?}", data[0]),
             Op::Const(data) => format!("const {data:?}"),
-            Op::Input(index) => format!("input {}", named(self.inputs.get(*index).map(|input| &input.name), *index)),
+            Op::Input(index) => format!(
+                "input {}",
+                named(self.inputs.get(*index).map(|input| &input.name), *index)
+            ),
             Op::Apply(function, _) => format!("{} {operands}", word(&FUNCTIONS, *function)),
             Op::Kernel(kernel, _) => format!("{} {operands}", word(&KERNELS, *kernel)),
             Op::Binary(operator, _, _) => format!("{} {operands}", word(&OPERATORS, *operator)),
             Op::PowInt(_, n) => format!("powi {operands}, {n}"),
-            Op::Compare(comparison, _, _) => format!("{} {operands}", word(&COMPARISONS, *comparison)),
+            Op::Compare(comparison, _, _) => {
+                format!("{} {operands}", word(&COMPARISONS, *comparison))
+            }
             Op::And(..) => format!("and {operands}"),
             Op::Or(..) => format!("or {operands}"),
             Op::Not(_) => format!("not {operands}"),
@@ -84,12 +101,23 @@ impl Program {
             Op::Solve(..) => format!("solve {operands}"),
             Op::SingularVector(_) => format!("singular_vector {operands}"),
             Op::Polynomial(id, _) => {
-                let name = named(self.polynomials.get(id.0 as usize).map(|data| &data.name), id.0 as usize);
-                if operands.is_empty() { format!("polynomial {name}") } else { format!("polynomial {name}, {operands}") }
+                let name = named(
+                    self.polynomials.get(id.0 as usize).map(|data| &data.name),
+                    id.0 as usize,
+                );
+                if operands.is_empty() {
+                    format!("polynomial {name}")
+                } else {
+                    format!("polynomial {name}, {operands}")
+                }
             }
             Op::Basis(id, _) => format!("basis {}, {operands}", self.basis_name(id.0 as usize)),
-            Op::BasisRate(id, _, _) => format!("basis_rate {}, {operands}", self.basis_name(id.0 as usize)),
-            Op::BasisRate2(id, _, _, _) => format!("basis_rate2 {}, {operands}", self.basis_name(id.0 as usize)),
+            Op::BasisRate(id, _, _) => {
+                format!("basis_rate {}, {operands}", self.basis_name(id.0 as usize))
+            }
+            Op::BasisRate2(id, _, _, _) => {
+                format!("basis_rate2 {}, {operands}", self.basis_name(id.0 as usize))
+            }
         }
     }
 
@@ -105,7 +133,10 @@ fn named(name: Option<&String>, index: usize) -> String {
 
 /// Whether a name can stand in the textual form: letters, digits, `_`, `.` and `/`.
 pub fn is_word(name: &str) -> bool {
-    !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || "_./".contains(c))
+    !name.is_empty()
+        && name
+            .chars()
+            .all(|c| c.is_ascii_alphanumeric() || "_./".contains(c))
 }
 
 impl Display for ValueId {
@@ -127,23 +158,50 @@ impl Display for Type {
 
 impl Display for PolynomialData {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let terms = list(self.terms.iter().map(|(c, exponents)| format!("{c:?} {exponents:?}")));
-        write!(f, "polynomial {}({}) = {terms}", self.name, self.arguments.join(", "))
+        let terms = list(
+            self.terms
+                .iter()
+                .map(|(c, exponents)| format!("{c:?} {exponents:?}")),
+        );
+        write!(
+            f,
+            "polynomial {}({}) = {terms}",
+            self.name,
+            self.arguments.join(", ")
+        )
     }
 }
 
 impl Display for MonomialBasis {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let monomials = list(self.exponents.iter().map(|exponents| format!("{exponents:?}")));
-        write!(f, "basis {}({}) = {monomials}", self.name, self.inputs.join(", "))
+        let monomials = list(
+            self.exponents
+                .iter()
+                .map(|exponents| format!("{exponents:?}")),
+        );
+        write!(
+            f,
+            "basis {}({}) = {monomials}",
+            self.name,
+            self.inputs.join(", ")
+        )
     }
 }
 
 fn list(items: impl IntoIterator<Item = impl Display>) -> String {
-    items.into_iter().map(|item| item.to_string()).collect::<Vec<_>>().join(", ")
+    items
+        .into_iter()
+        .map(|item| item.to_string())
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 /// Text in quotes; a quote, a backslash and a line break are escaped.
 fn quoted(text: &str) -> String {
-    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\"").replace('\n', "\\n"))
+    format!(
+        "\"{}\"",
+        text.replace('\\', "\\\\")
+            .replace('"', "\\\"")
+            .replace('\n', "\\n")
+    )
 }

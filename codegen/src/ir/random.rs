@@ -4,7 +4,10 @@ use nsv_spec::model::Basis as Kind;
 
 use super::build::size;
 use super::mnemonic::{COMPARISONS, FUNCTIONS, KERNELS, OPERATORS};
-use super::{BasisId, Function, Input, MonomialBasis, Op, Origin, PolynomialData, PolynomialId, Program, Shape, Type, ValueId, Values};
+use super::{
+    BasisId, Function, Input, MonomialBasis, Op, Origin, PolynomialData, PolynomialId, Program,
+    Shape, Type, ValueId, Values,
+};
 
 /// Values at which algebra that is not IEEE arithmetic shows.
 const SPECIAL: [f64; 14] = [
@@ -39,7 +42,10 @@ const SHAPES: [Shape; 9] = [
 
 /// A sound program of `length` instructions with every operation, many of them in forms that passes rewrite.
 pub fn program(seed: u64, length: usize) -> Program {
-    let mut generator = Generator { random: Random(seed), program: frame() };
+    let mut generator = Generator {
+        random: Random(seed),
+        program: frame(),
+    };
     for index in 0..generator.program.inputs.len() {
         generator.program.push(Op::Input(index));
     }
@@ -53,27 +59,61 @@ pub fn program(seed: u64, length: usize) -> Program {
 /// Inputs for a program; one entry in four is a special value.
 pub fn inputs(program: &Program, seed: u64) -> Values {
     let mut random = Random(seed);
-    let values = program.inputs.iter().map(|input| (input.name.clone(), (0..size(input.shape)).map(|_| random.number(4)).collect()));
+    let values = program.inputs.iter().map(|input| {
+        (
+            input.name.clone(),
+            (0..size(input.shape)).map(|_| random.number(4)).collect(),
+        )
+    });
     values.collect()
 }
 
 /// Inputs and tables of every random program.
 fn frame() -> Program {
-    let inputs = SHAPES.iter().enumerate().map(|(index, &shape)| Input { name: format!("x{index}"), shape }).collect();
-    let terms = vec![(0.5, vec![0, 0]), (-1.25, vec![2, 1]), (3.0, vec![0, 3]), (0.1, vec![4, 0]), (2.0, vec![2, 0])];
-    let names = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<String>>();
+    let inputs = SHAPES
+        .iter()
+        .enumerate()
+        .map(|(index, &shape)| Input {
+            name: format!("x{index}"),
+            shape,
+        })
+        .collect();
+    let terms = vec![
+        (0.5, vec![0, 0]),
+        (-1.25, vec![2, 1]),
+        (3.0, vec![0, 3]),
+        (0.1, vec![4, 0]),
+        (2.0, vec![2, 0]),
+    ];
+    let names = |names: &[&str]| {
+        names
+            .iter()
+            .map(|&name| name.to_owned())
+            .collect::<Vec<String>>()
+    };
     Program {
         name: "random".into(),
         inputs,
         polynomials: vec![
-            PolynomialData { name: "f".into(), arguments: names(&["a", "b"]), terms },
-            PolynomialData { name: "g".into(), arguments: names(&["a"]), terms: vec![(-2.5, vec![3])] },
+            PolynomialData {
+                name: "f".into(),
+                arguments: names(&["a", "b"]),
+                terms,
+            },
+            PolynomialData {
+                name: "g".into(),
+                arguments: names(&["a"]),
+                terms: vec![(-2.5, vec![3])],
+            },
         ],
         bases: vec![
             MonomialBasis::new("basis1", 3, Kind::Pairwise, &names(&["p", "q", "r"])),
             MonomialBasis::new("basis2", 2, Kind::Complete, &names(&["p", "q"])),
         ],
-        origins: vec![Origin { group: "random values".into(), equation: "v = \"any\" \\ value  (1)".into() }],
+        origins: vec![Origin {
+            group: "random values".into(),
+            equation: "v = \"any\" \\ value  (1)".into(),
+        }],
         ..Program::default()
     }
 }
@@ -83,7 +123,10 @@ struct Random(u64);
 
 impl Random {
     fn below(&mut self, count: usize) -> usize {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         let high = u32::try_from(self.0 >> 33).expect("invariant: 31 bits");
         high as usize % count
     }
@@ -102,7 +145,9 @@ impl Random {
 
     /// A finite number.
     fn literal(&mut self) -> f64 {
-        Some(self.number(2)).filter(|value| value.is_finite()).unwrap_or(0.0)
+        Some(self.number(2))
+            .filter(|value| value.is_finite())
+            .unwrap_or(0.0)
     }
 }
 
@@ -119,7 +164,10 @@ impl Generator {
             1 => self.append_taken_apart(),
             2 => self.append_again(),
             _ => {
-                if let Some(op) = self.operation().filter(|op| self.program.type_of(op).is_some()) {
+                if let Some(op) = self
+                    .operation()
+                    .filter(|op| self.program.type_of(op).is_some())
+                {
                     self.program.push(op);
                 }
             }
@@ -130,19 +178,30 @@ impl Generator {
         let shape = self.random.pick(&SHAPES);
         let same = self.random.literal();
         let uniform = self.random.below(2) == 0;
-        let data = (0..size(shape)).map(|_| if uniform { same } else { self.random.literal() }).collect();
+        let data = (0..size(shape))
+            .map(|_| if uniform { same } else { self.random.literal() })
+            .collect();
         self.program.constant(shape, data);
     }
 
     /// The entries of an array, and an array of them or of other scalars.
     fn append_taken_apart(&mut self) {
-        let Some(array) = self.value(|ty| ty != Type::Bool && ty != Type::Real(Shape::Scalar)) else { return };
+        let Some(array) = self.value(|ty| ty != Type::Bool && ty != Type::Real(Shape::Scalar))
+        else {
+            return;
+        };
         let shape = self.program.shape(array);
-        let columns = if let Shape::Matrix(_, columns) = shape { columns } else { 1 };
+        let columns = if let Shape::Matrix(_, columns) = shape {
+            columns
+        } else {
+            1
+        };
         let other = self.random.below(3) == 0;
         let items = (0..size(shape)).map(|i| match self.scalar().filter(|_| other) {
             Some(scalar) => scalar,
-            None => self.program.push(Op::Element(array, i / columns, i % columns)),
+            None => self
+                .program
+                .push(Op::Element(array, i / columns, i % columns)),
         });
         let items = items.collect();
         self.program.array(shape, items);
@@ -150,13 +209,23 @@ impl Generator {
 
     /// An earlier operation once more, its first two operands exchanged if they may be.
     fn append_again(&mut self) {
-        let Some(id) = self.value(|_| true) else { return };
+        let Some(id) = self.value(|_| true) else {
+            return;
+        };
         let instruction = self.program.instruction(id).clone();
         let operands = instruction.op.operands();
         let mut exchanged = operands.iter().rev();
-        let op = instruction.op.map_operands(|_| *exchanged.next().expect("invariant: as many operands"));
-        let op = if self.program.type_of(&op) == Some(instruction.ty) { op } else { instruction.op.clone() };
-        self.program.instructions.push(super::Instruction { op, ..instruction });
+        let op = instruction
+            .op
+            .map_operands(|_| *exchanged.next().expect("invariant: as many operands"));
+        let op = if self.program.type_of(&op) == Some(instruction.ty) {
+            op
+        } else {
+            instruction.op.clone()
+        };
+        self.program
+            .instructions
+            .push(super::Instruction { op, ..instruction });
     }
 
     fn operation(&mut self) -> Option<Op> {
@@ -165,14 +234,29 @@ impl Generator {
             2 | 3 => Op::Apply(self.random.pick(&FUNCTIONS).0, self.real()?),
             4 => Op::Kernel(self.random.pick(&KERNELS).0, self.scalar()?),
             5..=9 => {
-                let operators = if self.random.below(4) == 0 { &OPERATORS[..] } else { &OPERATORS[..4] };
+                let operators = if self.random.below(4) == 0 {
+                    &OPERATORS[..]
+                } else {
+                    &OPERATORS[..4]
+                };
                 let (operator, a) = (self.random.pick(operators).0, self.real()?);
                 let ty = self.program.ty(a);
                 let b = self.value(|other| other == ty || other == Type::Real(Shape::Scalar))?;
-                if self.random.below(2) == 0 { Op::Binary(operator, a, b) } else { Op::Binary(operator, b, a) }
+                if self.random.below(2) == 0 {
+                    Op::Binary(operator, a, b)
+                } else {
+                    Op::Binary(operator, b, a)
+                }
             }
-            10 => Op::PowInt(self.real()?, 2 + u32::try_from(self.random.below(20)).expect("invariant: below 20")),
-            11 | 12 => Op::Compare(self.random.pick(&COMPARISONS).0, self.scalar()?, self.scalar()?),
+            10 => Op::PowInt(
+                self.real()?,
+                2 + u32::try_from(self.random.below(20)).expect("invariant: below 20"),
+            ),
+            11 | 12 => Op::Compare(
+                self.random.pick(&COMPARISONS).0,
+                self.scalar()?,
+                self.scalar()?,
+            ),
             13 => Op::And(self.truth()?, self.truth()?),
             14 => Op::Or(self.truth()?, self.truth()?),
             15 => Op::Not(self.truth()?),
@@ -184,7 +268,10 @@ impl Generator {
             18 => Op::Element(self.real()?, self.random.below(3), self.random.below(3)),
             19 => {
                 let a = self.matrix()?;
-                Op::MatMul(a, self.value(|ty| ty != Type::Bool && ty != Type::Real(Shape::Scalar))?)
+                Op::MatMul(
+                    a,
+                    self.value(|ty| ty != Type::Bool && ty != Type::Real(Shape::Scalar))?,
+                )
             }
             20 => Op::Transpose(self.matrix()?),
             21 => {
@@ -196,7 +283,9 @@ impl Generator {
             23 => Op::SumSquares(self.real()?),
             24 => Op::Solve(self.matrix()?, self.vector()?),
             25 => Op::SingularVector(self.matrix()?),
-            26 if self.random.below(2) == 0 => Op::Polynomial(PolynomialId(0), vec![self.scalar()?, self.scalar()?]),
+            26 if self.random.below(2) == 0 => {
+                Op::Polynomial(PolynomialId(0), vec![self.scalar()?, self.scalar()?])
+            }
             26 => Op::Polynomial(PolynomialId(1), vec![self.scalar()?]),
             _ => {
                 let (basis, inputs) = self.random.pick(&[(BasisId(0), 3), (BasisId(1), 2)]);
@@ -215,9 +304,14 @@ impl Generator {
     fn value(&mut self, accept: impl Fn(Type) -> bool) -> Option<ValueId> {
         for _ in 0..40 {
             let count = self.program.instructions.len();
-            let reach = if self.random.below(2) == 0 { count } else { count.min(16) };
+            let reach = if self.random.below(2) == 0 {
+                count
+            } else {
+                count.min(16)
+            };
             let index = count - 1 - self.random.below(reach);
-            let id = ValueId(u32::try_from(index).expect("invariant: fewer than 2^32 instructions"));
+            let id =
+                ValueId(u32::try_from(index).expect("invariant: fewer than 2^32 instructions"));
             if accept(self.program.ty(id)) {
                 return Some(id);
             }
@@ -247,7 +341,8 @@ impl Generator {
 
     /// Names every seventh value on average, and makes every third of those, and the last value, outputs.
     fn name_values(&mut self) {
-        let count = u32::try_from(self.program.instructions.len()).expect("invariant: fewer than 2^32 instructions");
+        let count = u32::try_from(self.program.instructions.len())
+            .expect("invariant: fewer than 2^32 instructions");
         for value in (0..count).map(ValueId) {
             let instruction = &mut self.program.instructions[value.0 as usize];
             if matches!(instruction.op, Op::Input(_)) || self.random.below(7) > 0 {
@@ -260,7 +355,9 @@ impl Generator {
                 self.program.outputs.push((name, value));
             }
         }
-        self.program.outputs.push(("last".into(), ValueId(count - 1)));
+        self.program
+            .outputs
+            .push(("last".into(), ValueId(count - 1)));
     }
 }
 
@@ -279,8 +376,13 @@ mod tests {
     #[test]
     fn programs_use_every_operation() {
         let text: String = (0..20).map(|seed| program(seed, 300).to_string()).collect();
-        let words = FUNCTIONS.map(|(_, word)| word).into_iter().chain(OPERATORS.map(|(_, word)| word));
-        let words = words.chain(COMPARISONS.map(|(_, word)| word)).chain(KERNELS.map(|(_, word)| word));
+        let words = FUNCTIONS
+            .map(|(_, word)| word)
+            .into_iter()
+            .chain(OPERATORS.map(|(_, word)| word));
+        let words = words
+            .chain(COMPARISONS.map(|(_, word)| word))
+            .chain(KERNELS.map(|(_, word)| word));
         let others = "const powi and or not select array element matmul transpose dot outer sum_squares solve singular_vector polynomial \
                       basis basis_rate basis_rate2";
         for word in words.chain(others.split(' ')) {

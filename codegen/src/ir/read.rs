@@ -4,7 +4,10 @@ use std::fmt::{self, Display, Formatter};
 use std::str::FromStr;
 
 use super::mnemonic::{COMPARISONS, FUNCTIONS, KERNELS, OPERATORS, item};
-use super::{BasisId, Input, Instruction, MonomialBasis, Op, Origin, PolynomialData, PolynomialId, Program, Shape, Type, ValueId};
+use super::{
+    BasisId, Input, Instruction, MonomialBasis, Op, Origin, PolynomialData, PolynomialId, Program,
+    Shape, Type, ValueId,
+};
 
 /// A line that is not a statement of the textual form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,7 +37,10 @@ impl FromStr for Program {
         for (index, line) in text.lines().enumerate() {
             let line = line.trim();
             if !line.is_empty() {
-                program.read_statement(line).map_err(|expected| ReadError { line: index + 1, expected })?;
+                program.read_statement(line).map_err(|expected| ReadError {
+                    line: index + 1,
+                    expected,
+                })?;
             }
         }
         Ok(program)
@@ -51,18 +57,34 @@ impl Program {
             "program" => self.name = rest.to_owned(),
             "input" => {
                 let (name, ty) = rest.split_once(": ").ok_or("`input name: type`")?;
-                let Type::Real(shape) = read_type(ty)? else { return Err("a real type") };
-                self.inputs.push(Input { name: name.to_owned(), shape });
+                let Type::Real(shape) = read_type(ty)? else {
+                    return Err("a real type");
+                };
+                self.inputs.push(Input {
+                    name: name.to_owned(),
+                    shape,
+                });
             }
             "polynomial" => {
                 let (name, arguments, items) = read_table(rest)?;
-                let terms = items.into_iter().map(|(head, exponents)| Ok((number(head)?, exponents))).collect::<Expected<_>>()?;
-                self.polynomials.push(PolynomialData { name, arguments, terms });
+                let terms = items
+                    .into_iter()
+                    .map(|(head, exponents)| Ok((number(head)?, exponents)))
+                    .collect::<Expected<_>>()?;
+                self.polynomials.push(PolynomialData {
+                    name,
+                    arguments,
+                    terms,
+                });
             }
             "basis" => {
                 let (name, inputs, items) = read_table(rest)?;
                 let exponents = items.into_iter().map(|(_, exponents)| exponents).collect();
-                self.bases.push(MonomialBasis { name, inputs, exponents });
+                self.bases.push(MonomialBasis {
+                    name,
+                    inputs,
+                    exponents,
+                });
             }
             "origin" => {
                 let (group, rest) = read_quoted(rest)?;
@@ -80,39 +102,62 @@ impl Program {
 
     /// `%12 e1: vec3 = sub %3, %4 @2   ; comment`
     fn read_instruction(&mut self, line: &str) -> Expected<()> {
-        let code = line.split_once(" ;").map_or(line, |(code, _)| code).trim_end();
+        let code = line
+            .split_once(" ;")
+            .map_or(line, |(code, _)| code)
+            .trim_end();
         let (code, origin) = match code.rsplit_once(" @") {
             Some((code, origin)) => (code, Some(number(origin)?)),
             None => (code, None),
         };
         let (head, op) = code.split_once(" = ").ok_or("`%value: type = operation`")?;
         let (head, ty) = head.split_once(": ").ok_or("a type after `: `")?;
-        let (id, name) = head.split_once(' ').map_or((head, None), |(id, name)| (id, Some(name.to_owned())));
+        let (id, name) = head
+            .split_once(' ')
+            .map_or((head, None), |(id, name)| (id, Some(name.to_owned())));
         if read_value(id)?.0 as usize != self.instructions.len() {
             return Err("values numbered in order from %0");
         }
         let op = self.read_op(op)?;
-        self.instructions.push(Instruction { op, ty: read_type(ty)?, name, origin });
+        self.instructions.push(Instruction {
+            op,
+            ty: read_type(ty)?,
+            name,
+            origin,
+        });
         Ok(())
     }
 
     fn read_op(&self, text: &str) -> Expected<Op> {
         let (mnemonic, rest) = text.split_once(' ').unwrap_or((text, ""));
         let items: Vec<&str> = rest.split(", ").filter(|item| !item.is_empty()).collect();
-        let values = |items: &[&str]| items.iter().map(|item| read_value(item)).collect::<Expected<Vec<ValueId>>>();
+        let values = |items: &[&str]| {
+            items
+                .iter()
+                .map(|item| read_value(item))
+                .collect::<Expected<Vec<ValueId>>>()
+        };
         if mnemonic == "const" {
-            let data = rest.trim_matches(['[', ']']).split(", ").filter(|item| !item.is_empty());
+            let data = rest
+                .trim_matches(['[', ']'])
+                .split(", ")
+                .filter(|item| !item.is_empty());
             return Ok(Op::Const(data.map(number).collect::<Expected<_>>()?));
         }
         Ok(match (mnemonic, items.as_slice()) {
-            ("input", [name]) => Op::Input(position(self.inputs.iter().map(|input| &input.name), name)?),
+            ("input", [name]) => {
+                Op::Input(position(self.inputs.iter().map(|input| &input.name), name)?)
+            }
             ("array", items) => Op::Array(values(items)?),
             ("polynomial", [name, arguments @ ..]) => {
                 let id = position(self.polynomials.iter().map(|data| &data.name), name)?;
                 Op::Polynomial(PolynomialId(index(id)?), values(arguments)?)
             }
             ("basis" | "basis_rate" | "basis_rate2", [name, operands @ ..]) => {
-                let id = BasisId(index(position(self.bases.iter().map(|basis| &basis.name), name)?)?);
+                let id = BasisId(index(position(
+                    self.bases.iter().map(|basis| &basis.name),
+                    name,
+                )?)?);
                 match *values(operands)?.as_slice() {
                     [a] if mnemonic == "basis" => Op::Basis(id, a),
                     [a, b] if mnemonic == "basis_rate" => Op::BasisRate(id, a, b),
@@ -121,8 +166,12 @@ impl Program {
                 }
             }
             ("powi", [a, n]) => Op::PowInt(read_value(a)?, number(n)?),
-            ("element", [a, row, column]) => Op::Element(read_value(a)?, number(row)?, number(column)?),
-            (mnemonic, items) => plain(mnemonic, &values(items)?).ok_or("an operation with its operands")?,
+            ("element", [a, row, column]) => {
+                Op::Element(read_value(a)?, number(row)?, number(column)?)
+            }
+            (mnemonic, items) => {
+                plain(mnemonic, &values(items)?).ok_or("an operation with its operands")?
+            }
         })
     }
 }
@@ -147,7 +196,9 @@ fn plain(mnemonic: &str, operands: &[ValueId]) -> Option<Op> {
         }
         (word, &[a, b]) => {
             let operator = item(&OPERATORS, word).map(|operator| Op::Binary(operator, a, b));
-            operator.or_else(|| item(&COMPARISONS, word).map(|comparison| Op::Compare(comparison, a, b)))?
+            operator.or_else(|| {
+                item(&COMPARISONS, word).map(|comparison| Op::Compare(comparison, a, b))
+            })?
         }
         _ => return None,
     })
@@ -184,7 +235,9 @@ fn read_type(text: &str) -> Expected<Type> {
 fn position<'a>(mut names: impl Iterator<Item = &'a String>, name: &str) -> Expected<usize> {
     match name.strip_prefix('#') {
         Some(digits) => number(digits),
-        None => names.position(|entry| entry == name).ok_or("a declared name"),
+        None => names
+            .position(|entry| entry == name)
+            .ok_or("a declared name"),
     }
 }
 
@@ -194,17 +247,28 @@ type TableItem<'a> = (&'a str, Vec<u32>);
 /// `name(a, b) = head [e, e], head [e, e]`
 fn read_table(text: &str) -> Expected<(String, Vec<String>, Vec<TableItem<'_>>)> {
     let (signature, items) = text.split_once(" =").ok_or("`name(arguments) = terms`")?;
-    let (name, arguments) = signature.strip_suffix(')').and_then(|head| head.split_once('(')).ok_or("`name(arguments)`")?;
+    let (name, arguments) = signature
+        .strip_suffix(')')
+        .and_then(|head| head.split_once('('))
+        .ok_or("`name(arguments)`")?;
     let read_item = |item: &'_ str| -> Expected<(usize, Vec<u32>)> {
         let open = item.find('[').ok_or("exponents in brackets")?;
-        let exponents = item[open + 1..].split(", ").filter(|e| !e.is_empty()).map(number).collect::<Expected<_>>()?;
+        let exponents = item[open + 1..]
+            .split(", ")
+            .filter(|e| !e.is_empty())
+            .map(number)
+            .collect::<Expected<_>>()?;
         Ok((open, exponents))
     };
     let items = items.split_terminator(']').map(|item| {
         let item = item.trim_start_matches([',', ' ']);
         read_item(item).map(|(open, exponents)| (item[..open].trim(), exponents))
     });
-    let arguments = arguments.split(", ").filter(|argument| !argument.is_empty()).map(str::to_owned).collect();
+    let arguments = arguments
+        .split(", ")
+        .filter(|argument| !argument.is_empty())
+        .map(str::to_owned)
+        .collect();
     Ok((name.to_owned(), arguments, items.collect::<Expected<_>>()?))
 }
 
@@ -254,11 +318,22 @@ mod tests {
     fn errors_name_the_line() {
         let check = |text: &str, line: usize, expected: &str| {
             let error = text.parse::<Program>().expect_err(text);
-            assert_eq!(error.to_string(), format!("line {line}: expected {expected}"));
+            assert_eq!(
+                error.to_string(),
+                format!("line {line}: expected {expected}")
+            );
         };
         check("program p\nprogam q", 2, "a statement");
-        check("%1: real = const 1.0", 1, "values numbered in order from %0");
-        check("%0: rael = const 1.0", 1, "a type: bool, real, vecN or matRxC");
+        check(
+            "%1: real = const 1.0",
+            1,
+            "values numbered in order from %0",
+        );
+        check(
+            "%0: rael = const 1.0",
+            1,
+            "a type: bool, real, vecN or matRxC",
+        );
         check("%0: real = input x", 1, "a declared name");
         check("%0: real = neg %1, %2", 1, "an operation with its operands");
         check("origin \"a\" \"b", 1, "a closing quote");

@@ -17,7 +17,9 @@ impl Program {
             Op::Compare(_, a, b) => self.all_scalar(&[a, b]).then_some(Type::Bool),
             Op::And(a, b) | Op::Or(a, b) => self.all_bool(&[a, b]).then_some(Type::Bool),
             Op::Not(a) => self.all_bool(&[a]).then_some(Type::Bool),
-            Op::Select(c, a, b) => (self.all_bool(&[c]) && self.ty(a) == self.ty(b)).then(|| self.ty(a)),
+            Op::Select(c, a, b) => {
+                (self.all_bool(&[c]) && self.ty(a) == self.ty(b)).then(|| self.ty(a))
+            }
             Op::Element(a, row, column) => match self.real(a)? {
                 Shape::Vector(n) => row < n && column == 0,
                 Shape::Matrix(r, c) => row < r && column < c,
@@ -27,14 +29,18 @@ impl Program {
             Op::SumSquares(a) => self.real(a).map(|_| SCALAR),
             Op::Polynomial(id, ref arguments) => {
                 let data = self.polynomials.get(id.0 as usize)?;
-                (arguments.len() == data.arguments.len() && self.all_scalar(arguments)).then_some(SCALAR)
+                (arguments.len() == data.arguments.len() && self.all_scalar(arguments))
+                    .then_some(SCALAR)
             }
             Op::Basis(id, z) => self.basis_type(id, &[z]),
             Op::BasisRate(id, z, z1) => self.basis_type(id, &[z, z1]),
             Op::BasisRate2(id, z, z1, z2) => self.basis_type(id, &[z, z1, z2]),
-            Op::MatMul(..) | Op::Transpose(_) | Op::Dot(..) | Op::Outer(..) | Op::Solve(..) | Op::SingularVector(_) => {
-                self.linear(op).map(Type::Real)
-            }
+            Op::MatMul(..)
+            | Op::Transpose(_)
+            | Op::Dot(..)
+            | Op::Outer(..)
+            | Op::Solve(..)
+            | Op::SingularVector(_) => self.linear(op).map(Type::Real),
         }
     }
 

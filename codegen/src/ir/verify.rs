@@ -9,14 +9,21 @@ use super::{Instruction, Op, Program, Shape, Type, ValueId};
 
 /// A broken condition; instructions are meant by their value.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[expect(missing_docs, reason = "fields are the value, its operand, or the name that is meant")]
+#[expect(
+    missing_docs,
+    reason = "fields are the value, its operand, or the name that is meant"
+)]
 pub enum Violation {
     /// An operand is not an earlier instruction.
     OperandNotEarlier { value: ValueId, operand: ValueId },
     /// The operands, inputs or tables do not fit the operation.
     IllTyped { value: ValueId },
     /// The declared type is not the one that follows from the operands.
-    WrongType { value: ValueId, declared: Type, inferred: Type },
+    WrongType {
+        value: ValueId,
+        declared: Type,
+        inferred: Type,
+    },
     /// A literal is infinite or not a number; it could not be written in Rust.
     NonFiniteLiteral { value: ValueId },
     /// An origin out of range.
@@ -40,15 +47,31 @@ pub enum Violation {
 impl Display for Violation {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
-            Violation::OperandNotEarlier { value, operand } => write!(f, "{value} uses {operand}, which is not earlier"),
-            Violation::IllTyped { value } => write!(f, "{value} has operands that do not fit its operation"),
-            Violation::WrongType { value, declared, inferred } => write!(f, "{value} is declared {declared}, but is {inferred}"),
-            Violation::NonFiniteLiteral { value } => write!(f, "{value} is a literal that is not finite"),
-            Violation::NoSuchOrigin { value } => write!(f, "{value} has an origin that does not exist"),
+            Violation::OperandNotEarlier { value, operand } => {
+                write!(f, "{value} uses {operand}, which is not earlier")
+            }
+            Violation::IllTyped { value } => {
+                write!(f, "{value} has operands that do not fit its operation")
+            }
+            Violation::WrongType {
+                value,
+                declared,
+                inferred,
+            } => write!(f, "{value} is declared {declared}, but is {inferred}"),
+            Violation::NonFiniteLiteral { value } => {
+                write!(f, "{value} is a literal that is not finite")
+            }
+            Violation::NoSuchOrigin { value } => {
+                write!(f, "{value} has an origin that does not exist")
+            }
             Violation::NotAWord { name } => write!(f, "`{name}` is not a word"),
             Violation::DuplicateName { name } => write!(f, "`{name}` is named twice"),
-            Violation::ShadowsInput { value, name } => write!(f, "{value} has the name of the input `{name}`"),
-            Violation::NoSuchOutput { name, value } => write!(f, "output `{name}` is {value}, which does not exist"),
+            Violation::ShadowsInput { value, name } => {
+                write!(f, "{value} has the name of the input `{name}`")
+            }
+            Violation::NoSuchOutput { name, value } => {
+                write!(f, "output `{name}` is {value}, which does not exist")
+            }
             Violation::EmptyShape { name } => write!(f, "`{name}` has no entries"),
             Violation::BadPolynomial { name } => write!(f, "polynomial `{name}` is malformed"),
             Violation::BadBasis { name } => write!(f, "basis `{name}` is malformed"),
@@ -71,69 +94,126 @@ impl Program {
     pub fn assert_sound(&self) {
         let violations = verify(self);
         let list: Vec<String> = violations.iter().map(Violation::to_string).collect();
-        assert!(violations.is_empty(), "invariant: program `{}` is sound, found: {}", self.name, list.join("; "));
+        assert!(
+            violations.is_empty(),
+            "invariant: program `{}` is sound, found: {}",
+            self.name,
+            list.join("; ")
+        );
     }
 }
 
 fn check_inputs(program: &Program, violations: &mut Vec<Violation>) {
     check_names(program.inputs.iter().map(|input| &input.name), violations);
     for input in program.inputs.iter().filter(|input| size(input.shape) == 0) {
-        violations.push(Violation::EmptyShape { name: input.name.clone() });
+        violations.push(Violation::EmptyShape {
+            name: input.name.clone(),
+        });
     }
 }
 
 fn check_tables(program: &Program, violations: &mut Vec<Violation>) {
     let polynomials = program.polynomials.iter().map(|data| &data.name);
-    check_names(polynomials.chain(program.bases.iter().map(|basis| &basis.name)), violations);
+    check_names(
+        polynomials.chain(program.bases.iter().map(|basis| &basis.name)),
+        violations,
+    );
     for data in &program.polynomials {
-        if data.terms.iter().any(|(c, exponents)| !c.is_finite() || exponents.len() != data.arguments.len()) {
-            violations.push(Violation::BadPolynomial { name: data.name.clone() });
+        if data
+            .terms
+            .iter()
+            .any(|(c, exponents)| !c.is_finite() || exponents.len() != data.arguments.len())
+        {
+            violations.push(Violation::BadPolynomial {
+                name: data.name.clone(),
+            });
         }
     }
     for basis in &program.bases {
-        let lengths = basis.exponents.iter().all(|exponents| exponents.len() == basis.inputs.len());
+        let lengths = basis
+            .exponents
+            .iter()
+            .all(|exponents| exponents.len() == basis.inputs.len());
         if !lengths || basis.exponents.is_empty() || basis.recipe().is_none() {
-            violations.push(Violation::BadBasis { name: basis.name.clone() });
+            violations.push(Violation::BadBasis {
+                name: basis.name.clone(),
+            });
         }
     }
 }
 
 fn check_instructions(program: &Program, violations: &mut Vec<Violation>) {
-    check_names(program.instructions.iter().filter_map(|instruction| instruction.name.as_ref()), violations);
+    check_names(
+        program
+            .instructions
+            .iter()
+            .filter_map(|instruction| instruction.name.as_ref()),
+        violations,
+    );
     let inputs: BTreeSet<&String> = program.inputs.iter().map(|input| &input.name).collect();
     for (value, instruction) in (0..).map(ValueId).zip(&program.instructions) {
-        if instruction.origin.is_some_and(|origin| origin >= program.origins.len()) {
+        if instruction
+            .origin
+            .is_some_and(|origin| origin >= program.origins.len())
+        {
             violations.push(Violation::NoSuchOrigin { value });
         }
-        if let Some(name) = instruction.name.as_ref().filter(|name| inputs.contains(name)) {
+        if let Some(name) = instruction
+            .name
+            .as_ref()
+            .filter(|name| inputs.contains(name))
+        {
             let is_it = matches!(instruction.op, Op::Input(index) if program.inputs.get(index).is_some_and(|input| input.name == *name));
             if !is_it {
-                violations.push(Violation::ShadowsInput { value, name: name.clone() });
+                violations.push(Violation::ShadowsInput {
+                    value,
+                    name: name.clone(),
+                });
             }
         }
         check_operation(program, value, instruction, violations);
     }
 }
 
-fn check_operation(program: &Program, value: ValueId, instruction: &Instruction, violations: &mut Vec<Violation>) {
+fn check_operation(
+    program: &Program,
+    value: ValueId,
+    instruction: &Instruction,
+    violations: &mut Vec<Violation>,
+) {
     let declared = instruction.ty;
     let operands = instruction.op.operands();
-    let late: Vec<ValueId> = operands.into_iter().filter(|&operand| operand >= value).collect();
+    let late: Vec<ValueId> = operands
+        .into_iter()
+        .filter(|&operand| operand >= value)
+        .collect();
     if !late.is_empty() {
-        violations.extend(late.into_iter().map(|operand| Violation::OperandNotEarlier { value, operand }));
+        violations.extend(
+            late.into_iter()
+                .map(|operand| Violation::OperandNotEarlier { value, operand }),
+        );
         return;
     }
-    let fills = |count: usize| matches!(declared, Type::Real(shape) if count == size(shape) && count > 0);
+    let fills =
+        |count: usize| matches!(declared, Type::Real(shape) if count == size(shape) && count > 0);
     match &instruction.op {
         Op::Const(data) if fills(data.len()) => {
             if data.iter().any(|entry| !entry.is_finite()) {
                 violations.push(Violation::NonFiniteLiteral { value });
             }
         }
-        Op::Array(items) if fills(items.len()) && items.iter().all(|&item| program.ty(item) == Type::Real(Shape::Scalar)) => {}
+        Op::Array(items)
+            if fills(items.len())
+                && items
+                    .iter()
+                    .all(|&item| program.ty(item) == Type::Real(Shape::Scalar)) => {}
         op => match program.type_of(op) {
             None => violations.push(Violation::IllTyped { value }),
-            Some(inferred) if inferred != declared => violations.push(Violation::WrongType { value, declared, inferred }),
+            Some(inferred) if inferred != declared => violations.push(Violation::WrongType {
+                value,
+                declared,
+                inferred,
+            }),
             Some(_) => {}
         },
     }
@@ -143,7 +223,10 @@ fn check_outputs(program: &Program, violations: &mut Vec<Violation>) {
     check_names(program.outputs.iter().map(|(name, _)| name), violations);
     for (name, value) in &program.outputs {
         if value.0 as usize >= program.instructions.len() {
-            violations.push(Violation::NoSuchOutput { name: name.clone(), value: *value });
+            violations.push(Violation::NoSuchOutput {
+                name: name.clone(),
+                value: *value,
+            });
         }
     }
 }
@@ -182,7 +265,10 @@ output y = %2
     /// Replaces a piece of the sound program and expects these violations.
     fn check(found: &str, planted: &str, expected: &[&str]) {
         assert!(SOUND.contains(found), "{found}");
-        let program: Program = SOUND.replacen(found, planted, 1).parse().expect("a readable program");
+        let program: Program = SOUND
+            .replacen(found, planted, 1)
+            .parse()
+            .expect("a readable program");
         let violations: Vec<String> = verify(&program).iter().map(Violation::to_string).collect();
         assert_eq!(violations, expected, "{planted}");
     }
@@ -194,30 +280,113 @@ output y = %2
 
     #[test]
     fn planted_faults_are_found() {
-        check("mul %0, %1", "mul %0, %2", &["%2 uses %2, which is not earlier"]);
-        check("mul %0, %1", "mul %9, %3", &["%2 uses %9, which is not earlier", "%2 uses %3, which is not earlier"]);
-        check("mul %0, %1", "dot %0, %1", &["%2 has operands that do not fit its operation"]);
-        check("mul %0, %1", "powi %0, 1", &["%2 has operands that do not fit its operation"]);
-        check("mul %0, %1", "not %0", &["%2 has operands that do not fit its operation"]);
-        check("mul %0, %1", "dot %0, %0", &["%2 is declared vec2, but is real"]);
-        check("element %0, 1, 0", "element %0, 2, 0", &["%3 has operands that do not fit its operation"]);
-        check("element %0, 1, 0", "array %0", &["%3 has operands that do not fit its operation"]);
-        check("input x\n%1", "input #1\n%1", &["%0 has operands that do not fit its operation"]);
-        check("polynomial f, %3", "polynomial f, %3, %3", &["%4 has operands that do not fit its operation"]);
-        check("polynomial f, %3", "polynomial #7, %3", &["%4 has operands that do not fit its operation"]);
-        check("basis b, %0", "basis_rate b, %0, %3", &["%5 has operands that do not fit its operation"]);
-        check("const 2.0", "const inf", &["%1 is a literal that is not finite"]);
-        check("const 2.0", "const [1.0, 2.0]", &["%1 has operands that do not fit its operation"]);
+        check(
+            "mul %0, %1",
+            "mul %0, %2",
+            &["%2 uses %2, which is not earlier"],
+        );
+        check(
+            "mul %0, %1",
+            "mul %9, %3",
+            &[
+                "%2 uses %9, which is not earlier",
+                "%2 uses %3, which is not earlier",
+            ],
+        );
+        check(
+            "mul %0, %1",
+            "dot %0, %1",
+            &["%2 has operands that do not fit its operation"],
+        );
+        check(
+            "mul %0, %1",
+            "powi %0, 1",
+            &["%2 has operands that do not fit its operation"],
+        );
+        check(
+            "mul %0, %1",
+            "not %0",
+            &["%2 has operands that do not fit its operation"],
+        );
+        check(
+            "mul %0, %1",
+            "dot %0, %0",
+            &["%2 is declared vec2, but is real"],
+        );
+        check(
+            "element %0, 1, 0",
+            "element %0, 2, 0",
+            &["%3 has operands that do not fit its operation"],
+        );
+        check(
+            "element %0, 1, 0",
+            "array %0",
+            &["%3 has operands that do not fit its operation"],
+        );
+        check(
+            "input x\n%1",
+            "input #1\n%1",
+            &["%0 has operands that do not fit its operation"],
+        );
+        check(
+            "polynomial f, %3",
+            "polynomial f, %3, %3",
+            &["%4 has operands that do not fit its operation"],
+        );
+        check(
+            "polynomial f, %3",
+            "polynomial #7, %3",
+            &["%4 has operands that do not fit its operation"],
+        );
+        check(
+            "basis b, %0",
+            "basis_rate b, %0, %3",
+            &["%5 has operands that do not fit its operation"],
+        );
+        check(
+            "const 2.0",
+            "const inf",
+            &["%1 is a literal that is not finite"],
+        );
+        check(
+            "const 2.0",
+            "const [1.0, 2.0]",
+            &["%1 has operands that do not fit its operation"],
+        );
         check("@0", "@1", &["%2 has an origin that does not exist"]);
         check("%3: real", "%3 y: real", &["`y` is named twice"]);
         check("%3: real", "%3 y#: real", &["`y#` is not a word"]);
-        check("%3: real", "%3 x: real", &["%3 has the name of the input `x`"]);
-        check("output y = %2", "output y = %2\noutput y = %3", &["`y` is named twice"]);
-        check("output y = %2", "output y = %6", &["output `y` is %6, which does not exist"]);
+        check(
+            "%3: real",
+            "%3 x: real",
+            &["%3 has the name of the input `x`"],
+        );
+        check(
+            "output y = %2",
+            "output y = %2\noutput y = %3",
+            &["`y` is named twice"],
+        );
+        check(
+            "output y = %2",
+            "output y = %6",
+            &["output `y` is %6, which does not exist"],
+        );
         check("2.0 [1]", "2.0 [1, 1]", &["polynomial `f` is malformed"]);
         check("2.0 [1]", "NaN [1]", &["polynomial `f` is malformed"]);
-        check("[0, 0], [1, 0]", "[0, 0], [2, 0]", &["basis `b` is malformed"]);
-        check("input x: vec2", "input x: vec2\ninput z: vec0", &["`z` has no entries"]);
-        check("input x: vec2", "input x: vec2\ninput x: vec2", &["`x` is named twice"]);
+        check(
+            "[0, 0], [1, 0]",
+            "[0, 0], [2, 0]",
+            &["basis `b` is malformed"],
+        );
+        check(
+            "input x: vec2",
+            "input x: vec2\ninput z: vec0",
+            &["`z` has no entries"],
+        );
+        check(
+            "input x: vec2",
+            "input x: vec2\ninput x: vec2",
+            &["`x` is named twice"],
+        );
     }
 }

@@ -54,7 +54,11 @@ pub fn program(law: &Law, name: &str, frame: &Frame) -> Program {
     lowering.replaced = frame.replaced.clone();
     // In the order of the law, so that the program reads from the reference to the control as the equations do.
     let needed = needed(law, frame);
-    for equation in law.equations().iter().filter(|equation| needed.contains(&equation.name)) {
+    for equation in law
+        .equations()
+        .iter()
+        .filter(|equation| needed.contains(&equation.name))
+    {
         lowering.quantity(&equation.name);
     }
     let outputs = frame
@@ -70,7 +74,11 @@ pub fn program(law: &Law, name: &str, frame: &Frame) -> Program {
 /// Quantities that the outputs of a frame depend on.
 fn needed(law: &Law, frame: &Frame) -> BTreeSet<String> {
     let mut needed: BTreeSet<String> = BTreeSet::new();
-    let mut pending: Vec<String> = frame.outputs.iter().map(|(_, quantity)| quantity.clone()).collect();
+    let mut pending: Vec<String> = frame
+        .outputs
+        .iter()
+        .map(|(_, quantity)| quantity.clone())
+        .collect();
     while let Some(quantity) = pending.pop() {
         let given = frame.inputs.iter().any(|(input, _, _)| *input == quantity);
         if given || !needed.insert(quantity.clone()) {

@@ -27,12 +27,16 @@ fn element(program: &mut Program, a: ValueId, row: usize, column: usize) -> Opti
 
 /// [a_11, a_12, ..] == a (exact), for all entries of one array of the same type
 fn whole(program: &Program, items: &[ValueId], ty: Type) -> Option<ValueId> {
-    let Op::Element(array, 0, 0) = program.instruction(*items.first()?).op else { return None };
+    let Op::Element(array, 0, 0) = program.instruction(*items.first()?).op else {
+        return None;
+    };
     if program.ty(array) != ty {
         return None;
     }
     let columns = columns(program, array);
-    let in_order = |(index, &item): (usize, &ValueId)| program.instruction(item).op == Op::Element(array, index / columns, index % columns);
+    let in_order = |(index, &item): (usize, &ValueId)| {
+        program.instruction(item).op == Op::Element(array, index / columns, index % columns)
+    };
     items.iter().enumerate().all(in_order).then_some(array)
 }
 

@@ -64,23 +64,66 @@ impl Mul<Cost> for u64 {
 
 impl Display for Cost {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let Cost { additions, multiplications, divisions, roots, elementary, selections } = self;
-        write!(f, "{additions} additions, {multiplications} multiplications, {divisions} divisions, {roots} square roots, ")?;
-        write!(f, "{elementary} elementary functions, {selections} comparisons and selections")
+        let Cost {
+            additions,
+            multiplications,
+            divisions,
+            roots,
+            elementary,
+            selections,
+        } = self;
+        write!(
+            f,
+            "{additions} additions, {multiplications} multiplications, {divisions} divisions, {roots} square roots, "
+        )?;
+        write!(
+            f,
+            "{elementary} elementary functions, {selections} comparisons and selections"
+        )
     }
 }
 
-const NOTHING: Cost = Cost { additions: 0, multiplications: 0, divisions: 0, roots: 0, elementary: 0, selections: 0 };
-const ADDITION: Cost = Cost { additions: 1, ..NOTHING };
-const MULTIPLICATION: Cost = Cost { multiplications: 1, ..NOTHING };
-const DIVISION: Cost = Cost { divisions: 1, ..NOTHING };
-const ROOT: Cost = Cost { roots: 1, ..NOTHING };
-const ELEMENTARY: Cost = Cost { elementary: 1, ..NOTHING };
-const SELECTION: Cost = Cost { selections: 1, ..NOTHING };
+const NOTHING: Cost = Cost {
+    additions: 0,
+    multiplications: 0,
+    divisions: 0,
+    roots: 0,
+    elementary: 0,
+    selections: 0,
+};
+const ADDITION: Cost = Cost {
+    additions: 1,
+    ..NOTHING
+};
+const MULTIPLICATION: Cost = Cost {
+    multiplications: 1,
+    ..NOTHING
+};
+const DIVISION: Cost = Cost {
+    divisions: 1,
+    ..NOTHING
+};
+const ROOT: Cost = Cost {
+    roots: 1,
+    ..NOTHING
+};
+const ELEMENTARY: Cost = Cost {
+    elementary: 1,
+    ..NOTHING
+};
+const SELECTION: Cost = Cost {
+    selections: 1,
+    ..NOTHING
+};
 
 /// The operations of a verified program.
 pub fn count(program: &Program) -> Cost {
-    program.instructions.iter().fold(NOTHING, |sum, instruction| sum + operation(program, &instruction.op, instruction.ty))
+    program
+        .instructions
+        .iter()
+        .fold(NOTHING, |sum, instruction| {
+            sum + operation(program, &instruction.op, instruction.ty)
+        })
 }
 
 fn operation(program: &Program, op: &Op, ty: Type) -> Cost {
@@ -99,14 +142,23 @@ fn operation(program: &Program, op: &Op, ty: Type) -> Cost {
         Op::Solve(..) => solve(entries),
         Op::SingularVector(a) => singular_vector(size(program.shape(a)) as u64 / entries, entries),
         Op::Polynomial(id, _) => {
-            let (additions, multiplications) = Horner::new(&program.polynomials[id.0 as usize]).operations();
-            Cost { additions, multiplications, ..NOTHING }
+            let (additions, multiplications) =
+                Horner::new(&program.polynomials[id.0 as usize]).operations();
+            Cost {
+                additions,
+                multiplications,
+                ..NOTHING
+            }
         }
         Op::Basis(id, _) => products(&program.bases[id.0 as usize]) * MULTIPLICATION,
         // m and m' of each product
-        Op::BasisRate(id, ..) => products(&program.bases[id.0 as usize]) * (3 * MULTIPLICATION + ADDITION),
+        Op::BasisRate(id, ..) => {
+            products(&program.bases[id.0 as usize]) * (3 * MULTIPLICATION + ADDITION)
+        }
         // m, m' and m'' of each product
-        Op::BasisRate2(id, ..) => products(&program.bases[id.0 as usize]) * (7 * MULTIPLICATION + 3 * ADDITION),
+        Op::BasisRate2(id, ..) => {
+            products(&program.bases[id.0 as usize]) * (7 * MULTIPLICATION + 3 * ADDITION)
+        }
     }
 }
 
@@ -131,7 +183,9 @@ fn binary(operator: Operator) -> Cost {
 
 fn kernel(kernel: Kernel) -> Cost {
     // the series with its argument, the sine and cosine quotients, doubling and scaling, and the selection of an arm
-    let derivative = 11 * (ADDITION + MULTIPLICATION) + 2 * (ELEMENTARY + DIVISION + MULTIPLICATION + ADDITION) + 2 * SELECTION;
+    let derivative = 11 * (ADDITION + MULTIPLICATION)
+        + 2 * (ELEMENTARY + DIVISION + MULTIPLICATION + ADDITION)
+        + 2 * SELECTION;
     match kernel {
         Kernel::SinCosOver => ELEMENTARY + ADDITION + DIVISION + SELECTION,
         Kernel::TanOver => ELEMENTARY + DIVISION + SELECTION,
@@ -153,7 +207,9 @@ fn solve(n: u64) -> Cost {
         3 => 9 * product_sum + 4 * sum_of_products(3) + 3 * DIVISION,
         _ => {
             let update = MULTIPLICATION + ADDITION;
-            let elimination = (0..n).fold(NOTHING, |sum, below| sum + below * (DIVISION + SELECTION + (below + 1) * update));
+            let elimination = (0..n).fold(NOTHING, |sum, below| {
+                sum + below * (DIVISION + SELECTION + (below + 1) * update)
+            });
             elimination + n * (n - 1) / 2 * update + n * DIVISION
         }
     }
@@ -169,7 +225,11 @@ fn singular_vector(rows: u64, columns: u64) -> Cost {
 
 /// Monomials of degree two or more.
 fn products(basis: &MonomialBasis) -> u64 {
-    basis.exponents.iter().filter(|exponents| exponents.iter().sum::<u32>() > 1).count() as u64
+    basis
+        .exponents
+        .iter()
+        .filter(|exponents| exponents.iter().sum::<u32>() > 1)
+        .count() as u64
 }
 
 /// Length of a row of a matrix.
@@ -185,31 +245,73 @@ mod tests {
     use super::*;
 
     fn check(lines: &str, expected: &str) {
-        let text: String = lines.lines().enumerate().map(|(i, line)| format!("%{i}: {}\n", line.trim())).collect();
-        let program: Program = format!("polynomial f(a) = 1.0 [0], 2.0 [3]\nbasis b(p) = [0], [1], [2]\n{text}").parse().unwrap();
+        let text: String = lines
+            .lines()
+            .enumerate()
+            .map(|(i, line)| format!("%{i}: {}\n", line.trim()))
+            .collect();
+        let program: Program =
+            format!("polynomial f(a) = 1.0 [0], 2.0 [3]\nbasis b(p) = [0], [1], [2]\n{text}")
+                .parse()
+                .unwrap();
         program.assert_sound();
-        let Cost { additions, multiplications, divisions, roots, elementary, selections } = count(&program);
-        let counts =
-            [(additions, "add"), (multiplications, "mul"), (divisions, "div"), (roots, "sqrt"), (elementary, "fn"), (selections, "sel")];
-        let counts: Vec<String> = counts.iter().filter(|(n, _)| *n > 0).map(|(n, word)| format!("{n} {word}")).collect();
+        let Cost {
+            additions,
+            multiplications,
+            divisions,
+            roots,
+            elementary,
+            selections,
+        } = count(&program);
+        let counts = [
+            (additions, "add"),
+            (multiplications, "mul"),
+            (divisions, "div"),
+            (roots, "sqrt"),
+            (elementary, "fn"),
+            (selections, "sel"),
+        ];
+        let counts: Vec<String> = counts
+            .iter()
+            .filter(|(n, _)| *n > 0)
+            .map(|(n, word)| format!("{n} {word}"))
+            .collect();
         assert_eq!(counts.join(" "), expected, "{lines}");
     }
 
     #[test]
     fn counts_follow_the_shapes() {
-        let (vector, matrix) = ("vec3 = const [1.0, 2.0, 3.0]", "mat2x3 = const [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]");
-        check(&format!("{vector}\nvec3 = sin %0\nvec3 = sqrt %1\nvec3 = neg %2"), "3 sqrt 3 fn");
-        check(&format!("{vector}\n{matrix}\nvec2 = matmul %1, %0"), "4 add 6 mul");
-        check(&format!("{vector}\nreal = dot %0, %0\nvec3 = div %0, %1"), "2 add 3 mul 3 div");
+        let (vector, matrix) = (
+            "vec3 = const [1.0, 2.0, 3.0]",
+            "mat2x3 = const [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]",
+        );
+        check(
+            &format!("{vector}\nvec3 = sin %0\nvec3 = sqrt %1\nvec3 = neg %2"),
+            "3 sqrt 3 fn",
+        );
+        check(
+            &format!("{vector}\n{matrix}\nvec2 = matmul %1, %0"),
+            "4 add 6 mul",
+        );
+        check(
+            &format!("{vector}\nreal = dot %0, %0\nvec3 = div %0, %1"),
+            "2 add 3 mul 3 div",
+        );
         check("real = const 2.0\nreal = polynomial f, %0", "1 add 3 mul");
         check("real = const 2.0\nreal = powi %0, 7", "4 mul");
-        check("vec1 = const [2.0]\nvec3 = basis_rate b, %0, %0", "1 add 3 mul");
+        check(
+            "vec1 = const [2.0]\nvec3 = basis_rate b, %0, %0",
+            "1 add 3 mul",
+        );
     }
 
     #[test]
     fn solving_counts_its_method() {
         let of = |n: usize| {
-            let (a, b) = (format!("{:?}", vec![1.0; n * n]), format!("{:?}", vec![1.0; n]));
+            let (a, b) = (
+                format!("{:?}", vec![1.0; n * n]),
+                format!("{:?}", vec![1.0; n]),
+            );
             format!("mat{n}x{n} = const {a}\nvec{n} = const {b}\nvec{n} = solve %0, %1")
         };
         check(&of(2), "3 add 6 mul 2 div");

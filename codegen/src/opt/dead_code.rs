@@ -8,9 +8,18 @@ pub(super) fn run(mut program: Program) -> Program {
     let needed = needed(&program);
     let source = std::mem::take(&mut program.instructions);
     let mut moved = vec![ValueId(0); source.len()];
-    for (index, mut instruction) in source.into_iter().enumerate().filter(|&(index, _)| needed[index]) {
-        instruction.op = instruction.op.map_operands(|operand| moved[operand.0 as usize]);
-        moved[index] = ValueId(u32::try_from(program.instructions.len()).expect("invariant: fewer than 2^32 instructions"));
+    for (index, mut instruction) in source
+        .into_iter()
+        .enumerate()
+        .filter(|&(index, _)| needed[index])
+    {
+        instruction.op = instruction
+            .op
+            .map_operands(|operand| moved[operand.0 as usize]);
+        moved[index] = ValueId(
+            u32::try_from(program.instructions.len())
+                .expect("invariant: fewer than 2^32 instructions"),
+        );
         program.instructions.push(instruction);
     }
     for (_, value) in &mut program.outputs {
@@ -43,19 +52,26 @@ fn drop_tables(program: &mut Program) {
     for instruction in &program.instructions {
         match instruction.op {
             Op::Polynomial(id, _) => polynomials[id.0 as usize] = true,
-            Op::Basis(id, _) | Op::BasisRate(id, ..) | Op::BasisRate2(id, ..) => bases[id.0 as usize] = true,
+            Op::Basis(id, _) | Op::BasisRate(id, ..) | Op::BasisRate2(id, ..) => {
+                bases[id.0 as usize] = true
+            }
             _ => {}
         }
         if let Some(origin) = instruction.origin {
             origins[origin] = true;
         }
     }
-    let (polynomials, bases) = (keep(&mut program.polynomials, &polynomials), keep(&mut program.bases, &bases));
+    let (polynomials, bases) = (
+        keep(&mut program.polynomials, &polynomials),
+        keep(&mut program.bases, &bases),
+    );
     let origins = keep(&mut program.origins, &origins);
     for instruction in &mut program.instructions {
         match &mut instruction.op {
             Op::Polynomial(PolynomialId(id), _) => *id = polynomials[*id as usize],
-            Op::Basis(BasisId(id), _) | Op::BasisRate(BasisId(id), ..) | Op::BasisRate2(BasisId(id), ..) => *id = bases[*id as usize],
+            Op::Basis(BasisId(id), _)
+            | Op::BasisRate(BasisId(id), ..)
+            | Op::BasisRate2(BasisId(id), ..) => *id = bases[*id as usize],
             _ => {}
         }
         if let Some(origin) = &mut instruction.origin {

@@ -10,15 +10,24 @@ use super::rewrite::{is_leaf, literal, rewrite};
 pub(super) fn run(program: Program) -> Program {
     let tables = Tables::of(&program);
     rewrite(program, |program, instruction| {
-        let Type::Real(shape) = instruction.ty else { return None };
+        let Type::Real(shape) = instruction.ty else {
+            return None;
+        };
         let operands = instruction.op.operands();
-        if is_leaf(&instruction.op) || operands.iter().any(|&operand| literal(program, operand).is_none()) {
+        if is_leaf(&instruction.op)
+            || operands
+                .iter()
+                .any(|&operand| literal(program, operand).is_none())
+        {
             return None;
         }
         // f(literals) == eval(f(literals)) (exact)
         let mut folded = vec![0.0; entries(instruction.ty)];
         let value = |id| literal(program, id).expect("invariant: every operand is a literal");
         tables.apply(program, &instruction.op, value, &mut folded);
-        folded.iter().all(|entry| entry.is_finite()).then(|| program.constant(shape, folded))
+        folded
+            .iter()
+            .all(|entry| entry.is_finite())
+            .then(|| program.constant(shape, folded))
     })
 }

@@ -15,7 +15,9 @@ pub(super) fn run(program: Program) -> Program {
         // min(x, x) == x, max(x, x) == x (exact)
         Op::Binary(Operator::Min | Operator::Max, a, b) if a == b => Some(a),
         Op::Apply(function, a) => apply(program, function, a),
-        Op::PowInt(a, n) if n % 2 == 0 => even_power(program, a).map(|a| program.push(Op::PowInt(a, n))),
+        Op::PowInt(a, n) if n % 2 == 0 => {
+            even_power(program, a).map(|a| program.push(Op::PowInt(a, n)))
+        }
         Op::SumSquares(a) => even_power(program, a).map(|a| program.push(Op::SumSquares(a))),
         // a . a == |a|^2 (exact: the same products in the same order)
         Op::Dot(a, b) if a == b => Some(program.push(Op::SumSquares(a))),
@@ -28,7 +30,12 @@ pub(super) fn run(program: Program) -> Program {
     })
 }
 
-fn sum(program: &mut Program, instruction: &Instruction, a: ValueId, b: ValueId) -> Option<ValueId> {
+fn sum(
+    program: &mut Program,
+    instruction: &Instruction,
+    a: ValueId,
+    b: ValueId,
+) -> Option<ValueId> {
     // x + -0 == x, -0 + x == x (exact)
     if is_all(program, b, -0.0)
         && let Some(a) = of_type(program, a, instruction.ty)
@@ -48,7 +55,12 @@ fn sum(program: &mut Program, instruction: &Instruction, a: ValueId, b: ValueId)
     negated(program, a).map(|a| program.binary(Operator::Sub, b, a))
 }
 
-fn difference(program: &mut Program, instruction: &Instruction, a: ValueId, b: ValueId) -> Option<ValueId> {
+fn difference(
+    program: &mut Program,
+    instruction: &Instruction,
+    a: ValueId,
+    b: ValueId,
+) -> Option<ValueId> {
     // x - 0 == x (exact)
     if is_all(program, b, 0.0)
         && let Some(a) = of_type(program, a, instruction.ty)
@@ -64,7 +76,12 @@ fn difference(program: &mut Program, instruction: &Instruction, a: ValueId, b: V
     Some(program.push(Op::Apply(Function::Neg, b)))
 }
 
-fn product(program: &mut Program, instruction: &Instruction, a: ValueId, b: ValueId) -> Option<ValueId> {
+fn product(
+    program: &mut Program,
+    instruction: &Instruction,
+    a: ValueId,
+    b: ValueId,
+) -> Option<ValueId> {
     for (x, factor) in [(a, b), (b, a)] {
         if program.ty(x) != instruction.ty {
             continue;
@@ -83,7 +100,12 @@ fn product(program: &mut Program, instruction: &Instruction, a: ValueId, b: Valu
     Some(program.binary(Operator::Mul, a, b))
 }
 
-fn quotient(program: &mut Program, instruction: &Instruction, a: ValueId, b: ValueId) -> Option<ValueId> {
+fn quotient(
+    program: &mut Program,
+    instruction: &Instruction,
+    a: ValueId,
+    b: ValueId,
+) -> Option<ValueId> {
     if program.ty(a) == instruction.ty {
         // x / 1 == x (exact)
         if is_all(program, b, 1.0) {
@@ -100,7 +122,10 @@ fn quotient(program: &mut Program, instruction: &Instruction, a: ValueId, b: Val
     }
     // x / 2^k == x * 2^-k (exact: both round the same real number)
     let divisors = literal(program, b)?;
-    let reciprocals = divisors.iter().all(|&d| is_power_of_two(d)).then(|| divisors.iter().map(|d| 1.0 / d).collect())?;
+    let reciprocals = divisors
+        .iter()
+        .all(|&d| is_power_of_two(d))
+        .then(|| divisors.iter().map(|d| 1.0 / d).collect())?;
     let reciprocals = program.constant(program.shape(b), reciprocals);
     Some(program.binary(Operator::Mul, a, reciprocals))
 }
@@ -118,7 +143,9 @@ fn apply(program: &mut Program, function: Function, a: ValueId) -> Option<ValueI
         // ||x|| == |x| (exact)
         (Function::Abs, &Op::Apply(Function::Abs, _)) => Some(a),
         // |-x| == |x| (exact)
-        (Function::Abs, &Op::Apply(Function::Neg, x)) => Some(program.push(Op::Apply(Function::Abs, x))),
+        (Function::Abs, &Op::Apply(Function::Neg, x)) => {
+            Some(program.push(Op::Apply(Function::Abs, x)))
+        }
         _ => None,
     }
 }

@@ -37,24 +37,58 @@ pub struct Pass {
 
 /// All passes, in the order of a round.
 pub const PASSES: [Pass; 10] = [
-    Pass { name: "fold", kind: Kind::Exact, run: fold::run },
-    Pass { name: "select", kind: Kind::Exact, run: select::run },
-    Pass { name: "identities", kind: Kind::Exact, run: identities::run },
+    Pass {
+        name: "fold",
+        kind: Kind::Exact,
+        run: fold::run,
+    },
+    Pass {
+        name: "select",
+        kind: Kind::Exact,
+        run: select::run,
+    },
+    Pass {
+        name: "identities",
+        kind: Kind::Exact,
+        run: identities::run,
+    },
     Pass {
         name: "structural_zeros",
         kind: Kind::Reassociating("equal for finite values, up to the sign of a zero"),
         run: structural_zeros::run,
     },
-    Pass { name: "arrays", kind: Kind::Exact, run: arrays::run },
-    Pass { name: "transposes", kind: Kind::Exact, run: transposes::run },
-    Pass { name: "powers", kind: Kind::Exact, run: powers::run },
-    Pass { name: "value_numbering", kind: Kind::Exact, run: value_numbering::run },
+    Pass {
+        name: "arrays",
+        kind: Kind::Exact,
+        run: arrays::run,
+    },
+    Pass {
+        name: "transposes",
+        kind: Kind::Exact,
+        run: transposes::run,
+    },
+    Pass {
+        name: "powers",
+        kind: Kind::Exact,
+        run: powers::run,
+    },
+    Pass {
+        name: "value_numbering",
+        kind: Kind::Exact,
+        run: value_numbering::run,
+    },
     Pass {
         name: "reciprocals",
-        kind: Kind::Reassociating("a quotient a/d is off by at most 1.5 ulp instead of 0.5, while 1/d neither over- nor underflows"),
+        kind: Kind::Reassociating(
+            "a quotient a/d is off by at most 1.5 ulp instead of 0.5, while 1/d neither over- nor underflows",
+        ),
         run: reciprocals::run,
     },
-    Pass { name: "dead_code", kind: Kind::Exact, run: dead_code::run },
+    Pass {
+        name: "dead_code",
+        kind: Kind::Exact,
+        run: dead_code::run,
+    },
 ];
 
 /// Which passes are applied.
@@ -82,7 +116,10 @@ pub fn optimise_with(mut program: Program, arithmetic: Arithmetic) -> Program {
     }
     for _ in 0..ROUNDS {
         let before = program.clone();
-        for pass in PASSES.iter().filter(|pass| arithmetic == Arithmetic::Relaxed || pass.kind == Kind::Exact) {
+        for pass in PASSES
+            .iter()
+            .filter(|pass| arithmetic == Arithmetic::Relaxed || pass.kind == Kind::Exact)
+        {
             program = (pass.run)(program);
             if cfg!(debug_assertions) {
                 program.assert_sound();

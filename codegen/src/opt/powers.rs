@@ -13,7 +13,11 @@ pub(super) fn run(program: Program) -> Program {
         // x^n == its left-to-right binary powering (exact: that is its definition)
         Op::PowInt(x, n) if n <= LARGEST => Some((0..n.ilog2()).rev().fold(x, |r, bit| {
             let square = program.binary(Operator::Mul, r, r);
-            if n >> bit & 1 == 1 { program.binary(Operator::Mul, square, x) } else { square }
+            if n >> bit & 1 == 1 {
+                program.binary(Operator::Mul, square, x)
+            } else {
+                square
+            }
         })),
         _ => None,
     })

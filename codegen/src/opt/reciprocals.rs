@@ -13,14 +13,21 @@ pub(super) fn run(program: Program) -> Program {
             quotients[b.0 as usize] += size(program.shape(a));
         }
     }
-    let divisors = program.instructions.iter().map(|instruction| match instruction.op {
-        Op::Binary(Operator::Div, _, b) => quotients[b.0 as usize],
-        _ => 0,
-    });
+    let divisors = program
+        .instructions
+        .iter()
+        .map(|instruction| match instruction.op {
+            Op::Binary(Operator::Div, _, b) => quotients[b.0 as usize],
+            _ => 0,
+        });
     let mut entries_divided = divisors.collect::<Vec<usize>>().into_iter();
     rewrite(program, |program, instruction| {
-        let entries = entries_divided.next().expect("invariant: one call for each instruction");
-        let Op::Binary(Operator::Div, a, b) = instruction.op else { return None };
+        let entries = entries_divided
+            .next()
+            .expect("invariant: one call for each instruction");
+        let Op::Binary(Operator::Div, a, b) = instruction.op else {
+            return None;
+        };
         let is_reciprocal = literal(program, a).is_some_and(|data| data == [1.0]);
         if entries < 2 || is_reciprocal || program.shape(b) != Shape::Scalar {
             return None;

@@ -8,11 +8,16 @@ use crate::ir::{Function, Instruction, Op, Program, Type, ValueId};
 /// Outputs follow their values. A named value that is replaced passes its name and origin on to the value in its place, or to a copy of
 /// it if that is a literal or an input, which others read as what it is. If that value has a name already it keeps it; the lost name
 /// lives on where it is the name of an output.
-pub(super) fn rewrite(mut program: Program, mut rule: impl FnMut(&mut Program, &Instruction) -> Option<ValueId>) -> Program {
+pub(super) fn rewrite(
+    mut program: Program,
+    mut rule: impl FnMut(&mut Program, &Instruction) -> Option<ValueId>,
+) -> Program {
     let source = std::mem::take(&mut program.instructions);
     let mut replaced: Vec<ValueId> = Vec::with_capacity(source.len());
     for mut instruction in source {
-        instruction.op = instruction.op.map_operands(|operand| replaced[operand.0 as usize]);
+        instruction.op = instruction
+            .op
+            .map_operands(|operand| replaced[operand.0 as usize]);
         let value = match rule(&mut program, &instruction) {
             Some(value) => rename(&mut program, value, instruction),
             None => append(&mut program, instruction),
@@ -43,7 +48,9 @@ fn rename(program: &mut Program, value: ValueId, replaced: Instruction) -> Value
 }
 
 fn append(program: &mut Program, instruction: Instruction) -> ValueId {
-    let id = ValueId(u32::try_from(program.instructions.len()).expect("invariant: fewer than 2^32 instructions"));
+    let id = ValueId(
+        u32::try_from(program.instructions.len()).expect("invariant: fewer than 2^32 instructions"),
+    );
     program.instructions.push(instruction);
     id
 }
@@ -63,7 +70,8 @@ pub(super) fn literal(program: &Program, id: ValueId) -> Option<&[f64]> {
 
 /// Whether every entry of a literal is `value`, to the sign of zero.
 pub(super) fn is_all(program: &Program, id: ValueId, value: f64) -> bool {
-    literal(program, id).is_some_and(|data| data.iter().all(|entry| entry.to_bits() == value.to_bits()))
+    literal(program, id)
+        .is_some_and(|data| data.iter().all(|entry| entry.to_bits() == value.to_bits()))
 }
 
 /// a, for the value -a.

@@ -15,15 +15,17 @@ pub(super) fn run(program: Program) -> Program {
         }
         let known = |id: ValueId| truths[id.0 as usize];
         match instruction.op {
-            Op::Select(condition, a, b) => match (known(condition), &program.instruction(condition).op) {
-                // true ? a : b == a, false ? a : b == b (exact)
-                (Some(holds), _) => Some(if holds { a } else { b }),
-                // c ? a : a == a (exact)
-                _ if a == b => Some(a),
-                // !c ? a : b == c ? b : a (exact)
-                (None, &Op::Not(c)) => Some(program.push(Op::Select(c, b, a))),
-                _ => None,
-            },
+            Op::Select(condition, a, b) => {
+                match (known(condition), &program.instruction(condition).op) {
+                    // true ? a : b == a, false ? a : b == b (exact)
+                    (Some(holds), _) => Some(if holds { a } else { b }),
+                    // c ? a : a == a (exact)
+                    _ if a == b => Some(a),
+                    // !c ? a : b == c ? b : a (exact)
+                    (None, &Op::Not(c)) => Some(program.push(Op::Select(c, b, a))),
+                    _ => None,
+                }
+            }
             Op::Not(c) => match program.instruction(c).op {
                 // !!c == c (exact)
                 Op::Not(inner) => Some(inner),
@@ -43,7 +45,11 @@ pub(super) fn run(program: Program) -> Program {
 /// The truth value of an operation, if literals decide it; `truths` are those of earlier values.
 fn truth(program: &Program, truths: &[Option<bool>], op: &Op) -> Option<bool> {
     match *op {
-        Op::Compare(relation, a, b) => Some(comparison(relation, literal(program, a)?[0], literal(program, b)?[0])),
+        Op::Compare(relation, a, b) => Some(comparison(
+            relation,
+            literal(program, a)?[0],
+            literal(program, b)?[0],
+        )),
         Op::Not(c) => truths[c.0 as usize].map(|holds| !holds),
         Op::And(a, b) => Some(truths[a.0 as usize]? && truths[b.0 as usize]?),
         Op::Or(a, b) => Some(truths[a.0 as usize]? || truths[b.0 as usize]?),

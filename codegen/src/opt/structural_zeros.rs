@@ -13,15 +13,25 @@ pub(super) fn run(program: Program) -> Program {
         Op::Binary(operator, a, b) => elementwise(program, instruction, operator, a, b),
         Op::MatMul(a, b) => matrix_product(program, instruction, a, b),
         // 0 . x == 0, 0 x^T == 0 (finite x)
-        Op::Dot(a, b) | Op::Outer(a, b) if is_zero(program, a) || is_zero(program, b) => Some(zero(program, instruction)),
+        Op::Dot(a, b) | Op::Outer(a, b) if is_zero(program, a) || is_zero(program, b) => {
+            Some(zero(program, instruction))
+        }
         _ => None,
     })
 }
 
-fn elementwise(program: &mut Program, instruction: &Instruction, operator: Operator, a: ValueId, b: ValueId) -> Option<ValueId> {
+fn elementwise(
+    program: &mut Program,
+    instruction: &Instruction,
+    operator: Operator,
+    a: ValueId,
+    b: ValueId,
+) -> Option<ValueId> {
     match operator {
         // x * 0 == 0, 0 * x == 0 (finite x, up to the sign of zero)
-        Operator::Mul if is_zero(program, a) || is_zero(program, b) => Some(zero(program, instruction)),
+        Operator::Mul if is_zero(program, a) || is_zero(program, b) => {
+            Some(zero(program, instruction))
+        }
         // 0 / x == 0 (finite x other than 0, up to the sign of zero)
         Operator::Div if is_zero(program, a) => Some(zero(program, instruction)),
         // x + 0 == x, x - 0 == x (up to the sign of zero)
@@ -37,7 +47,12 @@ fn elementwise(program: &mut Program, instruction: &Instruction, operator: Opera
     }
 }
 
-fn matrix_product(program: &mut Program, instruction: &Instruction, a: ValueId, b: ValueId) -> Option<ValueId> {
+fn matrix_product(
+    program: &mut Program,
+    instruction: &Instruction,
+    a: ValueId,
+    b: ValueId,
+) -> Option<ValueId> {
     // 0 B == 0, A 0 == 0 (finite entries)
     if is_zero(program, a) || is_zero(program, b) {
         return Some(zero(program, instruction));
@@ -52,7 +67,9 @@ fn matrix_product(program: &mut Program, instruction: &Instruction, a: ValueId, 
         return Some(b);
     }
     // diag(d) x == d * x elementwise (finite entries, up to the sign of zero)
-    let shape @ Shape::Vector(_) = program.shape(b) else { return None };
+    let shape @ Shape::Vector(_) = program.shape(b) else {
+        return None;
+    };
     let diagonal = program.constant(shape, diagonal);
     Some(program.binary(Operator::Mul, diagonal, b))
 }
@@ -63,14 +80,21 @@ fn is_zero(program: &Program, id: ValueId) -> bool {
 
 /// The literal 0 of the instruction's shape.
 fn zero(program: &mut Program, instruction: &Instruction) -> ValueId {
-    let Type::Real(shape) = instruction.ty else { panic!("invariant: arithmetic gives a real value") };
+    let Type::Real(shape) = instruction.ty else {
+        panic!("invariant: arithmetic gives a real value")
+    };
     program.constant(shape, vec![0.0; size(shape)])
 }
 
 /// The diagonal of a literal square matrix whose other entries are 0.
 fn diagonal(program: &Program, id: ValueId) -> Option<Vec<f64>> {
-    let Shape::Matrix(rows, columns) = program.shape(id) else { return None };
+    let Shape::Matrix(rows, columns) = program.shape(id) else {
+        return None;
+    };
     let data = literal(program, id).filter(|_| rows == columns)?;
     let off = |(index, &entry): (usize, &f64)| index / columns == index % columns || entry == 0.0;
-    data.iter().enumerate().all(off).then(|| data.iter().step_by(columns + 1).copied().collect())
+    data.iter()
+        .enumerate()
+        .all(off)
+        .then(|| data.iter().step_by(columns + 1).copied().collect())
 }

@@ -2,7 +2,10 @@ use super::*;
 use crate::ir::{Input, Op, Operator, Shape, Values, build, eval, random};
 
 fn pass(name: &str) -> &'static Pass {
-    PASSES.iter().find(|pass| pass.name == name).expect("a pass of that name")
+    PASSES
+        .iter()
+        .find(|pass| pass.name == name)
+        .expect("a pass of that name")
 }
 
 /// Snapshots a program given by its statements before and after a pass, without what the pass left unused, under the name of the pass.
@@ -12,34 +15,69 @@ fn check(name: &str, text: &str) {
     before.assert_sound();
     let after = (pass("dead_code").run)((pass(name).run)(before.clone()));
     after.assert_sound();
-    insta::assert_snapshot!(name, format!("-- before --\n{before}-- after {name} --\n{after}"));
+    insta::assert_snapshot!(
+        name,
+        format!("-- before --\n{before}-- after {name} --\n{after}")
+    );
 
-    let ordinary = |shape| (0..build::size(shape)).map(|i| 0.7 + 1.3 * i as f64).collect::<Vec<f64>>();
-    let inputs: Values = before.inputs.iter().map(|input| (input.name.clone(), ordinary(input.shape))).collect();
-    let (expected, found) = (eval::eval(&before, &inputs).unwrap(), eval::eval(&after, &inputs).unwrap());
+    let ordinary = |shape| {
+        (0..build::size(shape))
+            .map(|i| 0.7 + 1.3 * i as f64)
+            .collect::<Vec<f64>>()
+    };
+    let inputs: Values = before
+        .inputs
+        .iter()
+        .map(|input| (input.name.clone(), ordinary(input.shape)))
+        .collect();
+    let (expected, found) = (
+        eval::eval(&before, &inputs).unwrap(),
+        eval::eval(&after, &inputs).unwrap(),
+    );
     for ((name, expected), (_, found)) in expected.iter().zip(&found) {
         let close = |(a, b): (&f64, &f64)| a == b || (a - b).abs() <= 2.0 * f64::EPSILON * a.abs();
-        assert!(expected.iter().zip(found).all(close), "{name}: {found:?}, expected {expected:?}");
+        assert!(
+            expected.iter().zip(found).all(close),
+            "{name}: {found:?}, expected {expected:?}"
+        );
     }
 }
 
 /// Outputs and named values, NaN made one.
 fn bits(values: Values) -> Vec<(String, Vec<u64>)> {
-    let one_nan = |value: f64| if value.is_nan() { f64::NAN.to_bits() } else { value.to_bits() };
-    values.into_iter().map(|(name, values)| (name, values.into_iter().map(one_nan).collect())).collect()
+    let one_nan = |value: f64| {
+        if value.is_nan() {
+            f64::NAN.to_bits()
+        } else {
+            value.to_bits()
+        }
+    };
+    values
+        .into_iter()
+        .map(|(name, values)| (name, values.into_iter().map(one_nan).collect()))
+        .collect()
 }
 
 /// Asserts that `after` has the outputs of `before` and no other names, with the same bits for many inputs.
 fn assert_same_bits(before: &Program, after: &Program, context: &str) {
     after.assert_sound();
-    let names = |program: &Program| program.outputs.iter().map(|(name, _)| name.clone()).collect::<Vec<String>>();
+    let names = |program: &Program| {
+        program
+            .outputs
+            .iter()
+            .map(|(name, _)| name.clone())
+            .collect::<Vec<String>>()
+    };
     assert_eq!(names(before), names(after), "{context}");
     for seed in 0..12 {
         let inputs = random::inputs(before, seed);
         let mut expected = bits(eval::eval_named(before, &inputs).unwrap());
         let found = bits(eval::eval_named(after, &inputs).unwrap());
         expected.retain(|(name, _)| found.iter().any(|(kept, _)| kept == name));
-        assert_eq!(found, expected, "{context}, inputs {seed}:\n{before}\n{after}");
+        assert_eq!(
+            found, expected,
+            "{context}, inputs {seed}:\n{before}\n{after}"
+        );
     }
 }
 
@@ -49,9 +87,17 @@ fn exact_passes_keep_every_bit() {
         let program = random::program(seed, 40 + 2 * usize::try_from(seed).unwrap());
         for pass in PASSES.iter().filter(|pass| pass.kind == Kind::Exact) {
             let after = (pass.run)(program.clone());
-            assert_same_bits(&program, &after, &format!("{} on program {seed}", pass.name));
+            assert_same_bits(
+                &program,
+                &after,
+                &format!("{} on program {seed}", pass.name),
+            );
         }
-        assert_same_bits(&program, &optimise(program.clone()), &format!("all on program {seed}"));
+        assert_same_bits(
+            &program,
+            &optimise(program.clone()),
+            &format!("all on program {seed}"),
+        );
     }
 }
 
@@ -89,8 +135,14 @@ fn optimising_never_adds_operations() {
     for seed in 0..60 {
         let program = (pass("dead_code").run)(random::program(seed, 150));
         let (before, after) = (cost::count(&program), cost::count(&optimise(program)));
-        assert!(after.flops() + after.divisions <= before.flops() + before.divisions, "program {seed}: {before}; {after}");
-        assert!(after.elementary <= before.elementary && after.divisions <= before.divisions, "program {seed}: {before}; {after}");
+        assert!(
+            after.flops() + after.divisions <= before.flops() + before.divisions,
+            "program {seed}: {before}; {after}"
+        );
+        assert!(
+            after.elementary <= before.elementary && after.divisions <= before.divisions,
+            "program {seed}: {before}; {after}"
+        );
     }
 }
 
@@ -103,12 +155,26 @@ fn large_programs_are_optimised() {
 
 #[test]
 fn long_chains_are_optimised() {
-    let mut program =
-        Program { name: "chain".into(), inputs: vec![Input { name: "x".into(), shape: Shape::Scalar }], ..Program::default() };
+    let mut program = Program {
+        name: "chain".into(),
+        inputs: vec![Input {
+            name: "x".into(),
+            shape: Shape::Scalar,
+        }],
+        ..Program::default()
+    };
     let x = program.push(Op::Input(0));
     let mut last = x;
     for step in 0..100_000 {
-        last = program.binary(if step % 2 == 0 { Operator::Add } else { Operator::Mul }, last, x);
+        last = program.binary(
+            if step % 2 == 0 {
+                Operator::Add
+            } else {
+                Operator::Mul
+            },
+            last,
+            x,
+        );
     }
     program.outputs.push(("y".into(), last));
     assert_eq!(optimise(program.clone()), program);
@@ -194,5 +260,8 @@ fn relaxed_arithmetic_removes_what_strict_arithmetic_keeps() {
     let text = "input x: real\n%0: real = input x\n%1: real = const 0.0\n%2: real = mul %0, %1\n%3: real = add %0, %2\noutput y = %3";
     let program: Program = text.parse().unwrap();
     assert_eq!(cost::count(&optimise(program.clone())).flops(), 2);
-    assert_eq!(cost::count(&optimise_with(program, Arithmetic::Relaxed)).flops(), 0);
+    assert_eq!(
+        cost::count(&optimise_with(program, Arithmetic::Relaxed)).flops(),
+        0
+    );
 }

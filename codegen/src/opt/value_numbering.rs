@@ -13,7 +13,10 @@ pub(super) fn run(program: Program) -> Program {
         if instruction.name.is_some() && is_leaf(&instruction.op) {
             return None;
         }
-        let next = ValueId(u32::try_from(program.instructions.len()).expect("invariant: fewer than 2^32 instructions"));
+        let next = ValueId(
+            u32::try_from(program.instructions.len())
+                .expect("invariant: fewer than 2^32 instructions"),
+        );
         let key = (instruction.ty, program.text_of(&canonical(&instruction.op)));
         let value = *first.entry(key).or_insert(next);
         (value != next).then_some(value)
@@ -25,7 +28,9 @@ pub(super) fn run(program: Program) -> Program {
 fn canonical(op: &Op) -> Op {
     match *op {
         // a + b == b + a, a * b == b * a (exact)
-        Op::Binary(operator @ (Operator::Add | Operator::Mul), a, b) => Op::Binary(operator, a.min(b), a.max(b)),
+        Op::Binary(operator @ (Operator::Add | Operator::Mul), a, b) => {
+            Op::Binary(operator, a.min(b), a.max(b))
+        }
         // a . b == b . a (exact: each product commutes, their order stays)
         Op::Dot(a, b) => Op::Dot(a.min(b), a.max(b)),
         // a & b == b & a, a | b == b | a (exact)
@@ -35,7 +40,9 @@ fn canonical(op: &Op) -> Op {
         Op::Compare(Comparison::Gt, a, b) => Op::Compare(Comparison::Lt, b, a),
         Op::Compare(Comparison::Ge, a, b) => Op::Compare(Comparison::Le, b, a),
         // (a == b) == (b == a), (a != b) == (b != a) (exact)
-        Op::Compare(relation @ (Comparison::Eq | Comparison::Ne), a, b) => Op::Compare(relation, a.min(b), a.max(b)),
+        Op::Compare(relation @ (Comparison::Eq | Comparison::Ne), a, b) => {
+            Op::Compare(relation, a.min(b), a.max(b))
+        }
         _ => op.clone(),
     }
 }

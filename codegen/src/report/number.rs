@@ -21,9 +21,15 @@ pub(crate) fn short(value: f64) -> String {
     }
 }
 
-/// A fraction as a percentage.
+/// A fraction as a percentage with four significant digits at most, and four decimals.
 pub(crate) fn percent(fraction: f64) -> String {
-    format!("{} %", short((fraction * 1e6).round() / 1e4))
+    let value = (fraction * 1e6).round() / 1e4;
+    let text = if value.abs() < 1e-3 {
+        format!("{value:.4}")
+    } else {
+        short(value)
+    };
+    format!("{} %", if value == 0.0 { "0" } else { &text })
 }
 
 /// A count with its thousands apart.
@@ -54,7 +60,15 @@ mod tests {
         ] {
             assert_eq!(short(value), text);
         }
-        assert_eq!(percent(0.032), "3.2 %");
+        for (fraction, text) in [
+            (0.032, "3.2 %"),
+            (0.0, "0 %"),
+            (2e-6, "0.0002 %"),
+            (1e-9, "0 %"),
+            (1.0, "100 %"),
+        ] {
+            assert_eq!(percent(fraction), text);
+        }
         assert_eq!(count(5_000_000), "5 000 000");
         assert_eq!(count(12), "12");
     }

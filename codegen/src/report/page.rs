@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use super::Report;
 use super::figures::{Figure, figures};
 use super::html::{escape, number};
-use super::plot::svg;
+use super::plot::{Size, svg};
 use super::summary::{table, verdict};
 
 const STYLE: &str = include_str!("style.css");
@@ -80,12 +80,19 @@ fn section(figure: &Figure) -> String {
         paired,
         plots,
     } = figure;
-    let class = if !paired && plots.len().is_multiple_of(3) {
-        "plots three"
+    let (class, size) = if !paired && plots.len() % 3 == 0 {
+        ("plots three", Size::Narrow)
     } else {
-        "plots"
+        ("plots", Size::Wide)
     };
-    let pictures: String = plots.iter().map(|plot| svg(plot) + "\n").collect();
+    let pictures: String = plots
+        .iter()
+        .map(|plot| {
+            svg(plot, size)
+                + "
+"
+        })
+        .collect();
     format!(
         "<figure id=\"figure-{number}\">\n<h2><span>Figure {number}</span> {title}</h2>\n<div class=\"{class}\">\n{pictures}</div>\n\
          <figcaption>{}</figcaption>\n</figure>\n",

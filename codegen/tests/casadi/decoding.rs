@@ -133,7 +133,8 @@ fn decoded(constants: &str, nodes: &str, outputs: &str) -> Result<Program, TapeE
         output q = %1
         ",
     );
-    let text = format!(r#"{{"constants": [{constants}], "nodes": [{nodes}], "outputs": [{outputs}]}}"#);
+    let text =
+        format!(r#"{{"constants": [{constants}], "nodes": [{nodes}], "outputs": [{outputs}]}}"#);
     let tape: Tape = serde_json::from_str(&text).unwrap();
     decode(&Question::new(&formula, &jacobian(&["x"])), &tape)
 }
@@ -145,7 +146,11 @@ fn arithmetic(nodes: &str) -> String {
     let program = decoded(r#""0x1.8p+1""#, &nodes, &format!(r#"["q/x", [{count}]]"#)).unwrap();
     program.assert_sound();
     let lines = program.to_string();
-    lines.lines().filter(|line| line.starts_with('%')).map(|line| line.to_owned() + "\n").collect()
+    lines
+        .lines()
+        .filter(|line| line.starts_with('%'))
+        .map(|line| line.to_owned() + "\n")
+        .collect()
 }
 
 #[test]
@@ -165,7 +170,10 @@ fn each_operation_of_casadi_has_a_meaning() {
         r#"["NE", [0, 1], []], ["NOT", [2], []], ["IF_ELSE_ZERO", [3, 0], []], ["IF_ELSE_ZERO", [2, 1], []], ["ADD", [4, 5], []]"#,
         r#"["NOT", [0], []], ["IF_ELSE_ZERO", [2, 0], []]"#,
     ];
-    let shown: Vec<String> = operations.iter().map(|nodes| format!("{nodes}\n{}", arithmetic(nodes))).collect();
+    let shown: Vec<String> = operations
+        .iter()
+        .map(|nodes| format!("{nodes}\n{}", arithmetic(nodes)))
+        .collect();
     insta::assert_snapshot!(shown.join("\n"));
 }
 
@@ -202,16 +210,28 @@ fn a_tape_that_does_not_fit_is_refused() {
         ("", &format!(r#"{x}, ["powi", [0], [1]]"#), output),
         ("", &format!(r#"{x}, ["powi", [0], [99999999999]]"#), output),
         ("", &format!(r#"{x}, ["sin_cos_over", [0], [4]]"#), output),
-        ("", &format!(r#"{x}, ["polynomial", [0, 0], [1, 0, 0]]"#), output),
+        (
+            "",
+            &format!(r#"{x}, ["polynomial", [0, 0], [1, 0, 0]]"#),
+            output,
+        ),
         ("", &format!(r#"{x}, ["polynomial", [0], [0, 1]]"#), output),
-        ("", &format!(r#"{x}, ["polynomial", [0, 0], [0, 1000000, 0]]"#), output),
+        (
+            "",
+            &format!(r#"{x}, ["polynomial", [0, 0], [0, 1000000, 0]]"#),
+            output,
+        ),
         ("", x, r#"["q/x", [1]]"#),
         ("", x, r#"["q/x", [0, 0]]"#),
         ("", x, r#"["q/v", [0]]"#),
         ("", x, ""),
         ("", x, r#"["q/x", [0]], ["q/y", [0]]"#),
     ];
-    let errors: Vec<String> =
-        cases.iter().map(|(constants, nodes, outputs)| decoded(constants, nodes, outputs).unwrap_err().to_string()).collect();
+    let errors: Vec<String> = cases
+        .iter()
+        .map(|(constants, nodes, outputs)| {
+            decoded(constants, nodes, outputs).unwrap_err().to_string()
+        })
+        .collect();
     insta::assert_snapshot!(errors.join("\n"));
 }

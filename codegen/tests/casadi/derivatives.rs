@@ -153,22 +153,39 @@ const PIECES: &str = "
 fn point(program: &Program, seed: u64) -> Values {
     let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
     let mut next = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
         0.2 + 0.7 * ((state >> 11) as f64 / (1u64 << 53) as f64)
     };
-    program.inputs.iter().map(|input| (input.name.clone(), (0..size(input.shape)).map(|_| next()).collect())).collect()
+    program
+        .inputs
+        .iter()
+        .map(|input| {
+            (
+                input.name.clone(),
+                (0..size(input.shape)).map(|_| next()).collect(),
+            )
+        })
+        .collect()
 }
 
 /// d/ds at s = 0 of a value along a line, by central differences of order eight: error of about 1e-11 here.
 fn difference(value: impl Fn(f64) -> f64) -> f64 {
     const STEP: f64 = 2e-3;
     let weights = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
-    let sum = weights.iter().zip(1..).map(|(w, n)| w * (value(f64::from(n) * STEP) - value(f64::from(-n) * STEP)));
+    let sum = weights
+        .iter()
+        .zip(1..)
+        .map(|(w, n)| w * (value(f64::from(n) * STEP) - value(f64::from(-n) * STEP)));
     sum.sum::<f64>() / STEP
 }
 
 fn assert_close(found: f64, expected: f64, what: &str) {
-    assert!((found - expected).abs() <= 1e-8 * (1.0 + expected.abs()), "{what}: {found}, by differences {expected}");
+    assert!(
+        (found - expected).abs() <= 1e-8 * (1.0 + expected.abs()),
+        "{what}: {found}, by differences {expected}"
+    );
 }
 
 fn value(program: &Program, inputs: &Values, name: &str, entry: usize) -> f64 {
@@ -183,14 +200,26 @@ fn check_rates(text: &str, order: usize, varying: &[&str]) {
     let at = |t: f64| {
         let mut moved = inputs.clone();
         for name in varying {
-            let jet: Vec<&Vec<f64>> =
-                (0..=order).map(|k| &inputs[&if k == 0 { (*name).to_owned() } else { format!("{name}.rate{k}") }]).collect();
+            let jet: Vec<&Vec<f64>> = (0..=order)
+                .map(|k| {
+                    &inputs[&if k == 0 {
+                        (*name).to_owned()
+                    } else {
+                        format!("{name}.rate{k}")
+                    }]
+                })
+                .collect();
             for k in 0..=order {
                 let taylor = |entry: usize| {
-                    let terms = (k..=order).map(|j| jet[j][entry] * t.powi((j - k) as i32) / factorial(j - k));
+                    let terms = (k..=order)
+                        .map(|j| jet[j][entry] * t.powi((j - k) as i32) / factorial(j - k));
                     terms.sum::<f64>()
                 };
-                let key = if k == 0 { (*name).to_owned() } else { format!("{name}.rate{k}") };
+                let key = if k == 0 {
+                    (*name).to_owned()
+                } else {
+                    format!("{name}.rate{k}")
+                };
                 moved.insert(key, (0..jet[0].len()).map(taylor).collect());
             }
         }
@@ -199,10 +228,18 @@ fn check_rates(text: &str, order: usize, varying: &[&str]) {
     for (q, id) in &formula.outputs {
         for entry in 0..size(formula.shape(*id)) {
             for k in 1..=order {
-                let (below, name) = if k == 1 { (&formula, q.clone()) } else { (&program, format!("{q}.rate{}", k - 1)) };
+                let (below, name) = if k == 1 {
+                    (&formula, q.clone())
+                } else {
+                    (&program, format!("{q}.rate{}", k - 1))
+                };
                 let expected = difference(|t| value(below, &at(t), &name, entry));
                 let rate = format!("{q}.rate{k}");
-                assert_close(value(&program, &inputs, &rate, entry), expected, &format!("{rate}[{entry}]"));
+                assert_close(
+                    value(&program, &inputs, &rate, entry),
+                    expected,
+                    &format!("{rate}[{entry}]"),
+                );
             }
         }
     }
@@ -218,13 +255,20 @@ fn check_gradient(below: &Program, of: &str, above: &Program, wrt: &[&str], inpu
     for x in wrt {
         let columns = inputs[*x].len();
         let name = format!("{of}/{x}");
-        for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
+        for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)))
+        {
             let expected = difference(|s| {
                 let mut moved = inputs.clone();
-                moved.entry((*x).to_owned()).and_modify(|entries| entries[column] += s);
+                moved
+                    .entry((*x).to_owned())
+                    .and_modify(|entries| entries[column] += s);
                 value(below, &moved, of, row)
             });
-            assert_close(value(above, inputs, &name, row * columns + column), expected, &format!("{name}[{row}, {column}]"));
+            assert_close(
+                value(above, inputs, &name, row * columns + column),
+                expected,
+                &format!("{name}[{row}, {column}]"),
+            );
         }
     }
 }
@@ -237,7 +281,10 @@ fn check_jacobian(text: &str, wrt: &[&str]) {
     let formula = formula(text);
     let program = partials(&formula, &jacobian(wrt));
     let inputs = point(&formula, 3);
-    formula.outputs.iter().for_each(|(q, _)| check_gradient(&formula, q, &program, wrt, &inputs));
+    formula
+        .outputs
+        .iter()
+        .for_each(|(q, _)| check_gradient(&formula, q, &program, wrt, &inputs));
 }
 
 fn check_hessian(text: &str, wrt: &[&str]) {
@@ -246,7 +293,8 @@ fn check_hessian(text: &str, wrt: &[&str]) {
     let inputs = point(&formula, 5);
     for (q, _) in &formula.outputs {
         check_gradient(&formula, q, &program, wrt, &inputs);
-        wrt.iter().for_each(|x| check_gradient(&program, &format!("{q}/{x}"), &program, wrt, &inputs));
+        wrt.iter()
+            .for_each(|x| check_gradient(&program, &format!("{q}/{x}"), &program, wrt, &inputs));
     }
 }
 
@@ -313,12 +361,18 @@ fn an_arm_that_is_not_taken_may_be_nan() {
     for job in [rates(2, &["x", "y"]), Job::Jacobian { wrt }] {
         let program = partials(&formula, &job);
         let values: BTreeMap<_, _> = eval(&program, &inputs(&program)).unwrap();
-        assert!(values.values().flatten().all(|value| value.is_finite()), "{values:?}");
+        assert!(
+            values.values().flatten().all(|value| value.is_finite()),
+            "{values:?}"
+        );
     }
     check_at(&formula, &inputs(&formula));
 }
 
 fn check_at(formula: &Program, inputs: &Values) {
     let program = partials(formula, &jacobian(&["x", "y"]));
-    formula.outputs.iter().for_each(|(q, _)| check_gradient(formula, q, &program, &["x", "y"], inputs));
+    formula
+        .outputs
+        .iter()
+        .for_each(|(q, _)| check_gradient(formula, q, &program, &["x", "y"], inputs));
 }

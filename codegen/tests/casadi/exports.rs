@@ -10,7 +10,9 @@ use nsv_codegen::ir::Program;
 use super::{formula, partials, path, rates};
 
 fn product() -> Program {
-    formula("program product\n input x: real\n %0: real = input x\n %1: real = powi %0, 3\n output q = %1")
+    formula(
+        "program product\n input x: real\n %0: real = input x\n %1: real = powi %0, 3\n output q = %1",
+    )
 }
 
 /// A cache directory that holds the export of [`product`], as if CasADi had been asked before.
@@ -20,8 +22,13 @@ fn cache_with_product() -> tempfile::TempDir {
     let committed = Store::new(path("partials"));
     let program = product();
     let question = Question::new(&program, &rates(1, &["x"]));
-    let export = committed.load(&question.key(), &question.request).unwrap().unwrap();
-    Store::new(cache.path().join("partials")).save(&export).unwrap();
+    let export = committed
+        .load(&question.key(), &question.request)
+        .unwrap()
+        .unwrap();
+    Store::new(cache.path().join("partials"))
+        .save(&export)
+        .unwrap();
     cache
 }
 
@@ -29,7 +36,10 @@ fn cache_with_product() -> tempfile::TempDir {
 fn a_cached_export_is_committed_when_it_is_used() {
     let (cache, specs) = (cache_with_product(), tempfile::tempdir().unwrap());
     let directory = specs.path().join("partials");
-    let settings = Settings { cache: Some(cache.path().to_owned()), ..Settings::offline(&directory) };
+    let settings = Settings {
+        cache: Some(cache.path().to_owned()),
+        ..Settings::offline(&directory)
+    };
     let mut provider = Provider::new(settings, |_| {});
     provider.partials(&product(), &rates(1, &["x"])).unwrap();
     provider.commit().unwrap();
@@ -38,8 +48,15 @@ fn a_cached_export_is_committed_when_it_is_used() {
     assert!(provider.unused().unwrap().is_empty());
     let key = stored.first().unwrap();
     let name = format!("{key}.json");
-    assert_eq!(fs::read(directory.join(&name)).unwrap(), fs::read(path("partials").join(&name)).unwrap());
-    assert_eq!(fs::read_dir(&directory).unwrap().count(), 1, "no temporary file stays");
+    assert_eq!(
+        fs::read(directory.join(&name)).unwrap(),
+        fs::read(path("partials").join(&name)).unwrap()
+    );
+    assert_eq!(
+        fs::read_dir(&directory).unwrap().count(),
+        1,
+        "no temporary file stays"
+    );
 
     let idle = Provider::new(Settings::offline(&directory), |_| {});
     assert_eq!(idle.unused().unwrap(), BTreeSet::from([key.clone()]));
@@ -49,20 +66,35 @@ fn a_cached_export_is_committed_when_it_is_used() {
 fn a_missing_export_is_reported() {
     let empty = tempfile::tempdir().unwrap();
     let mut provider = Provider::new(Settings::offline(empty.path()), |_| {});
-    let error = provider.partials(&product(), &rates(1, &["x"])).unwrap_err();
+    let error = provider
+        .partials(&product(), &rates(1, &["x"]))
+        .unwrap_err();
     assert!(matches!(error, Error::ExportMissing { .. }), "{error:?}");
-    assert!(error.to_string().starts_with("the partial derivatives of `product` are not stored"), "{error}");
+    assert!(
+        error
+            .to_string()
+            .starts_with("the partial derivatives of `product` are not stored"),
+        "{error}"
+    );
 }
 
 /// The message for a committed export of [`product`] after `change`.
 fn changed(change: impl Fn(String) -> String) -> String {
     let (cache, specs) = (cache_with_product(), tempfile::tempdir().unwrap());
-    let entry = fs::read_dir(cache.path().join("partials")).unwrap().next().unwrap().unwrap();
+    let entry = fs::read_dir(cache.path().join("partials"))
+        .unwrap()
+        .next()
+        .unwrap()
+        .unwrap();
     let text = fs::read_to_string(entry.path()).unwrap();
     fs::write(specs.path().join(entry.file_name()), change(text)).unwrap();
     let mut provider = Provider::new(Settings::offline(specs.path()), |_| {});
-    let error = provider.partials(&product(), &rates(1, &["x"])).unwrap_err();
-    error.to_string().replace(&specs.path().display().to_string(), "specs")
+    let error = provider
+        .partials(&product(), &rates(1, &["x"]))
+        .unwrap_err();
+    error
+        .to_string()
+        .replace(&specs.path().display().to_string(), "specs")
 }
 
 #[test]
@@ -81,7 +113,11 @@ fn a_changed_export_is_refused() {
 #[test]
 fn a_broken_cache_entry_is_absent() {
     let (cache, specs) = (cache_with_product(), tempfile::tempdir().unwrap());
-    let entry = fs::read_dir(cache.path().join("partials")).unwrap().next().unwrap().unwrap();
+    let entry = fs::read_dir(cache.path().join("partials"))
+        .unwrap()
+        .next()
+        .unwrap()
+        .unwrap();
     fs::write(entry.path(), "{").unwrap();
     let settings = Settings {
         cache: Some(cache.path().to_owned()),
@@ -90,6 +126,8 @@ fn a_broken_cache_entry_is_absent() {
         ..Settings::offline(specs.path())
     };
     let mut provider = Provider::new(settings, |_| {});
-    let error = provider.partials(&product(), &rates(1, &["x"])).unwrap_err();
+    let error = provider
+        .partials(&product(), &rates(1, &["x"]))
+        .unwrap_err();
     assert!(matches!(error, Error::PythonMissing { .. }), "{error:?}");
 }

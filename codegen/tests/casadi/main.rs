@@ -3,7 +3,10 @@
 //! No test needs Python. The exports in `partials` are what CasADi answered; with NSV_PYTHON set to an interpreter that has it, the
 //! tests ask again and compare byte by byte, and with NSV_UPDATE_EXPORTS set as well they store the answers.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking, in its helpers as well")]
+#![expect(
+    clippy::unwrap_used,
+    reason = "a test fails by panicking, in its helpers as well"
+)]
 
 mod decoding;
 mod derivatives;
@@ -21,19 +24,28 @@ use nsv_codegen::ir::Program;
 
 /// A file of this folder.
 fn path(name: &str) -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/casadi").join(name)
+    PathBuf::from(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/casadi")
+        .join(name)
 }
 
 fn rates(order: usize, varying: &[&str]) -> Job {
-    Job::Rates { order, varying: varying.iter().map(ToString::to_string).collect() }
+    Job::Rates {
+        order,
+        varying: varying.iter().map(ToString::to_string).collect(),
+    }
 }
 
 fn jacobian(wrt: &[&str]) -> Job {
-    Job::Jacobian { wrt: wrt.iter().map(ToString::to_string).collect() }
+    Job::Jacobian {
+        wrt: wrt.iter().map(ToString::to_string).collect(),
+    }
 }
 
 fn hessian(wrt: &[&str]) -> Job {
-    Job::Hessian { wrt: wrt.iter().map(ToString::to_string).collect() }
+    Job::Hessian {
+        wrt: wrt.iter().map(ToString::to_string).collect(),
+    }
 }
 
 /// A formula in the textual form of the IR.
@@ -49,16 +61,24 @@ fn partials(formula: &Program, job: &Job) -> Program {
         ask_again(python.into(), formula, job);
     }
     let mut provider = Provider::new(Settings::offline(path("partials")), |_| {});
-    let program = provider.partials(formula, job).unwrap_or_else(|error| panic!("{error}"));
+    let program = provider
+        .partials(formula, job)
+        .unwrap_or_else(|error| panic!("{error}"));
     program.assert_sound();
     program
 }
 
 fn ask_again(python: PathBuf, formula: &Program, job: &Job) {
     let scratch = tempfile::tempdir().unwrap();
-    let settings = Settings { python: Some(python), mode: Mode::Provision, ..Settings::offline(scratch.path()) };
+    let settings = Settings {
+        python: Some(python),
+        mode: Mode::Provision,
+        ..Settings::offline(scratch.path())
+    };
     let mut provider = Provider::new(settings, |_| {});
-    provider.partials(formula, job).unwrap_or_else(|error| panic!("{error}"));
+    provider
+        .partials(formula, job)
+        .unwrap_or_else(|error| panic!("{error}"));
     for export in provider.exports() {
         let store = Store::new(path("partials"));
         if env::var_os("NSV_UPDATE_EXPORTS").is_some() {

@@ -18,7 +18,9 @@ const FORMULA: &str = "
 ";
 
 fn key(formula: &Program) -> String {
-    Question::new(formula, &rates(1, &["alpha"])).key().to_string()
+    Question::new(formula, &rates(1, &["alpha"]))
+        .key()
+        .to_string()
 }
 
 #[test]
@@ -34,10 +36,20 @@ fn a_request_is_canonical() {
 fn only_the_mathematics_counts() {
     let known = key(&formula(FORMULA));
     let same = [
-        FORMULA.replace("0.5 [1]", "0.7 [1], 3.0 [2]").replace("cl(", "cm(").replace("polynomial cl,", "polynomial cm,"),
-        FORMULA.replace("program lift", "program moment").replace("%2 lift", "%2 moment"),
+        FORMULA
+            .replace("0.5 [1]", "0.7 [1], 3.0 [2]")
+            .replace("cl(", "cm(")
+            .replace("polynomial cl,", "polynomial cm,"),
+        FORMULA
+            .replace("program lift", "program moment")
+            .replace("%2 lift", "%2 moment"),
         FORMULA.replace("output L = %3", "%4: real = sin %3\n output L = %3"),
-        FORMULA.replace("%3: real = mul %2, %1", "%3: real = input q\n %4: real = mul %2, %3").replace("L = %3", "L = %4"),
+        FORMULA
+            .replace(
+                "%3: real = mul %2, %1",
+                "%3: real = input q\n %4: real = mul %2, %3",
+            )
+            .replace("L = %3", "L = %4"),
     ];
     for text in same {
         assert_eq!(key(&formula(&text)), known, "{text}");

@@ -110,8 +110,18 @@ impl Context<'_> {
             Use::Emitted,
         );
         self.check_polynomial_names(&declared);
-        self.declare(&mut BTreeMap::new(), words(&spec.blocks), "block", Use::Emitted);
-        self.declare(&mut BTreeMap::new(), words(&spec.inputs), "input", Use::Emitted);
+        self.declare(
+            &mut BTreeMap::new(),
+            words(&spec.blocks),
+            "block",
+            Use::Emitted,
+        );
+        self.declare(
+            &mut BTreeMap::new(),
+            words(&spec.inputs),
+            "input",
+            Use::Emitted,
+        );
     }
 
     fn check_module_name(&mut self, name: &Word) {

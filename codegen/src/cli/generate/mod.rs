@@ -63,8 +63,9 @@ fn workspace_output(spec: &Path) -> Result<PathBuf, Failure> {
         .ancestors()
         .skip(1)
         .map(|folder| folder.join("generated/src"));
+    let here = std::env::current_dir().unwrap_or_default();
     candidates
-        .into_iter()
+        .map(|out| out.strip_prefix(&here).map_or(out.clone(), Path::to_owned)) // as people would write it
         .find(|out| out.join("lib.rs").is_file())
         .ok_or_else(|| {
             let message = format!(
@@ -269,9 +270,9 @@ mod tests {
         std::fs::write(output.at("lib.rs"), "//! Nothing yet.\n#![no_std]\n").unwrap();
         let target = output.target("// 1\n");
         let missing = [
-            ("lib.rs", Difference::Stale),
             ("mod.rs", Difference::Missing),
             ("plant.rs", Difference::Missing),
+            ("lib.rs", Difference::Stale),
         ];
         output.check(&target, &missing);
         output.write(&target).unwrap();

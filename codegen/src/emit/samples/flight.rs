@@ -1,11 +1,11 @@
 //! Uses the emitted module `pitch` as flight software and the runner would.
 
-use nsv_runtime::closed_loop::{ClosedLoop, Options};
-use nsv_runtime::linear::Vector;
-use nsv_runtime::status::Status;
 use emitted::pitch::controller::SAFE_INPUT;
 use emitted::pitch::{Controller, Params, Simulator};
 use emitted::{bare, wiener};
+use nsv_runtime::closed_loop::{ClosedLoop, Options};
+use nsv_runtime::linear::Vector;
+use nsv_runtime::status::Status;
 
 fn non_finite_input_leaves_the_states_alone() {
     let mut controller = Controller::new(Params::<f64>::design());
@@ -15,11 +15,20 @@ fn non_finite_input_leaves_the_states_alone() {
     let good = controller.step(0.002, Vector([0.01, 0.02]), Vector::zero());
     assert_eq!(good.status, Status::OK);
     let before = *controller.state();
-    assert_eq!(controller.step(f64::INFINITY, Vector([0.01, 0.02]), Vector::zero()).u.0, SAFE_INPUT);
+    assert_eq!(
+        controller
+            .step(f64::INFINITY, Vector([0.01, 0.02]), Vector::zero())
+            .u
+            .0,
+        SAFE_INPUT
+    );
     assert_eq!(*controller.state(), before);
     let mut fresh = Controller::new(Params::<f64>::design());
     fresh.reset(0.002, Vector([0.01, 0.02]), Vector::zero());
-    assert_eq!(fresh.step(0.002, Vector([0.01, 0.02]), Vector::zero()).u.0, good.u.0);
+    assert_eq!(
+        fresh.step(0.002, Vector([0.01, 0.02]), Vector::zero()).u.0,
+        good.u.0
+    );
     assert_eq!(*fresh.state(), before);
 }
 
@@ -32,7 +41,12 @@ fn events_are_reported() {
 
 fn a_run_depends_on_its_seed_and_number_alone<L: ClosedLoop>() {
     let run = |seed, run, noise| {
-        let mut simulator = L::new(&Options { seed, run, noise, dispersion: true });
+        let mut simulator = L::new(&Options {
+            seed,
+            run,
+            noise,
+            dispersion: true,
+        });
         let mut row = vec![0.0; L::SIGNALS.len()];
         for _ in 0..100 {
             simulator.control();
@@ -48,7 +62,12 @@ fn a_run_depends_on_its_seed_and_number_alone<L: ClosedLoop>() {
 }
 
 fn a_bare_loop_decays() {
-    let mut simulator = bare::Simulator::new(&Options { seed: 1, run: 1, noise: true, dispersion: true });
+    let mut simulator = bare::Simulator::new(&Options {
+        seed: 1,
+        run: 1,
+        noise: true,
+        dispersion: true,
+    });
     assert!(simulator.constraint_ratio().is_nan());
     let mut error = [0.0];
     for _ in 0..1000 {

@@ -70,12 +70,20 @@ pub(super) fn kernel(kernel: Kernel, e: f64) -> f64 {
 
 /// S'(z)
 fn first(z: f64) -> f64 {
-    if z.abs() < SERIES_BELOW { z * series(&FIRST, z * z) } else { quotients(z).0 }
+    if z.abs() < SERIES_BELOW {
+        z * series(&FIRST, z * z)
+    } else {
+        quotients(z).0
+    }
 }
 
 /// S''(z)
 fn second(z: f64) -> f64 {
-    if z.abs() < SERIES_BELOW { series(&SECOND, z * z) } else { quotients(z).1 }
+    if z.abs() < SERIES_BELOW {
+        series(&SECOND, z * z)
+    } else {
+        quotients(z).1
+    }
 }
 
 /// S'''(z)
@@ -108,7 +116,10 @@ mod tests {
     fn check(coefficients: &[f64; 12], exact: impl Fn(i32) -> f64) {
         for (j, c) in (0..).zip(coefficients) {
             let expected = exact(j);
-            assert!((c - expected).abs() <= 4.0 * f64::EPSILON * expected.abs(), "coefficient {j}: {c}, expected {expected}");
+            assert!(
+                (c - expected).abs() <= 4.0 * f64::EPSILON * expected.abs(),
+                "coefficient {j}: {c}, expected {expected}"
+            );
         }
     }
 
@@ -116,19 +127,32 @@ mod tests {
     fn coefficients_are_those_of_the_taylor_series() {
         let factorial = |n: i32| (2..=n).fold(1.0, |product, k| product * f64::from(k));
         let sign = |j: i32| if j % 2 == 0 { 1.0 } else { -1.0 };
-        check(&FIRST, |j| -sign(j) * f64::from(2 * j + 2) / factorial(2 * j + 3));
-        check(&SECOND, |j| -sign(j) * f64::from((2 * j + 2) * (2 * j + 1)) / factorial(2 * j + 3));
-        check(&THIRD, |j| sign(j) * f64::from((2 * j + 4) * (2 * j + 3) * (2 * j + 2)) / factorial(2 * j + 5));
+        check(&FIRST, |j| {
+            -sign(j) * f64::from(2 * j + 2) / factorial(2 * j + 3)
+        });
+        check(&SECOND, |j| {
+            -sign(j) * f64::from((2 * j + 2) * (2 * j + 1)) / factorial(2 * j + 3)
+        });
+        check(&THIRD, |j| {
+            sign(j) * f64::from((2 * j + 4) * (2 * j + 3) * (2 * j + 2)) / factorial(2 * j + 5)
+        });
     }
 
     #[test]
     fn derivatives_are_difference_quotients_of_the_kernel_below() {
         use Kernel::{SinCosOver, SinCosOverD1, SinCosOverD2, SinCosOverD3};
         let h = 1e-5;
-        for (lower, upper) in [(SinCosOver, SinCosOverD1), (SinCosOverD1, SinCosOverD2), (SinCosOverD2, SinCosOverD3)] {
+        for (lower, upper) in [
+            (SinCosOver, SinCosOverD1),
+            (SinCosOverD1, SinCosOverD2),
+            (SinCosOverD2, SinCosOverD3),
+        ] {
             for e in [-1.5, -0.9, -0.3, 0.0, 1e-3, 0.5, 0.99, 1.01, 1.4] {
                 let difference = (kernel(lower, e + h) - kernel(lower, e - h)) / (2.0 * h);
-                assert!((kernel(upper, e) - difference).abs() < 1e-8, "{upper:?} at {e}");
+                assert!(
+                    (kernel(upper, e) - difference).abs() < 1e-8,
+                    "{upper:?} at {e}"
+                );
             }
         }
     }
@@ -136,7 +160,10 @@ mod tests {
     #[test]
     fn kernels_are_one_at_zero() {
         for e in [0.0, -0.0, 5e-324] {
-            assert_eq!((kernel(Kernel::SinCosOver, e), kernel(Kernel::TanOver, e)), (1.0, 1.0));
+            assert_eq!(
+                (kernel(Kernel::SinCosOver, e), kernel(Kernel::TanOver, e)),
+                (1.0, 1.0)
+            );
         }
     }
 }

@@ -25,9 +25,21 @@ pub(super) fn solve(a: &[f64], b: &[f64], x: &mut [f64]) {
         }
         (&[a00, a01, a02, a10, a11, a12, a20, a21, a22], &[b0, b1, b2]) => {
             let adjugate = [
-                [a11 * a22 - a12 * a21, a02 * a21 - a01 * a22, a01 * a12 - a02 * a11],
-                [a12 * a20 - a10 * a22, a00 * a22 - a02 * a20, a02 * a10 - a00 * a12],
-                [a10 * a21 - a11 * a20, a01 * a20 - a00 * a21, a00 * a11 - a01 * a10],
+                [
+                    a11 * a22 - a12 * a21,
+                    a02 * a21 - a01 * a22,
+                    a01 * a12 - a02 * a11,
+                ],
+                [
+                    a12 * a20 - a10 * a22,
+                    a00 * a22 - a02 * a20,
+                    a02 * a10 - a00 * a12,
+                ],
+                [
+                    a10 * a21 - a11 * a20,
+                    a01 * a20 - a00 * a21,
+                    a00 * a11 - a01 * a10,
+                ],
             ];
             let det = a00 * adjugate[0][0] + a01 * adjugate[1][0] + a02 * adjugate[2][0];
             for (entry, row) in x.iter_mut().zip(adjugate) {
@@ -42,7 +54,13 @@ pub(super) fn solve(a: &[f64], b: &[f64], x: &mut [f64]) {
 fn eliminate(mut a: Vec<f64>, mut b: Vec<f64>, x: &mut [f64]) {
     let n = b.len();
     for k in 0..n {
-        let pivot = (k + 1..n).fold(k, |best, i| if a[i * n + k].abs() > a[best * n + k].abs() { i } else { best });
+        let pivot = (k + 1..n).fold(k, |best, i| {
+            if a[i * n + k].abs() > a[best * n + k].abs() {
+                i
+            } else {
+                best
+            }
+        });
         for j in 0..n {
             a.swap(k * n + j, pivot * n + j);
         }
@@ -74,7 +92,9 @@ pub(super) fn singular_vector(a: &[f64], n: usize, out: &mut [f64]) {
             s[j][i] = s[i][j];
         }
     }
-    let mut v: Vec<Vec<f64>> = (0..n).map(|i| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect()).collect();
+    let mut v: Vec<Vec<f64>> = (0..n)
+        .map(|i| (0..n).map(|j| if i == j { 1.0 } else { 0.0 }).collect())
+        .collect();
     for _ in 0..SWEEPS {
         for p in 0..n {
             for q in p + 1..n {
@@ -83,9 +103,19 @@ pub(super) fn singular_vector(a: &[f64], n: usize, out: &mut [f64]) {
         }
     }
     let largest = (1..n).fold(0, |best, j| if s[j][j] > s[best][best] { j } else { best });
-    let lead = (1..n).fold(v[0][largest], |lead, i| if v[i][largest].abs() > lead.abs() { v[i][largest] } else { lead });
+    let lead = (1..n).fold(v[0][largest], |lead, i| {
+        if v[i][largest].abs() > lead.abs() {
+            v[i][largest]
+        } else {
+            lead
+        }
+    });
     for (entry, row) in out.iter_mut().zip(&v) {
-        *entry = if lead < 0.0 { -row[largest] } else { row[largest] };
+        *entry = if lead < 0.0 {
+            -row[largest]
+        } else {
+            row[largest]
+        };
     }
 }
 

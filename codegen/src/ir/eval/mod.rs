@@ -38,7 +38,11 @@ impl Display for EvalError {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
             EvalError::MissingInput { name } => write!(f, "input `{name}` is missing"),
-            EvalError::InputSize { name, expected, found } => write!(f, "input `{name}` has {found} entries, expected {expected}"),
+            EvalError::InputSize {
+                name,
+                expected,
+                found,
+            } => write!(f, "input `{name}` has {found} entries, expected {expected}"),
         }
     }
 }
@@ -79,15 +83,32 @@ impl<'p> Evaluator<'p> {
             end += entries(instruction.ty);
             starts.push(end);
         }
-        Evaluator { program, tables: Tables::of(program), starts, memory: vec![0.0; end] }
+        Evaluator {
+            program,
+            tables: Tables::of(program),
+            starts,
+            memory: vec![0.0; end],
+        }
     }
 
     /// Computes every value. Further entries of `inputs` are ignored.
     pub fn run(&mut self, inputs: &Values) -> Result<(), EvalError> {
         let given = self.program.inputs.iter().map(|input| {
-            let data = inputs.get(&input.name).ok_or_else(|| EvalError::MissingInput { name: input.name.clone() })?;
+            let data = inputs
+                .get(&input.name)
+                .ok_or_else(|| EvalError::MissingInput {
+                    name: input.name.clone(),
+                })?;
             let (expected, found) = (size(input.shape), data.len());
-            if expected == found { Ok(data) } else { Err(EvalError::InputSize { name: input.name.clone(), expected, found }) }
+            if expected == found {
+                Ok(data)
+            } else {
+                Err(EvalError::InputSize {
+                    name: input.name.clone(),
+                    expected,
+                    found,
+                })
+            }
         });
         let given = given.collect::<Result<Vec<&Vec<f64>>, EvalError>>()?;
         for (instruction, range) in self.program.instructions.iter().zip(self.starts.windows(2)) {
@@ -97,7 +118,8 @@ impl<'p> Evaluator<'p> {
                 out.copy_from_slice(given[index]);
             } else {
                 let starts = &self.starts;
-                let value = |id: ValueId| &earlier[starts[id.0 as usize]..starts[id.0 as usize + 1]];
+                let value =
+                    |id: ValueId| &earlier[starts[id.0 as usize]..starts[id.0 as usize + 1]];
                 self.tables.apply(self.program, &instruction.op, value, out);
             }
         }
@@ -112,13 +134,24 @@ impl<'p> Evaluator<'p> {
 
     /// The outputs of the last run.
     pub fn outputs(&self) -> Values {
-        self.program.outputs.iter().map(|(name, id)| (name.clone(), self.value(*id).to_vec())).collect()
+        self.program
+            .outputs
+            .iter()
+            .map(|(name, id)| (name.clone(), self.value(*id).to_vec()))
+            .collect()
     }
 
     /// Every named value of the last run.
     pub fn named(&self) -> Values {
         let values = self.program.instructions.iter().zip(self.starts.windows(2));
-        values.filter_map(|(instruction, range)| Some((instruction.name.clone()?, self.memory[range[0]..range[1]].to_vec()))).collect()
+        values
+            .filter_map(|(instruction, range)| {
+                Some((
+                    instruction.name.clone()?,
+                    self.memory[range[0]..range[1]].to_vec(),
+                ))
+            })
+            .collect()
     }
 }
 

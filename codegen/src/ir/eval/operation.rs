@@ -17,12 +17,26 @@ impl Tables {
     pub(crate) fn of(program: &Program) -> Tables {
         Tables {
             polynomials: program.polynomials.iter().map(Horner::new).collect(),
-            bases: program.bases.iter().map(|basis| basis.recipe().expect("invariant: a verified basis has a recipe")).collect(),
+            bases: program
+                .bases
+                .iter()
+                .map(|basis| {
+                    basis
+                        .recipe()
+                        .expect("invariant: a verified basis has a recipe")
+                })
+                .collect(),
         }
     }
 
     /// Writes the entries of `op` to `out`; `value` gives those of its operands.
-    pub(crate) fn apply<'a>(&self, program: &Program, op: &Op, value: impl Fn(ValueId) -> &'a [f64], out: &mut [f64]) {
+    pub(crate) fn apply<'a>(
+        &self,
+        program: &Program,
+        op: &Op,
+        value: impl Fn(ValueId) -> &'a [f64],
+        out: &mut [f64],
+    ) {
         let first = |id: ValueId| value(id)[0];
         let holds = |id: ValueId| first(id) != 0.0;
         match *op {
@@ -32,7 +46,9 @@ impl Tables {
             Op::PowInt(a, n) => map(value(a), out, |x| scalar::power(x, n)),
             Op::Kernel(function, a) => out[0] = kernel::kernel(function, first(a)),
             Op::Binary(operator, a, b) => binary(operator, value(a), value(b), out),
-            Op::Compare(comparison, a, b) => out[0] = truth(scalar::comparison(comparison, first(a), first(b))),
+            Op::Compare(comparison, a, b) => {
+                out[0] = truth(scalar::comparison(comparison, first(a), first(b)))
+            }
             Op::And(a, b) => out[0] = truth(holds(a) && holds(b)),
             Op::Or(a, b) => out[0] = truth(holds(a) || holds(b)),
             Op::Not(a) => out[0] = truth(!holds(a)),
@@ -42,8 +58,16 @@ impl Tables {
                     *entry = first(item);
                 }
             }
-            Op::Element(a, row, column) => out[0] = value(a)[row * columns(program.shape(a)) + column],
-            Op::MatMul(a, b) => linear::product(value(a), value(b), columns(program.shape(a)), columns(program.shape(b)), out),
+            Op::Element(a, row, column) => {
+                out[0] = value(a)[row * columns(program.shape(a)) + column]
+            }
+            Op::MatMul(a, b) => linear::product(
+                value(a),
+                value(b),
+                columns(program.shape(a)),
+                columns(program.shape(b)),
+                out,
+            ),
             Op::Transpose(a) => {
                 let (source, width) = (value(a), columns(program.shape(a)));
                 let height = source.len() / width;
@@ -51,18 +75,28 @@ impl Tables {
                     *entry = source[index % height * width + index / height];
                 }
             }
-            Op::Dot(a, b) => out[0] = linear::sum_of_products(value(a).iter().copied().zip(value(b).iter().copied())),
+            Op::Dot(a, b) => {
+                out[0] =
+                    linear::sum_of_products(value(a).iter().copied().zip(value(b).iter().copied()))
+            }
             Op::Outer(a, b) => linear::product(value(a), value(b), 1, value(b).len(), out),
             Op::SumSquares(a) => out[0] = linear::sum_of_products(value(a).iter().map(|&x| (x, x))),
             Op::Solve(a, b) => linear::solve(value(a), value(b), out),
-            Op::SingularVector(a) => linear::singular_vector(value(a), columns(program.shape(a)), out),
+            Op::SingularVector(a) => {
+                linear::singular_vector(value(a), columns(program.shape(a)), out)
+            }
             Op::Polynomial(id, ref arguments) => {
-                let arguments: Vec<f64> = arguments.iter().map(|&argument| first(argument)).collect();
+                let arguments: Vec<f64> =
+                    arguments.iter().map(|&argument| first(argument)).collect();
                 out[0] = self.polynomials[id.0 as usize].eval(&arguments);
             }
             Op::Basis(id, z) => self.monomials(id, [value(z); 3], 0, out),
-            Op::BasisRate(id, z, z1) => self.monomials(id, [value(z), value(z1), value(z1)], 1, out),
-            Op::BasisRate2(id, z, z1, z2) => self.monomials(id, [value(z), value(z1), value(z2)], 2, out),
+            Op::BasisRate(id, z, z1) => {
+                self.monomials(id, [value(z), value(z1), value(z1)], 1, out)
+            }
+            Op::BasisRate2(id, z, z1, z2) => {
+                self.monomials(id, [value(z), value(z1), value(z2)], 2, out)
+            }
         }
     }
 
@@ -76,7 +110,11 @@ impl Tables {
                 Monomial::Input(i) => [z[i], z1[i], z2[i]],
                 Monomial::Product { of, input: i } => {
                     let [p, p1, p2] = made[of];
-                    [p * z[i], p1 * z[i] + p * z1[i], p2 * z[i] + 2.0 * p1 * z1[i] + p * z2[i]]
+                    [
+                        p * z[i],
+                        p1 * z[i] + p * z1[i],
+                        p2 * z[i] + 2.0 * p1 * z1[i] + p * z2[i],
+                    ]
                 }
             });
         }
@@ -107,7 +145,10 @@ fn map(a: &[f64], out: &mut [f64], f: impl Fn(f64) -> f64) {
 /// Elementwise; an operand of one entry is broadcast.
 fn binary(operator: Operator, a: &[f64], b: &[f64], out: &mut [f64]) {
     for (i, entry) in out.iter_mut().enumerate() {
-        let (x, y) = (a[if a.len() == 1 { 0 } else { i }], b[if b.len() == 1 { 0 } else { i }]);
+        let (x, y) = (
+            a[if a.len() == 1 { 0 } else { i }],
+            b[if b.len() == 1 { 0 } else { i }],
+        );
         *entry = scalar::operator(operator, x, y);
     }
 }

@@ -74,9 +74,15 @@ pub(crate) fn comparison(comparison: Comparison, a: f64, b: f64) -> bool {
 
 /// x^n by left-to-right binary powering: r = x; for each lower bit of n from the top r = r*r, then r = r*x if the bit is set.
 pub(super) fn power(x: f64, n: u32) -> f64 {
-    let Some(highest) = n.checked_ilog2() else { return 1.0 };
+    let Some(highest) = n.checked_ilog2() else {
+        return 1.0;
+    };
     (0..highest).rev().fold(x, |r, bit| {
         let square = r * r;
-        if n >> bit & 1 == 1 { square * x } else { square }
+        if n >> bit & 1 == 1 {
+            square * x
+        } else {
+            square
+        }
     })
 }

@@ -7,6 +7,25 @@ mod ticks;
 
 pub(crate) use svg::svg;
 
+/// Width of a picture; letters have one size in both when two wide or three narrow ones share a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Size {
+    /// Half a row.
+    Wide,
+    /// A third of a row.
+    Narrow,
+}
+
+impl Size {
+    /// Width in the units of the picture.
+    fn width(self) -> f64 {
+        match self {
+            Size::Wide => 480.0,
+            Size::Narrow => 316.0,
+        }
+    }
+}
+
 /// One picture: marks over a shared time axis.
 #[derive(Clone, Debug)]
 pub(crate) struct Plot {

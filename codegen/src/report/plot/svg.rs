@@ -5,10 +5,9 @@ use std::fmt::Write as _;
 use super::range::{Range, coordinate, ordinate, time};
 use super::simplify::{Point, curves};
 use super::ticks::{Ticks, linear, logarithmic};
-use super::{Mark, Plot};
+use super::{Mark, Plot, Size};
 use crate::report::html::{escape, unit};
 
-const WIDTH: f64 = 480.0;
 const HEIGHT: f64 = 250.0;
 const LEFT: f64 = 52.0;
 const RIGHT: f64 = 10.0;
@@ -20,17 +19,19 @@ const LETTER: f64 = 6.3;
 const SWATCH: f64 = 26.0;
 
 /// The plot as one `svg` element.
-pub(crate) fn svg(plot: &Plot) -> String {
-    let legend = legend_rows(plot);
+pub(crate) fn svg(plot: &Plot, size: Size) -> String {
+    let width = size.width();
+    let legend = legend_rows(plot, width);
     let top = TITLE + LEGEND_ROW * legend.len() as f64 + 8.0;
     let frame = Frame {
+        width,
         x: time(&plot.t),
         y: ordinate(plot),
         top,
     };
     let title = escape(&plot.title);
     let mut out =
-        format!(r#"<svg viewBox="0 0 {WIDTH} {HEIGHT}" role="img" aria-label="{title}">"#);
+        format!(r#"<svg viewBox="0 0 {width} {HEIGHT}" role="img" aria-label="{title}">"#);
     let _ = write!(
         out,
         r#"<text class="title" x="{LEFT}" y="14">{title}</text>"#
@@ -48,6 +49,7 @@ pub(crate) fn svg(plot: &Plot) -> String {
 
 /// Maps data to pixels.
 struct Frame {
+    width: f64,
     x: Range,
     y: Range,
     top: f64,
@@ -55,7 +57,7 @@ struct Frame {
 
 impl Frame {
     fn px(&self, t: f64) -> f64 {
-        LEFT + self.x.position(t) * (WIDTH - LEFT - RIGHT)
+        LEFT + self.x.position(t) * (self.width - LEFT - RIGHT)
     }
 
     fn py(&self, y: f64) -> f64 {
@@ -85,7 +87,7 @@ fn axes(out: &mut String, plot: &Plot, frame: &Frame) {
             out,
             r#"<path class="{class}" d="M{LEFT} {}H{}"/>"#,
             px(y),
-            px(WIDTH - RIGHT)
+            px(frame.width - RIGHT)
         );
         let _ = write!(
             out,
@@ -94,7 +96,7 @@ fn axes(out: &mut String, plot: &Plot, frame: &Frame) {
             px(y + 3.5)
         );
     }
-    let times = linear(frame.x.low, frame.x.high, 6);
+    let times = linear(frame.x.low, frame.x.high, (frame.width / 80.0) as u32);
     for (value, label) in &times.marks {
         let x = frame.px(*value);
         let _ = write!(
@@ -111,7 +113,7 @@ fn axes(out: &mut String, plot: &Plot, frame: &Frame) {
             px(bottom + 14.0)
         );
     }
-    let middle = LEFT + 0.5 * (WIDTH - LEFT - RIGHT);
+    let middle = LEFT + 0.5 * (frame.width - LEFT - RIGHT);
     let time = scaled("time", "s", times.exponent);
     let _ = write!(
         out,
@@ -212,12 +214,12 @@ fn px(value: f64) -> String {
 type Entry<'a> = (f64, &'a Mark);
 
 /// Legend entries with their abscissa, row by row.
-fn legend_rows(plot: &Plot) -> Vec<Vec<Entry<'_>>> {
+fn legend_rows(plot: &Plot, limit: f64) -> Vec<Vec<Entry<'_>>> {
     let mut rows: Vec<Vec<Entry<'_>>> = Vec::new();
     let mut x = f64::INFINITY;
     for mark in plot.marks.iter().filter(|mark| !mark.label().is_empty()) {
         let width = SWATCH + LETTER * mark.label().chars().count() as f64 + 10.0;
-        if x + width > WIDTH - RIGHT {
+        if x + width > limit - RIGHT {
             rows.push(Vec::new());
             x = LEFT;
         }
@@ -294,7 +296,7 @@ mod tests {
 
     #[test]
     fn a_plot_is_small_and_stable_text() {
-        insta::assert_snapshot!(svg(&ramp()).replace("><", ">\n<"));
+        insta::assert_snapshot!(svg(&ramp(), Size::Wide).replace("><", ">\n<"));
     }
 
     #[test]
@@ -310,7 +312,11 @@ mod tests {
             ink: Ink::Actual,
             y: noise.collect(),
         }];
-        assert!(svg(&plot).len() < 40_000, "{}", svg(&plot).len());
+        assert!(
+            svg(&plot, Size::Narrow).len() < 40_000,
+            "{}",
+            svg(&plot, Size::Narrow).len()
+        );
     }
 
     #[test]
@@ -328,7 +334,7 @@ mod tests {
         });
         for log in [false, true] {
             plot.log = log;
-            let text = svg(&plot);
+            let text = svg(&plot, Size::Narrow);
             assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
         }
     }
