@@ -1,0 +1,63 @@
+//! The committed code is what the specifications give, from committed partial derivatives alone, every time.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+use nsv_codegen::casadi::Provider;
+use nsv_codegen::driver::{compile, library};
+use nsv_tests::specification::{model, provider, repository, specifications};
+
+/// Module, title and files of a specification.
+fn generate(path: &Path, provider: &mut Provider<'_>) -> (String, String, BTreeMap<String, String>) {
+    let model = model(path);
+    let compiled = compile(&model, provider).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    (model.name, model.title, compiled.files)
+}
+
+/// Text of every file of a folder by name.
+fn files(folder: &Path) -> BTreeMap<String, String> {
+    let entries = folder.read_dir().unwrap().map(|entry| entry.unwrap().path());
+    entries.map(|path| (file_name(&path), fs::read_to_string(&path).unwrap())).collect()
+}
+
+fn file_name(path: &Path) -> String {
+    path.file_name().unwrap().to_string_lossy().into_owned()
+}
+
+fn check(module: &str, generated: &BTreeMap<String, String>, committed: &BTreeMap<String, String>) {
+    let names = |files: &BTreeMap<String, String>| files.keys().cloned().collect::<BTreeSet<_>>();
+    assert_eq!(names(generated), names(committed), "{module}");
+    for (file, text) in generated {
+        // The first line is a hash of the others: where those part says more.
+        let lines = text.lines().zip(committed[file].lines()).skip(1);
+        let difference = lines.into_iter().find(|(new, old)| new != old);
+        assert!(*text == committed[file], "{module}/{file} is stale: run `nsv generate specs/*.yaml`; {difference:?}");
+    }
+}
+
+#[test]
+fn committed_code_is_fresh_and_complete() {
+    let source = repository("generated/src");
+    let paths = specifications("specs");
+    let mut provider = provider(&paths[0]);
+    let mut modules = BTreeMap::new();
+    for path in &paths {
+        let (name, title, generated) = generate(path, &mut provider);
+        check(&name, &generated, &files(&source.join(&name)));
+        modules.insert(name, title);
+    }
+    assert_eq!(fs::read_to_string(source.join("lib.rs")).unwrap(), library(&modules));
+    let present: BTreeSet<String> = source.read_dir().unwrap().map(|entry| file_name(&entry.unwrap().path())).collect();
+    let declared = modules.into_keys().chain(["lib.rs".to_owned()]).collect();
+    assert_eq!(present, declared, "nothing else stands in generated/src");
+    assert_eq!(provider.unused().unwrap(), BTreeSet::new(), "every export in specs/partials is used");
+}
+
+#[test]
+fn the_same_specification_gives_the_same_bytes() {
+    for path in specifications("specs") {
+        let twice = [(); 2].map(|()| generate(&path, &mut provider(&path)));
+        assert_eq!(twice[0], twice[1]);
+    }
+}

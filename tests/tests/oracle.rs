@@ -1,0 +1,93 @@
+//! The law and the plant against the reference implementation in `tests/reference`, which was written from the equations alone.
+//!
+//! Each point states how far double precision may be from the exact value of each quantity: eight times what the quantity moves when the
+//! inputs move by their last bit, and at least 1e-13 of its largest entry (1e-10 for LV). Errors that cancel, such as e at zero
+//! error, are thus judged by the numbers they come from.
+
+use std::collections::BTreeMap;
+
+use nsv_codegen::ir::eval::eval;
+use nsv_codegen::ir::{Program, Values};
+use nsv_spec::model::Model;
+use nsv_tests::points::{Point, names, points};
+use nsv_tests::specification::{compiled, named};
+
+/// The compiler's arithmetic rounds in another order than the reference's.
+const MARGIN: f64 = 8.0;
+
+fn outputs(program: &Program, values: &Values, context: &str) -> Values {
+    eval(program, values).unwrap_or_else(|error| panic!("{context}: {error}"))
+}
+
+fn design(model: &Model) -> BTreeMap<String, f64> {
+    model.parameters.iter().map(|parameter| (parameter.name.clone(), parameter.design_value)).collect()
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most: f64, value| most.max(value.abs()))
+}
+
+/// Panics unless each entry is as expected.
+fn check(context: &str, found: &[f64], expected: &[f64], tolerance: f64) {
+    assert_eq!(found.len(), expected.len(), "{context}");
+    for (found, expected) in found.iter().zip(expected) {
+        let error = (found - expected).abs();
+        assert!(error <= tolerance, "{context}: {found:e}, expected {expected:e} within {tolerance:e}, off by {error:e}");
+    }
+}
+
+/// Every quantity that the point names.
+fn check_law(model: &Model, quantities: &Program, point: &Point) {
+    let found = outputs(quantities, &point.values(model, &design(model)), &point.label);
+    for (name, expected) in &point.expected {
+        let context = format!("{}, {}: {name}", model.name, point.label);
+        let found = found.get(name).unwrap_or_else(|| panic!("{context} is computed"));
+        check(&context, found, expected, MARGIN * point.tolerance[name]);
+    }
+}
+
+/// Drift and covariance of the packed plant state under dispersed parameters.
+fn check_plant(model: &Model, plant: &Program, point: &Point) {
+    let mut values = point.values(model, &point.params);
+    values.extend(point.params.iter().map(|(name, value)| (format!("params.{name}"), vec![*value])));
+    let found = outputs(plant, &values, &point.label);
+    let context = format!("{}, {}", model.name, point.label);
+    check(&format!("{context}: drift"), &found["drift"], &point.drift, 1e-12 * largest(&point.drift));
+    let n = point.drift.len();
+    let diffusion: &[f64] = found.get("diffusion").map_or(&[], |diffusion| diffusion);
+    let columns = diffusion.len() / n;
+    let entry = |at: usize| (0..columns).map(|j| diffusion[at / n * columns + j] * diffusion[at % n * columns + j]).sum();
+    let covariance: Vec<f64> = (0..n * n).map(entry).collect();
+    check(&format!("{context}: covariance"), &covariance, &point.covariance, 1e-13 * largest(&point.covariance));
+}
+
+#[test]
+fn every_quantity_is_that_of_the_reference() {
+    let names = names();
+    assert!(names.len() >= 6, "{names:?}");
+    for name in names {
+        let (model, programs) = compiled(&named(&name));
+        let points = points(&name);
+        assert!(points.len() >= 30, "{name}");
+        for point in points {
+            check_law(&model, &programs.quantities, &point);
+            check_plant(&model, &programs.plant, &point);
+        }
+    }
+}
+
+/// With no error the barrier is flat and its terms vanish, up to the rounding of e itself.
+#[test]
+fn at_zero_error_the_barrier_is_silent() {
+    for name in names() {
+        let (model, programs) = compiled(&named(&name));
+        let point = points(&name).into_iter().find(|point| point.label == "zero error").unwrap();
+        let found = outputs(&programs.quantities, &point.values(&model, &design(&model)), &name);
+        for i in 1..=model.blocks.len() {
+            let rounding = 1e-15 * largest(&point.inputs[&format!("x{i}")]).max(1.0);
+            let error = &found[&format!("e{i}")];
+            assert!(largest(error) <= rounding, "{name}: e{i} = {error:?}");
+            assert!(largest(&found[&format!("c{i}")]) <= rounding.powi(3), "{name}: c{i}");
+        }
+    }
+}

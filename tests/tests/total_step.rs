@@ -1,0 +1,103 @@
+//! A controller's step is total: whatever the measurements are, the control is finite and within its limits, and the states stay usable.
+
+use nsv_codegen::ir::Values;
+use nsv_runtime::noise::Noise;
+use nsv_runtime::status::Status;
+use nsv_tests::compiled::{Module, Sample, Sampled, modules};
+
+/// Numbers that a broken sensor may give.
+const HOSTILE: [f64; 10] = [f64::MAX, f64::MIN, 1e160, -1e80, 1e12, -1e6, 1e3, 5e-324, -0.0, 0.0];
+
+/// A controller after a calm start, and the time.
+fn started(module: &Module) -> (Box<dyn Sampled>, f64) {
+    let mut controller = (module.controller)();
+    for sample in 0..100 {
+        let calm = vec![0.01; controller.measured()];
+        let output = controller.step(f64::from(sample) * module.sample_time, &calm);
+        check(module, &output, &controller.state());
+        assert!(!output.status.contains(Status::NON_FINITE_INPUT));
+    }
+    (controller, 100.0 * module.sample_time)
+}
+
+/// What holds after every step.
+fn check(module: &Module, output: &Sample, state: &Values) {
+    for ((u, u_sat), limit) in output.u.iter().zip(&output.u_sat).zip(module.limits) {
+        assert!(u.is_finite() && u_sat.abs() <= *limit, "{}: {output:?}", module.name);
+        assert_eq!(u.abs() > *limit, u != u_sat, "{}: {output:?}", module.name);
+    }
+    let saturated = output.u != output.u_sat;
+    assert_eq!(output.status.contains(Status::SATURATED), saturated, "{}: {output:?}", module.name);
+    for (name, value) in state {
+        assert!(value.iter().all(|entry| entry.is_finite()), "{}: {name} = {value:?}", module.name);
+        assert!(!name.starts_with("phi") || value[0] > 0.0, "{}: {name} = {value:?}", module.name);
+    }
+}
+
+#[test]
+fn a_broken_measurement_gives_the_safe_control_and_keeps_the_states() {
+    for module in modules() {
+        let (mut controller, t) = started(&module);
+        let before = controller.state();
+        let calm = vec![0.01; controller.measured()];
+        for broken in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let mut outputs = vec![controller.step(broken, &calm)];
+            for channel in 0..calm.len() {
+                let mut measured = calm.clone();
+                measured[channel] = broken;
+                outputs.push(controller.step(t, &measured));
+            }
+            for output in outputs {
+                assert_eq!(output.status, Status::NON_FINITE_INPUT, "{}", module.name);
+                assert_eq!((&output.u[..], &output.u_sat[..]), (module.safe, module.safe), "{}", module.name);
+                assert_eq!(controller.state(), before, "{}", module.name);
+            }
+        }
+        let output = controller.step(t, &calm);
+        assert!(!output.status.contains(Status::NON_FINITE_INPUT), "{}: the loop goes on", module.name);
+    }
+}
+
+#[test]
+fn a_controller_starts_with_the_first_finite_measurement() {
+    for module in modules() {
+        let mut late = (module.controller)();
+        let broken = vec![f64::NAN; late.measured()];
+        assert_eq!(late.step(0.0, &broken).status, Status::NON_FINITE_INPUT);
+        let mut prompt = (module.controller)();
+        let calm = vec![0.01; late.measured()];
+        assert_eq!(late.step(0.0, &calm), prompt.step(0.0, &calm), "{}", module.name);
+        assert_eq!(late.state(), prompt.state(), "{}", module.name);
+    }
+}
+
+/// Thousands of steps with measurements from tiny to the largest numbers, among calm ones.
+#[test]
+fn hostile_measurements_do_no_harm() {
+    for module in modules() {
+        let (mut controller, mut t) = started(&module);
+        let draw = Noise::process(7, 0);
+        let mut refused = 0;
+        for step in 0..20_000 {
+            let measured: Vec<f64> = (0..).take(controller.measured()).map(|channel| measurement(&draw, step, channel)).collect();
+            let before = controller.state();
+            let output = controller.step(t, &measured);
+            check(&module, &output, &controller.state());
+            if output.status.contains(Status::NON_FINITE_INPUT) {
+                assert_eq!((&output.u_sat[..], controller.state()), (module.safe, before), "{}", module.name);
+                refused += 1;
+            }
+            t += module.sample_time;
+        }
+        assert!((1..10_000).contains(&refused), "{}: both kinds are met, {refused} refused", module.name);
+    }
+}
+
+/// One in twenty is hostile, the others have magnitudes from 1e-4 to 10.
+fn measurement(draw: &Noise, step: u64, channel: u32) -> f64 {
+    let [kind, which, sign] = [0, 100, 200].map(|stream| draw.uniform(step, stream + channel));
+    if kind < 0.05 {
+        return HOSTILE[(which * HOSTILE.len() as f64) as usize];
+    }
+    libm::copysign(libm::pow(10.0, 5.0 * which - 4.0), sign - 0.5)
+}
