@@ -1,6 +1,6 @@
 """Writes tests/points/<spec>.json: states of the closed loop and what the law must give there, to the last digit.
 
-Run from anywhere: python tests/reference/make_points.py. The result depends on nothing but this folder.
+Run from anywhere: python tests/reference/make_points.py. The result depends on this folder and the aerodynamic data alone.
 A point has a label, `inputs` (names as in `nsv eval`), `expected`, and `plant`: with dispersed parameters, the drift of (x, w)
 under u_sat and the covariance diffusion * diffusion^T. Matrices are lists of rows. `tolerance` is what float64 can be asked for,
 per output: the largest change of any entry when the law is evaluated in float64 or its inputs move by one unit in the last place,
