@@ -95,7 +95,6 @@ def exact_chain():
         "first", np.array([0.1]), lambda x, p: -0.5 * sin(x[0]), lambda x, p: np.array([[2 + cos(x[0][0])]]),
         K=np.array([2.0]), kbar=2.0, C=10 * np.eye(1), eta_1=1.0, eta_2=1.0, eta_3=1.0,
         disturbance=Bounded(lambda t: np.array([0.2 * sin(t)])), observer=6 * np.eye(1), constraint=funnel(1.0, 0.3),
-        network=Network(2, lambda x: x[0], 1, np.array([0.2]), 1.0, 0.1),
     )
     second = Block(
         "second", np.array([0.0]), lambda x, p: x[0] * x[1] - 0.2 * x[1],

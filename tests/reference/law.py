@@ -25,18 +25,18 @@ def basis(network, z):
 
 
 def barrier(e, k, margin):
-    """E = pi s^2/(2 k^4) clamped below pi/2, and sin(E)cos(E)/E, tan(E)/E with their limits at 0 (Remark 4)."""
+    """E = pi s^2/(2 k^4) clamped below pi/2, and its limits at 0 (Remark 4): sin(E)cos(E) over the free E, tan(E)/E."""
     s = e @ e
     zero = s - s
     if k is None:
         return zero, zero + 1, zero + 1
     pi = pi_like(s)
     clamp = pi / 2 - margin
-    E = pi * s**2 / (2 * k**4)
-    E = E if E < clamp else clamp
-    if E == 0:
+    free = pi * s**2 / (2 * k**4)
+    if free == 0:
         return zero, zero + 1, zero + 1
-    return E, sin(E) * cos(E) / E, tan(E) / E
+    E = min(free, clamp)
+    return E, sin(E) * cos(E) / free, tan(E) / E
 
 
 def saturate(u, limits):
@@ -91,7 +91,7 @@ def _block(problem, i, state, params, x, out):
     A_hat = block.network.iota * (state[f"W{i}"].T @ P) if block.network else 0 * e
     D_hat, w_hat = _estimate(block, state, i, x[-1], e)
 
-    # With k^4/(2 pi) sin E cos E/s^2 = sin E cos E/(4 E) the limits k -> infinity and e -> 0 need no special case.
+    # With k^4/(2 pi) sin E cos E/s^2 = sin E cos E/(4 pi s^2/(2 k^4)) the limits k -> infinity and e -> 0 need no special case.
     lam = (4 * block.kbar + block.K) / 4 * sin_cos_over * e + block.kbar * e
     if isinstance(block.disturbance, Bounded):
         lam = lam + block.eta_1 / 2 * c

@@ -1,12 +1,11 @@
 """Writes tests/points/<spec>.json: states of the closed loop and what the law must give there, to the last digit.
 
-Run from anywhere: python tests/reference/make_points.py. The result depends on nothing but this folder.
+Run from anywhere: python tests/reference/make_points.py. The result depends on this folder and the aerodynamic data alone.
 A point has a label, `inputs` (names as in `nsv eval`), `expected`, and `plant`: with dispersed parameters, the drift of (x, w)
 under u_sat and the covariance diffusion * diffusion^T. Matrices are lists of rows. `tolerance` is what float64 can be asked for,
 per output: the largest change of any entry when the law is evaluated in float64 or its inputs move by one unit in the last place,
-eight times, plus 1e-13 of the largest entry (1e-10 for LV), plus 1e-15. A point with "clamped": true violates a constraint: E is held
-at pi/2 - margin, everything else follows from it with k^4 sin E cos E/(2 pi s^2) written as sin E cos E/(4 E), and V and LV mean
-nothing.
+eight times, plus 1e-13 of the largest entry (1e-10 for LV), plus 1e-15. A point with "clamped": true violates a constraint: E is
+held at pi/2 - margin wherever it stands, s and k stay as they are, and V and LV mean nothing.
 """
 
 import json
@@ -213,6 +212,8 @@ def points(name):
     problem = ALL[name]()
     rng = np.random.default_rng(2024)
     sampler = Sampler(name, problem, rng)
+    design = problem.parameters.items()  # V and LV are those of the design model
+    parameters = {f"{of}.{parameter}": v for of in ("params", "plant") for parameter, v in design}
     wild, calm = (lambda: rng.uniform(0.05, 0.9)), (lambda: rng.uniform(0, 0.3))
     cases = [
         (f"random {j + 1}", sampler.state(calm, calm=True) if j % 2 else sampler.state(wild)) for j in range(RANDOM_POINTS)
@@ -223,7 +224,7 @@ def points(name):
         yield {
             "label": label,
             **({"clamped": True} if clamped else {}),
-            "inputs": plain(state),
+            "inputs": plain(state | parameters),
             "expected": plain(values),
             "tolerance": {name: float(f"{v:.3g}") for name, v in tolerance(problem, state, values, rng).items()},
             "plant": plain(plant(problem, at, values["u_sat"], rng)),
