@@ -38,6 +38,16 @@ impl Direction {
         }
     }
 
+    /// Whether a quantity is what a straight line points along: it stays the same on the line, although its equation may depend on what
+    /// moves (a diffusion that depends on the state: Ito, not Stratonovich).
+    fn holds(&self, quantity: &str) -> bool {
+        self.straight
+            && self
+                .starts
+                .values()
+                .any(|start| start.as_deref() == Some(quantity))
+    }
+
     /// Time alone.
     pub fn time() -> Self {
         Self {
@@ -107,6 +117,9 @@ impl<'p, 'm> Rates<'p, 'm> {
         direction: &Direction,
         order: usize,
     ) -> Result<Option<String>, DeriveError> {
+        if direction.holds(quantity) {
+            return Ok(None);
+        }
         if let Some(start) = direction.starts.get(quantity) {
             let further = order > 1 && direction.straight;
             let Some(start) = start.clone().filter(|_| !further) else {
