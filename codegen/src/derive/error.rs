@@ -16,7 +16,7 @@ impl fmt::Display for DeriveError {
         match self {
             Self::Partials(error) => error.fmt(f),
             Self::NetworkOrder => f.write_str(
-                "the exact virtual derivative needs a third rate of an mtpn; use `virtual_derivative: filter`, or put the network in one of the last three blocks",
+                "the exact virtual derivative of this law needs a third rate of an mtpn; use `virtual_derivative: filter`, or give the network to an inner block",
             ),
         }
     }

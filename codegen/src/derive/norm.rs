@@ -18,18 +18,7 @@ impl Law<'_> {
         let one_column = matches!(shape, Some(Shape::Matrix(_, 1) | Shape::Matrix(1, _)));
         match self.model.controller.norm {
             Norm::Spectral if !one_column => {
-                let direction = Symbol::from(Term::SingularVector(value.clone()));
-                let direction = self.define(
-                    format!("{quantity}_direction"),
-                    format!("{text}: direction of largest gain"),
-                    direction,
-                );
-                let image = self.define(
-                    format!("{quantity}_image"),
-                    format!("{text}: image of that direction"),
-                    value.times(direction),
-                );
-                self.define(quantity, text, image.clone().dot(image))
+                self.define(quantity, text, Term::SpectralSquare(value).into())
             }
             _ => self.define(quantity, text, value.sum_squares()),
         }

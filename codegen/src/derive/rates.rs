@@ -10,7 +10,7 @@ use super::Partials;
 use super::error::DeriveError;
 use super::formula::Formula;
 use super::law::Law;
-use super::symbol::{Symbol, Term, name, zeros};
+use super::symbol::{Symbol, Term, name, number, zeros};
 use crate::casadi::Job;
 use crate::ir::{Function, Operator, Shape};
 
@@ -101,6 +101,16 @@ impl<'p, 'm> Rates<'p, 'm> {
             } else {
                 self.rate(quantity, &Direction::time(), order)
             };
+        }
+        if direction.straight
+            && direction
+                .starts
+                .values()
+                .flatten()
+                .any(|start| start == quantity)
+        {
+            // The direction itself does not turn.
+            return Ok(None);
         }
         let key = (quantity.to_string(), direction.tag.clone(), order);
         if let Some(done) = self.done.get(&key) {
@@ -237,14 +247,13 @@ impl<'p, 'm> Rates<'p, 'm> {
         symbol: &Symbol,
         direction: &Direction,
     ) -> Result<Option<Symbol>, DeriveError> {
+        let shape = self.law.shape_of(symbol);
         let mut d = |symbol: &Symbol| self.differentiate(symbol, direction);
         Ok(match symbol.term() {
             Term::Name(quantity) => self.rate(&quantity.clone(), direction, 1)?.map(name),
-            Term::Literal(..)
-            | Term::Diagonal(_)
-            | Term::Constant(_)
-            | Term::Parameter(..)
-            | Term::SingularVector(_) => None,
+            Term::Literal(..) | Term::Diagonal(_) | Term::Constant(_) | Term::Parameter(..) => None,
+            Term::SpectralSquare(a) => d(a)?.map(|da| spectral_square_rate(a, da)),
+            Term::SingularVector(a) => d(a)?.map(|da| singular_vector_rate(a, da, shape)),
             Term::Apply(Function::Neg, a) => d(a)?.map(|a| -a),
             Term::Binary(Operator::Add, a, b) => sum(d(a)?, d(b)?),
             Term::Binary(Operator::Sub, a, b) => sum(d(a)?, d(b)?.map(|b| -b)),
@@ -315,6 +324,7 @@ fn is_structural(symbol: &Symbol) -> bool {
         | Term::Constant(_)
         | Term::Parameter(..)
         | Term::SingularVector(_)
+        | Term::SpectralSquare(_)
         | Term::Apply(Function::Neg, _)
         | Term::Binary(Operator::Add | Operator::Sub | Operator::Mul, ..)
         | Term::MatMul(..)
@@ -347,4 +357,42 @@ fn sum(a: Option<Symbol>, b: Option<Symbol>) -> Option<Symbol> {
         (Some(a), Some(b)) => Some(a + b),
         (a, b) => a.or(b),
     }
+}
+
+/// Rate of lambda = ||A||^2 = v^T A^T A v with v of unit length: 2 (A v)^T A' v. The rate of v drops out.
+fn spectral_square_rate(a: &Symbol, rate: Symbol) -> Symbol {
+    let direction = Symbol::from(Term::SingularVector(a.clone()));
+    number(2.0)
+        * a.clone()
+            .times(direction.clone())
+            .dot(rate.times(direction))
+}
+
+/// Rate of v, the eigenvector of B = A^T A to its largest eigenvalue lambda: (lambda (I + v v^T) - B) v' = B' v - (v^T B' v) v.
+/// The matrix is regular if lambda is simple; where it is not, the norm has no second derivative.
+fn singular_vector_rate(a: &Symbol, rate: Symbol, size: Option<Shape>) -> Symbol {
+    let Some(Shape::Vector(size)) = size else {
+        unreachable!("invariant: a singular vector is a vector")
+    };
+    let v = Symbol::from(Term::SingularVector(a.clone()));
+    let lambda = Symbol::from(Term::SpectralSquare(a.clone()));
+    let squared = a.clone().transpose().times(a.clone());
+    let squared_rate =
+        rate.clone().transpose().times(a.clone()) + a.clone().transpose().times(rate);
+    let turned = squared_rate.times(v.clone());
+    let across = turned.clone() - v.clone().dot(turned) * v.clone();
+    let identity = Symbol::from(Term::Literal(
+        Shape::Matrix(size, size),
+        (0..size * size)
+            .map(|at| {
+                if at.is_multiple_of(size + 1) {
+                    1.0
+                } else {
+                    0.0
+                }
+            })
+            .collect(),
+    ));
+    let regular = lambda * (identity + v.clone().outer(v)) - squared;
+    regular.solve(across)
 }

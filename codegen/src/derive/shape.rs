@@ -46,7 +46,9 @@ impl Law<'_> {
                     a
                 }
             },
-            Term::Dot(..) | Term::SumSquares(_) | Term::Trace(_) => Shape::Scalar,
+            Term::Dot(..) | Term::SumSquares(_) | Term::SpectralSquare(_) | Term::Trace(_) => {
+                Shape::Scalar
+            }
             Term::Column(a, _) => Shape::Vector(rows(real(a))),
             Term::Stack(items) => Shape::Vector(items.iter().map(|item| rows(real(item))).sum()),
             Term::BlockDiagonal(blocks) => {

@@ -80,6 +80,8 @@ pub enum Term {
     Solve(Symbol, Symbol),
     /// Right singular vector of the largest singular value.
     SingularVector(Symbol),
+    /// Square of the largest singular value.
+    SpectralSquare(Symbol),
     /// MTPN basis of the block with this number (from 1) at an input vector.
     Basis(usize, Symbol),
     /// Its directional derivative: input, rate.
@@ -231,6 +233,7 @@ impl Symbol {
             | Term::Transpose(a)
             | Term::SumSquares(a)
             | Term::SingularVector(a)
+            | Term::SpectralSquare(a)
             | Term::Basis(_, a) => vec![a.clone()],
             Term::Binary(_, a, b)
             | Term::Compare(_, a, b)

@@ -46,6 +46,11 @@ impl<C: Context> Lowering<'_, '_, C> {
                 self.symbol(dz),
                 self.symbol(ddz),
             ),
+            Term::SpectralSquare(a) => {
+                let a = self.symbol(a);
+                let direction = self.program.push(Op::SingularVector(a));
+                Op::SumSquares(self.program.push(Op::MatMul(a, direction)))
+            }
             Term::Column(a, col) => {
                 let a = self.symbol(a);
                 return self.column(a, *col);
