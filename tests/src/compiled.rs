@@ -7,12 +7,15 @@ use nsv_codegen::ir::Values;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::status::Status;
 
+/// An emitted function, from inputs to outputs.
+pub type Emitted = fn(&Values) -> Values;
+
 /// A generated module.
 pub struct Module {
     /// Its name.
     pub name: &'static str,
-    /// The emitted functions by the names of their programs, from inputs to outputs.
-    pub functions: [(&'static str, fn(&Values) -> Values); 4],
+    /// The emitted functions by the names of their programs.
+    pub functions: [(&'static str, Emitted); 4],
     /// A controller with design parameters.
     pub controller: fn() -> Box<dyn Sampled>,
     /// Magnitude limit of each control.
@@ -238,5 +241,10 @@ module!(
 
 /// Every generated module.
 pub fn modules() -> [Module; 4] {
-    [motor_arm::MODULE, nsv_attitude::MODULE, pendulum::MODULE, two_link_arm::MODULE]
+    [
+        motor_arm::MODULE,
+        nsv_attitude::MODULE,
+        pendulum::MODULE,
+        two_link_arm::MODULE,
+    ]
 }

@@ -4,8 +4,6 @@
 //! The README's Rust is compiled and run as a doc test of this crate.
 #![doc = include_str!("../../README.md")]
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking, in what it shares as well")]
-
 pub mod compiled;
 pub mod interpreted;
 pub mod points;

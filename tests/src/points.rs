@@ -32,8 +32,13 @@ pub struct Point {
 
 /// Names of the specifications that have points.
 pub fn names() -> Vec<String> {
-    let entries = repository("tests/points").read_dir().unwrap().map(|entry| entry.unwrap().path());
-    let mut names: Vec<String> = entries.map(|path| path.file_stem().unwrap().to_string_lossy().into_owned()).collect();
+    let entries = repository("tests/points")
+        .read_dir()
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
+    let mut names: Vec<String> = entries
+        .map(|path| path.file_stem().unwrap().to_string_lossy().into_owned())
+        .collect();
     names.sort();
     names
 }
@@ -43,7 +48,12 @@ pub fn points(name: &str) -> Vec<Point> {
     let text = fs::read_to_string(repository(&format!("tests/points/{name}.json"))).unwrap();
     let document: Value = serde_json::from_str(&text).unwrap();
     assert_eq!(document["spec"], name);
-    document["points"].as_array().unwrap().iter().map(point).collect()
+    document["points"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(point)
+        .collect()
 }
 
 impl Point {
@@ -51,13 +61,28 @@ impl Point {
     /// `state.` and the plant's state packed. Design parameters are nominal, the plant's are `plant`.
     pub fn values(&self, model: &Model, plant: &BTreeMap<String, f64>) -> Values {
         let mut values = self.inputs.clone();
-        values.extend(self.inputs.iter().map(|(name, data)| (format!("state.{name}"), data.clone())));
+        values.extend(
+            self.inputs
+                .iter()
+                .map(|(name, data)| (format!("state.{name}"), data.clone())),
+        );
         for parameter in &model.parameters {
-            values.insert(format!("params.{}", parameter.name), vec![parameter.design_value]);
-            values.insert(format!("plant.{}", parameter.name), vec![plant[&parameter.name]]);
+            values.insert(
+                format!("params.{}", parameter.name),
+                vec![parameter.design_value],
+            );
+            values.insert(
+                format!("plant.{}", parameter.name),
+                vec![plant[&parameter.name]],
+            );
         }
-        let parts = ["x", "w"].into_iter().flat_map(|leaf| (1..=model.blocks.len()).map(move |i| format!("{leaf}{i}")));
-        let packed = parts.filter_map(|leaf| self.inputs.get(&leaf)).flatten().copied();
+        let parts = ["x", "w"]
+            .into_iter()
+            .flat_map(|leaf| (1..=model.blocks.len()).map(move |i| format!("{leaf}{i}")));
+        let packed = parts
+            .filter_map(|leaf| self.inputs.get(&leaf))
+            .flatten()
+            .copied();
         values.insert("x".into(), packed.collect());
         values.insert("u_sat".into(), self.expected["u_sat"].clone());
         values
@@ -68,7 +93,9 @@ fn point(value: &Value) -> Point {
     let plant = &value["plant"];
     Point {
         label: value["label"].as_str().unwrap().to_owned(),
-        clamped: value.get("clamped").is_some_and(|clamped| clamped.as_bool().unwrap()),
+        clamped: value
+            .get("clamped")
+            .is_some_and(|clamped| clamped.as_bool().unwrap()),
         inputs: object(&value["inputs"], flat),
         expected: object(&value["expected"], flat),
         tolerance: object(&value["tolerance"], number),
@@ -79,7 +106,12 @@ fn point(value: &Value) -> Point {
 }
 
 fn object<T>(value: &Value, entry: fn(&Value) -> T) -> BTreeMap<String, T> {
-    value.as_object().unwrap().iter().map(|(name, value)| (name.clone(), entry(value))).collect()
+    value
+        .as_object()
+        .unwrap()
+        .iter()
+        .map(|(name, value)| (name.clone(), entry(value)))
+        .collect()
 }
 
 fn number(value: &Value) -> f64 {

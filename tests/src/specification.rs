@@ -13,13 +13,24 @@ use nsv_spec::model::Model;
 
 /// A path of the repository.
 pub fn repository(path: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join(path)
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .parent()
+        .unwrap()
+        .join(path)
 }
 
 /// The specifications in a folder of the repository, by name of file.
 pub fn specifications(folder: &str) -> Vec<PathBuf> {
-    let entries = repository(folder).read_dir().unwrap().map(|entry| entry.unwrap().path());
-    let mut paths: Vec<PathBuf> = entries.filter(|path| path.extension().is_some_and(|extension| extension == "yaml")).collect();
+    let entries = repository(folder)
+        .read_dir()
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
+    let mut paths: Vec<PathBuf> = entries
+        .filter(|path| {
+            path.extension()
+                .is_some_and(|extension| extension == "yaml")
+        })
+        .collect();
     assert!(!paths.is_empty(), "{folder} has specifications");
     paths.sort();
     paths
@@ -27,7 +38,8 @@ pub fn specifications(folder: &str) -> Vec<PathBuf> {
 
 /// The specification of this name, of the product or of the tests.
 pub fn named(name: &str) -> PathBuf {
-    let candidates = ["specs", "tests/specs"].map(|folder| repository(folder).join(format!("{name}.yaml")));
+    let candidates =
+        ["specs", "tests/specs"].map(|folder| repository(folder).join(format!("{name}.yaml")));
     let found = candidates.into_iter().find(|path| path.exists());
     found.unwrap_or_else(|| panic!("there is a specification {name}"))
 }
@@ -35,7 +47,8 @@ pub fn named(name: &str) -> PathBuf {
 /// The model of a specification without faults.
 pub fn model(path: &Path) -> Model {
     let loaded = nsv_spec::load(path);
-    let (model, _) = loaded.unwrap_or_else(|faults| panic!("{}: {:?}", path.display(), faults.items));
+    let (model, _) =
+        loaded.unwrap_or_else(|faults| panic!("{}: {:?}", path.display(), faults.items));
     model
 }
 
@@ -43,7 +56,11 @@ pub fn model(path: &Path) -> Model {
 pub fn provider(path: &Path) -> Provider<'static> {
     let exports = path.with_file_name("partials");
     let update = env::var_os("NSV_UPDATE_EXPORTS").is_some();
-    let settings = if update { Settings::from_environment(exports, Mode::Provision) } else { Settings::offline(exports) };
+    let settings = if update {
+        Settings::from_environment(exports, Mode::Provision)
+    } else {
+        Settings::offline(exports)
+    };
     Provider::new(settings, |_| {})
 }
 
@@ -59,6 +76,7 @@ pub fn programs(model: &Model, provider: &mut Provider<'_>) -> Result<Programs, 
 /// Model and programs of a specification.
 pub fn compiled(path: &Path) -> (Model, Programs) {
     let model = model(path);
-    let programs = programs(&model, &mut provider(path)).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let programs = programs(&model, &mut provider(path))
+        .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     (model, programs)
 }

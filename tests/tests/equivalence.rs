@@ -8,7 +8,7 @@ use nsv_codegen::lower::Programs;
 use nsv_codegen::opt::{Kind, PASSES, optimise};
 use nsv_runtime::noise::Noise;
 use nsv_spec::model::Model;
-use nsv_tests::compiled::{Module, modules};
+use nsv_tests::compiled::{Emitted, Module, modules};
 use nsv_tests::points::points;
 use nsv_tests::specification::{compiled, named};
 
@@ -22,7 +22,7 @@ const EXTREME: [f64; 8] = [0.0, -0.0, 1e-300, -5e-324, 1e-9, -1e6, 1e100, 1e300]
 struct Function<'p> {
     context: String,
     stages: Vec<(String, Evaluator<'p>)>,
-    compiled: fn(&Values) -> Values,
+    compiled: Emitted,
 }
 
 impl Function<'_> {
@@ -32,10 +32,23 @@ impl Function<'_> {
         for (stage, evaluator) in self.stages.iter_mut().take(stages) {
             evaluator.run(values).unwrap();
             let evaluated = evaluator.outputs();
-            assert!(evaluated.keys().eq(compiled.keys()), "{}: {:?} {:?}", self.context, evaluated.keys(), compiled.keys());
+            assert!(
+                evaluated.keys().eq(compiled.keys()),
+                "{}: {:?} {:?}",
+                self.context,
+                evaluated.keys(),
+                compiled.keys()
+            );
             for (name, evaluated) in &evaluated {
-                let same = evaluated.iter().zip(&compiled[name]).all(|(a, b)| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan()));
-                assert!(same, "{}, {stage}: {name} is {:?} compiled, {evaluated:?} evaluated, at {values:?}", self.context, compiled[name]);
+                let same = evaluated
+                    .iter()
+                    .zip(&compiled[name])
+                    .all(|(a, b)| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan()));
+                assert!(
+                    same,
+                    "{}, {stage}: {name} is {:?} compiled, {evaluated:?} evaluated, at {values:?}",
+                    self.context, compiled[name]
+                );
             }
         }
         compiled
@@ -44,7 +57,10 @@ impl Function<'_> {
 
 /// The program before optimisation, optimised, and after each exact pass that changes it.
 fn stages(program: &Program) -> Vec<(String, Program)> {
-    let mut stages = vec![("lowered".to_owned(), program.clone()), ("optimised".to_owned(), optimise(program.clone()))];
+    let mut stages = vec![
+        ("lowered".to_owned(), program.clone()),
+        ("optimised".to_owned(), optimise(program.clone())),
+    ];
     let mut present = program.clone();
     for round in 1..=2 {
         for pass in PASSES.iter().filter(|pass| pass.kind == Kind::Exact) {
@@ -60,17 +76,36 @@ fn stages(program: &Program) -> Vec<(String, Program)> {
 }
 
 fn programs_of(programs: &Programs) -> BTreeMap<&str, Vec<(String, Program)>> {
-    let all = [&programs.initial, &programs.control, &programs.plant, &programs.lyapunov];
-    all.map(|program| (program.name.as_str(), stages(program))).into()
+    let all = [
+        &programs.initial,
+        &programs.control,
+        &programs.plant,
+        &programs.lyapunov,
+    ];
+    all.map(|program| (program.name.as_str(), stages(program)))
+        .into()
 }
 
 /// Calls `test` with every function of the module.
-fn with_functions(module: &Module, test: impl FnOnce(&Model, &mut BTreeMap<&'static str, Function<'_>>)) {
+fn with_functions(
+    module: &Module,
+    test: impl FnOnce(&Model, &mut BTreeMap<&'static str, Function<'_>>),
+) {
     let (model, programs) = compiled(&named(module.name));
     let staged = programs_of(&programs);
     let function = |(name, compiled)| {
-        let stages = staged[name].iter().map(|(stage, program)| (stage.clone(), Evaluator::new(program))).collect();
-        (name, Function { context: format!("{}::{name}", module.name), stages, compiled })
+        let stages = staged[name]
+            .iter()
+            .map(|(stage, program)| (stage.clone(), Evaluator::new(program)))
+            .collect();
+        (
+            name,
+            Function {
+                context: format!("{}::{name}", module.name),
+                stages,
+                compiled,
+            },
+        )
     };
     test(&model, &mut module.functions.map(function).into());
 }
@@ -100,7 +135,8 @@ fn changed(values: &Values, draw: &Noise) -> Values {
     let change = |(channel, (name, data)): (u32, (&String, &Vec<f64>))| {
         let entry = |(step, value): (u64, &f64)| {
             if extreme && draw.uniform(step, 2 * channel) < 0.02 {
-                return EXTREME[(draw.uniform(step, 2 * channel + 1) * EXTREME.len() as f64) as usize];
+                return EXTREME
+                    [(draw.uniform(step, 2 * channel + 1) * EXTREME.len() as f64) as usize];
             }
             value * (1.0 + spread * draw.normal(step, 2 * channel + 1))
         };
@@ -114,25 +150,36 @@ fn changed(values: &Values, draw: &Noise) -> Values {
 fn a_flight_is_the_same_interpreted_and_compiled() {
     for module in modules() {
         with_functions(&module, |model, functions| {
-            let mut point = points(module.name).into_iter().find(|point| point.label == "initial state of the scenario").unwrap();
+            let mut point = points(module.name)
+                .into_iter()
+                .find(|point| point.label == "initial state of the scenario")
+                .unwrap();
             let dt = model.controller.sample_time;
-            let mut run = |name: &str, values: &Values| functions.get_mut(name).unwrap().check(values, 2);
+            let mut run =
+                |name: &str, values: &Values| functions.get_mut(name).unwrap().check(values, 2);
             let states = run("initial", &point.values(model, &point.params));
             point.inputs.extend(states);
             for sample in 0..500 {
-                point.inputs.insert("t".into(), vec![f64::from(sample) * dt]);
+                point
+                    .inputs
+                    .insert("t".into(), vec![f64::from(sample) * dt]);
                 let mut values = point.values(model, &point.params);
                 let law = run("control", &values);
                 values.insert("u_sat".into(), law["u_sat"].clone());
                 run("lyapunov", &values);
                 let rates = &run("plant", &values)["drift"];
                 let mut moved = values["x"].iter().zip(rates).map(|(x, rate)| x + dt * rate);
-                for leaf in ["x", "w"].into_iter().flat_map(|leaf| (1..=model.blocks.len()).map(move |i| format!("{leaf}{i}"))) {
+                for leaf in ["x", "w"]
+                    .into_iter()
+                    .flat_map(|leaf| (1..=model.blocks.len()).map(move |i| format!("{leaf}{i}")))
+                {
                     for entry in point.inputs.get_mut(&leaf).into_iter().flatten() {
                         *entry = moved.next().unwrap();
                     }
                 }
-                let next = law.into_iter().filter_map(|(name, value)| Some((name.strip_prefix("next.")?.to_owned(), value)));
+                let next = law.into_iter().filter_map(|(name, value)| {
+                    Some((name.strip_prefix("next.")?.to_owned(), value))
+                });
                 point.inputs.extend(next);
             }
         });

@@ -53,16 +53,28 @@ impl Case<'_> {
 fn everywhere(mut test: impl FnMut(&Case<'_>)) {
     for name in names() {
         let (model, programs) = compiled(&named(&name));
-        let design = model.parameters.iter().map(|parameter| (parameter.name.clone(), parameter.design_value)).collect();
+        let design = model
+            .parameters
+            .iter()
+            .map(|parameter| (parameter.name.clone(), parameter.design_value))
+            .collect();
         for point in points(&name).iter().filter(|point| !point.clamped) {
-            test(&Case { model: &model, programs: &programs, point, inputs: point.values(&model, &design) });
+            test(&Case {
+                model: &model,
+                programs: &programs,
+                point,
+                inputs: point.values(&model, &design),
+            });
         }
     }
 }
 
 /// Matrix, row by row, times vector.
 fn times(matrix: &[f64], vector: &[f64]) -> Vec<f64> {
-    matrix.chunks(vector.len()).map(|row| dot(row, vector)).collect()
+    matrix
+        .chunks(vector.len())
+        .map(|row| dot(row, vector))
+        .collect()
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
@@ -74,7 +86,9 @@ fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
 }
 
 fn sum(terms: &[Vec<f64>]) -> Vec<f64> {
-    (0..terms[0].len()).map(|at| terms.iter().map(|term| term[at]).sum()).collect()
+    (0..terms[0].len())
+        .map(|at| terms.iter().map(|term| term[at]).sum())
+        .collect()
 }
 
 fn norm(a: &[f64]) -> f64 {
@@ -98,22 +112,47 @@ fn e1_the_auxiliary_system_takes_the_saturation_out_of_the_error() {
         for i in 1..=case.order() {
             let of = |base: &str| law[&format!("{base}{i}")].clone();
             let zeta = &inputs[&format!("zeta{i}")];
-            let command_rate = if i == 1 { &law["y_r_dot"] } else { &law[&format!("h{}_dot", i - 1)] };
+            let command_rate = if i == 1 {
+                &law["y_r_dot"]
+            } else {
+                &law[&format!("h{}_dot", i - 1)]
+            };
             let negative: Vec<f64> = command_rate.iter().map(|rate| -rate).collect();
             let drive = match i == case.order() {
                 true => law["u"].clone(),
-                false => difference(&inputs[&format!("x{}", i + 1)], &inputs[&format!("zeta{}", i + 1)]),
+                false => difference(
+                    &inputs[&format!("x{}", i + 1)],
+                    &inputs[&format!("zeta{}", i + 1)],
+                ),
             };
             let x_dot = &plant["drift"][(i - 1) * m..i * m];
-            let e_dot = difference(&difference(x_dot, command_rate), &law[&format!("zeta{i}_dot")]);
-            let mut terms = vec![of("F"), times(&of("G"), &drive), negative, times(full(&case.model.blocks[i - 1].c), zeta)];
+            let e_dot = difference(
+                &difference(x_dot, command_rate),
+                &law[&format!("zeta{i}_dot")],
+            );
+            let mut terms = vec![
+                of("F"),
+                times(&of("G"), &drive),
+                negative,
+                times(full(&case.model.blocks[i - 1].c), zeta),
+            ];
             terms.extend(plant.get(&format!("d{i}")).cloned());
-            let scale = terms.iter().chain([&law[&format!("zeta{i}_dot")]]).map(|term| norm(term)).sum();
+            let scale = terms
+                .iter()
+                .chain([&law[&format!("zeta{i}_dot")]])
+                .map(|term| norm(term))
+                .sum();
             case.check(&format!("e{i}'"), &e_dot, &sum(&terms), scale, 1e-14);
         }
-        let excess = times(&law[&format!("G{}", case.order())], &difference(&law["u"], &law["u_sat"]));
+        let excess = times(
+            &law[&format!("G{}", case.order())],
+            &difference(&law["u"], &law["u_sat"]),
+        );
         saturated += usize::from(case.point.label == "saturated");
-        assert!(case.point.label != "saturated" || norm(&excess) > 0.1, "twice {excess:?} is the paper's error");
+        assert!(
+            case.point.label != "saturated" || norm(&excess) > 0.1,
+            "twice {excess:?} is the paper's error"
+        );
     });
     assert_eq!(saturated, names().len());
 }
@@ -134,7 +173,13 @@ fn e2_the_estimate_is_divided_by_the_input_gain() {
             let effect = times(gain, &difference(&moved["u"], &law["u"]));
             let cause = difference(&law[&estimate], &moved[&estimate]);
             let scale = 1.0 + norm(&law[&estimate]) + norm(&times(gain, &law["u"]));
-            case.check("G u after a step of the estimate", &effect, &cause, scale, 1e-13);
+            case.check(
+                "G u after a step of the estimate",
+                &effect,
+                &cause,
+                scale,
+                1e-13,
+            );
         }
     });
 }
@@ -145,7 +190,11 @@ fn e3_the_hessian_of_the_barrier() {
     let mut paper_is_off = 0;
     everywhere(|case| {
         let law = case.law();
-        for i in (1..=case.order()).filter(|i| law.contains_key(&format!("E{i}")) && law.contains_key(&format!("Ybar_norm{i}"))) {
+        for i in (1..=case.order()).filter(|i| {
+            ["k", "Ybar_norm"]
+                .iter()
+                .all(|base| law.contains_key(&format!("{base}{i}")))
+        }) {
             let of = |base: &str| &law[&format!("{base}{i}")];
             let (e, c, k, angle) = (of("e"), of("c"), of("k")[0], of("E")[0]);
             // Near the bound V bends too fast for differences; at no error there is nothing to see.
@@ -157,8 +206,14 @@ fn e3_the_hessian_of_the_barrier() {
             let step = 1e-4 * libm::sqrt(s);
             let column = |j: usize| {
                 let at = |h: f64| case.moved(&format!("x{i}"), j, h)[&format!("c{i}")].clone();
-                let (near, far) = (difference(&at(step), &at(-step)), difference(&at(2.0 * step), &at(-2.0 * step)));
-                near.iter().zip(far).map(|(near, far)| (8.0 * near - far) / (12.0 * step)).collect::<Vec<f64>>()
+                let (near, far) = (
+                    difference(&at(step), &at(-step)),
+                    difference(&at(2.0 * step), &at(-2.0 * step)),
+                );
+                near.iter()
+                    .zip(far)
+                    .map(|(near, far)| (8.0 * near - far) / (12.0 * step))
+                    .collect::<Vec<f64>>()
             };
             let hessian: Vec<f64> = (0..m).flat_map(column).collect();
             let form = |factor: f64| {
@@ -166,33 +221,51 @@ fn e3_the_hessian_of_the_barrier() {
                     let (row, col) = (at / m, at % m);
                     let diagonal = f64::from(u8::from(row == col));
                     let product = e[row] * e[col];
-                    factor * libm::sin(angle) / libm::pow(cos, 3.0) * s * s * product + (2.0 * product + s * diagonal) / (cos * cos)
+                    factor * libm::sin(angle) / libm::pow(cos, 3.0) * s * s * product
+                        + (2.0 * product + s * diagonal) / (cos * cos)
                 };
                 (0..m * m).map(entry).collect::<Vec<f64>>()
             };
             let scale = norm(&hessian);
-            case.check("Hessian of V_T", &hessian, &form(4.0 * PI / libm::pow(k, 4.0)), scale, 1e-7);
+            case.check(
+                "Hessian of V_T",
+                &hessian,
+                &form(4.0 * PI / libm::pow(k, 4.0)),
+                scale,
+                1e-7,
+            );
             let paper = form(8.0 * PI * PI / libm::pow(k, 8.0));
             paper_is_off += usize::from(norm(&difference(&hessian, &paper)) > 0.1 * scale);
 
             // c is the gradient of V_T: V_T = k^4/(2 pi) tan E.
-            let potential = |x: &[f64]| libm::pow(k, 4.0) / (2.0 * PI) * libm::tan(PI * dot(x, x) * dot(x, x) / (2.0 * libm::pow(k, 4.0)));
+            let potential = |x: &[f64]| {
+                libm::pow(k, 4.0) / (2.0 * PI)
+                    * libm::tan(PI * dot(x, x) * dot(x, x) / (2.0 * libm::pow(k, 4.0)))
+            };
             let slope = |h: f64| potential(&e.iter().map(|e| e * (1.0 + h)).collect::<Vec<f64>>());
             let along = (8.0 * (slope(1e-4) - slope(-1e-4)) - slope(2e-4) + slope(-2e-4)) / 12e-4;
             case.check("e c", &[dot(e, c)], &[along], along.abs(), 1e-8);
 
             let identity = |at: usize| f64::from(u8::from(at / m == at % m));
             let outer = 4.0 * PI / libm::pow(k, 4.0) * libm::sin(angle) / libm::pow(cos, 3.0) * s;
-            let ybar: Vec<f64> = (0..m * m).map(|at| outer * e[at / m] * e[at % m] + 3.0 / (cos * cos) * identity(at)).collect();
+            let ybar: Vec<f64> = (0..m * m)
+                .map(|at| outer * e[at / m] * e[at % m] + 3.0 / (cos * cos) * identity(at))
+                .collect();
             let ybar_norm = match case.model.controller.norm {
                 Norm::Frobenius => norm(&ybar),
                 Norm::Spectral => outer * s + 3.0 / (cos * cos),
             };
             case.check("||Ybar||", of("Ybar_norm"), &[ybar_norm], ybar_norm, 1e-11);
-            assert!(norm(&hessian) <= (1.0 + 1e-7) * s * norm(&ybar), "||Y|| <= s ||Ybar||");
+            assert!(
+                norm(&hessian) <= (1.0 + 1e-7) * s * norm(&ybar),
+                "||Y|| <= s ||Ybar||"
+            );
         }
     });
-    assert!(paper_is_off > 20, "the paper's form is off at {paper_is_off} points only");
+    assert!(
+        paper_is_off > 20,
+        "the paper's form is off at {paper_is_off} points only"
+    );
 }
 
 /// E4: the sigma term of (64) is a vector along e; its length is what (67) assumes.
@@ -201,15 +274,24 @@ fn e4_the_noise_term_acts_along_the_error() {
     everywhere(|case| {
         let law = case.law();
         for (i, block) in (1..).zip(&case.model.blocks) {
-            let Some(bound) = &block.noise_bound else { continue };
+            let Some(bound) = &block.noise_bound else {
+                continue;
+            };
             let of = |base: &str| &law[&format!("{base}{i}")];
             let (s, e) = (dot(of("e"), of("e")), of("e"));
             let moved = case.moved(&format!("sigma{i}"), 0, 1.0);
             let effect = difference(&moved[&format!("Lam{i}")], of("Lam"));
             let noise2 = law[&format!("H_norm2_{i}")][0];
-            let factor = noise2 * of("Ybar_norm")[0] / libm::sqrt(s * s + bound.varsigma * bound.varsigma);
+            let factor =
+                noise2 * of("Ybar_norm")[0] / libm::sqrt(s * s + bound.varsigma * bound.varsigma);
             let expected: Vec<f64> = e.iter().map(|e| factor * e).collect();
-            case.check("sigma term", &effect, &expected, norm(of("Lam")) + norm(&effect), 1e-14);
+            case.check(
+                "sigma term",
+                &effect,
+                &expected,
+                norm(of("Lam")) + norm(&effect),
+                1e-14,
+            );
         }
     });
 }
@@ -218,13 +300,21 @@ fn e4_the_noise_term_acts_along_the_error() {
 /// eta^(3/4) it fails for eta > 1.
 #[test]
 fn e5_young_with_four_thirds() {
-    let bound = |eta: f64, power: f64, y: f64| 0.75 * libm::pow(eta, power) + libm::pow(y, 4.0) / (4.0 * libm::pow(eta, 4.0)) - y;
+    let bound = |eta: f64, power: f64, y: f64| {
+        0.75 * libm::pow(eta, power) + libm::pow(y, 4.0) / (4.0 * libm::pow(eta, 4.0)) - y
+    };
     for eta in [0.2, 0.5, 1.0, 1.2, 2.0, 5.0] {
         let tight = libm::pow(eta, 4.0 / 3.0);
-        assert!(bound(eta, 4.0 / 3.0, tight).abs() < 1e-14 * (1.0 + tight), "{eta}");
+        assert!(
+            bound(eta, 4.0 / 3.0, tight).abs() < 1e-14 * (1.0 + tight),
+            "{eta}"
+        );
         for percent in 1..500 {
             let y = tight * f64::from(percent) / 100.0;
-            assert!(bound(eta, 4.0 / 3.0, y) >= -1e-14 * (1.0 + tight), "{eta} {y}");
+            assert!(
+                bound(eta, 4.0 / 3.0, y) >= -1e-14 * (1.0 + tight),
+                "{eta} {y}"
+            );
         }
         assert!(eta <= 1.0 || bound(eta, 0.75, tight) < 0.0, "{eta}");
     }
@@ -244,7 +334,12 @@ fn e5_the_coupling_of_blocks_is_dominated() {
             let s = dot(of("e", i), of("e", i));
             let fourth = gain * gain * s * s / (4.0 * libm::pow(eta, 4.0));
             case.check("c Lam of the coupling", &[paid], &[fourth], fourth, 1e-12);
-            assert!(coupling <= 0.75 * libm::pow(eta, 4.0 / 3.0) + paid, "{}, {}: block {i}", case.model.name, case.point.label);
+            assert!(
+                coupling <= 0.75 * libm::pow(eta, 4.0 / 3.0) + paid,
+                "{}, {}: block {i}",
+                case.model.name,
+                case.point.label
+            );
         }
     });
 }

@@ -9,16 +9,25 @@ use nsv_codegen::driver::{compile, library};
 use nsv_tests::specification::{model, provider, repository, specifications};
 
 /// Module, title and files of a specification.
-fn generate(path: &Path, provider: &mut Provider<'_>) -> (String, String, BTreeMap<String, String>) {
+fn generate(
+    path: &Path,
+    provider: &mut Provider<'_>,
+) -> (String, String, BTreeMap<String, String>) {
     let model = model(path);
-    let compiled = compile(&model, provider).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let compiled =
+        compile(&model, provider).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     (model.name, model.title, compiled.files)
 }
 
 /// Text of every file of a folder by name.
 fn files(folder: &Path) -> BTreeMap<String, String> {
-    let entries = folder.read_dir().unwrap().map(|entry| entry.unwrap().path());
-    entries.map(|path| (file_name(&path), fs::read_to_string(&path).unwrap())).collect()
+    let entries = folder
+        .read_dir()
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
+    entries
+        .map(|path| (file_name(&path), fs::read_to_string(&path).unwrap()))
+        .collect()
 }
 
 fn file_name(path: &Path) -> String {
@@ -32,7 +41,10 @@ fn check(module: &str, generated: &BTreeMap<String, String>, committed: &BTreeMa
         // The first line is a hash of the others: where those part says more.
         let lines = text.lines().zip(committed[file].lines()).skip(1);
         let difference = lines.into_iter().find(|(new, old)| new != old);
-        assert!(*text == committed[file], "{module}/{file} is stale: run `nsv generate specs/*.yaml`; {difference:?}");
+        assert!(
+            *text == committed[file],
+            "{module}/{file} is stale: run `nsv generate specs/*.yaml`; {difference:?}"
+        );
     }
 }
 
@@ -47,11 +59,22 @@ fn committed_code_is_fresh_and_complete() {
         check(&name, &generated, &files(&source.join(&name)));
         modules.insert(name, title);
     }
-    assert_eq!(fs::read_to_string(source.join("lib.rs")).unwrap(), library(&modules));
-    let present: BTreeSet<String> = source.read_dir().unwrap().map(|entry| file_name(&entry.unwrap().path())).collect();
+    assert_eq!(
+        fs::read_to_string(source.join("lib.rs")).unwrap(),
+        library(&modules)
+    );
+    let present: BTreeSet<String> = source
+        .read_dir()
+        .unwrap()
+        .map(|entry| file_name(&entry.unwrap().path()))
+        .collect();
     let declared = modules.into_keys().chain(["lib.rs".to_owned()]).collect();
     assert_eq!(present, declared, "nothing else stands in generated/src");
-    assert_eq!(provider.unused().unwrap(), BTreeSet::new(), "every export in specs/partials is used");
+    assert_eq!(
+        provider.unused().unwrap(),
+        BTreeSet::new(),
+        "every export in specs/partials is used"
+    );
 }
 
 #[test]

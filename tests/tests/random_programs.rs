@@ -87,14 +87,20 @@ fn type_text(shape: Shape) -> String {
     match shape {
         Shape::Scalar => "f64".into(),
         Shape::Vector(n) => format!("nsv_runtime::linear::Vector<f64, {n}>"),
-        Shape::Matrix(rows, columns) => format!("nsv_runtime::linear::Matrix<f64, {rows}, {columns}>"),
+        Shape::Matrix(rows, columns) => {
+            format!("nsv_runtime::linear::Matrix<f64, {rows}, {columns}>")
+        }
     }
 }
 
 /// Every other program is emitted as it is, the others optimised.
 fn emitted(index: u64) -> Program {
     let program = program(index, LENGTH);
-    if index.is_multiple_of(2) { optimise(program) } else { program }
+    if index.is_multiple_of(2) {
+        optimise(program)
+    } else {
+        program
+    }
 }
 
 /// Writes the crate, whose dependencies are those that built this test.
@@ -107,12 +113,29 @@ fn write(folder: &Path) {
         let program = emitted(index);
         fs::write(source.join(format!("p{index}.rs")), standalone(&program)).unwrap();
         writeln!(main, "mod p{index};").unwrap();
-        let arguments: Vec<String> =
-            program.inputs.iter().map(|input| format!("<{} as Flat>::read(words)", type_text(input.shape))).collect();
-        let results: String = program.outputs.iter().map(|(name, _)| format!(" outputs.{name}.write(results);")).collect();
-        writeln!(arms, "{index} => {{ let outputs = p{index}::{}({});{results} }}", program.name, arguments.join(", ")).unwrap();
+        let arguments: Vec<String> = program
+            .inputs
+            .iter()
+            .map(|input| format!("<{} as Flat>::read(words)", type_text(input.shape)))
+            .collect();
+        let results: String = program
+            .outputs
+            .iter()
+            .map(|(name, _)| format!(" outputs.{name}.write(results);"))
+            .collect();
+        writeln!(
+            arms,
+            "{index} => {{ let outputs = p{index}::{}({});{results} }}",
+            program.name,
+            arguments.join(", ")
+        )
+        .unwrap();
     }
-    writeln!(main, "fn call(index: u64, words: &mut impl Iterator<Item = u64>, results: &mut Vec<u64>) {{").unwrap();
+    writeln!(
+        main,
+        "fn call(index: u64, words: &mut impl Iterator<Item = u64>, results: &mut Vec<u64>) {{"
+    )
+    .unwrap();
     writeln!(main, "match index {{ {arms} _ => unreachable!() }} }}").unwrap();
     fs::write(source.join("main.rs"), main).unwrap();
     fs::write(source.join("flat.rs"), FLAT).unwrap();
@@ -130,26 +153,46 @@ fn build() -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("random_programs");
     write(&folder);
     let mut cargo = Command::new(env!("CARGO"));
-    cargo.args(["build", "--offline", "--quiet"]).current_dir(&folder);
-    let output = cargo.env("CARGO_TARGET_DIR", folder.join("target")).env_remove("CARGO_BUILD_TARGET").output().unwrap();
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    cargo
+        .args(["build", "--offline", "--quiet"])
+        .current_dir(&folder);
+    let output = cargo
+        .env("CARGO_TARGET_DIR", folder.join("target"))
+        .env_remove("CARGO_BUILD_TARGET")
+        .output()
+        .unwrap();
+    assert!(
+        output.status.success(),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
     folder.join("target/debug/random-programs")
 }
 
 /// The bits of all values of the program's inputs or outputs in their order.
 fn words<'n>(names: impl Iterator<Item = &'n String>, values: &Values) -> Vec<u64> {
-    names.flat_map(|name| values[name].iter().map(|entry| entry.to_bits())).collect()
+    names
+        .flat_map(|name| values[name].iter().map(|entry| entry.to_bits()))
+        .collect()
 }
 
 /// Feeds lines to a process and returns its lines.
 fn answers(executable: &Path, questions: String) -> Vec<String> {
-    let mut process = Command::new(executable).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
+    let mut process = Command::new(executable)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
     let mut input = process.stdin.take().unwrap();
     let writer = std::thread::spawn(move || input.write_all(questions.as_bytes()).unwrap());
     let output = process.wait_with_output().unwrap();
     writer.join().unwrap();
     assert!(output.status.success());
-    String::from_utf8(output.stdout).unwrap().lines().map(str::to_owned).collect()
+    String::from_utf8(output.stdout)
+        .unwrap()
+        .lines()
+        .map(str::to_owned)
+        .collect()
 }
 
 #[test]
@@ -159,7 +202,13 @@ fn compiled_programs_keep_the_bits_of_the_evaluator() {
     let values = |index, point| inputs(&program(index, LENGTH), 1000 * point + index);
     let mut questions = String::new();
     for (index, point) in cases() {
-        let input = words(program(index, LENGTH).inputs.iter().map(|input| &input.name), &values(index, point));
+        let input = words(
+            program(index, LENGTH)
+                .inputs
+                .iter()
+                .map(|input| &input.name),
+            &values(index, point),
+        );
         let input: String = input.iter().map(|word| format!(" {word:x}")).collect();
         writeln!(questions, "{index:x}{input}").unwrap();
     }
@@ -167,12 +216,21 @@ fn compiled_programs_keep_the_bits_of_the_evaluator() {
     assert_eq!(answers.len(), cases().count());
     for ((index, point), answer) in cases().zip(answers) {
         let program = program(index, LENGTH);
-        let expected = words(program.outputs.iter().map(|(name, _)| name), &eval(&program, &values(index, point)).unwrap());
-        let found: Vec<u64> = answer.split(' ').map(|word| u64::from_str_radix(word, 16).unwrap()).collect();
+        let expected = words(
+            program.outputs.iter().map(|(name, _)| name),
+            &eval(&program, &values(index, point)).unwrap(),
+        );
+        let found: Vec<u64> = answer
+            .split(' ')
+            .map(|word| u64::from_str_radix(word, 16).unwrap())
+            .collect();
         assert_eq!(found.len(), expected.len());
         for (found, expected) in found.into_iter().zip(expected) {
             let (a, b) = (f64::from_bits(found), f64::from_bits(expected));
-            assert!(found == expected || (a.is_nan() && b.is_nan()), "program {index}, point {point}: {a:e} compiled, {b:e} evaluated");
+            assert!(
+                found == expected || (a.is_nan() && b.is_nan()),
+                "program {index}, point {point}: {a:e} compiled, {b:e} evaluated"
+            );
         }
     }
 }
