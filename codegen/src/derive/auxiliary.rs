@@ -3,7 +3,7 @@
 use nsv_spec::model::Block;
 
 use super::law::Law;
-use super::symbol::{gain, name, zeros};
+use super::symbol::{Symbol, name, zeros};
 use crate::ir::Shape;
 
 impl Law<'_> {
@@ -19,7 +19,7 @@ impl Law<'_> {
     /// zeta_i' = -C_i zeta_i + G_i zeta_{i+1}, and G_n (sat(u) - u) for the last.
     pub(super) fn define_auxiliary_rate(&mut self, i: usize, block: &Block) {
         self.group(format!("auxiliary system of block {i} (13) (E1)"));
-        let leak = gain(&block.c, name(format!("zeta{i}")));
+        let leak = self.leak(i, block);
         let (input, text) = if i == self.order() {
             (name("u_sat") - name("u"), "(sat(u) - u)".to_string())
         } else {
@@ -31,5 +31,15 @@ impl Law<'_> {
             format!("zeta_{i}' = -C_{i} zeta_{i} + G_{i} {text}"),
             rate,
         );
+    }
+
+    /// C_i zeta_i.
+    pub(super) fn leak(&mut self, i: usize, block: &Block) -> Symbol {
+        self.gain(
+            format!("C{i}"),
+            &format!("C_{i}"),
+            &block.c,
+            name(format!("zeta{i}")),
+        )
     }
 }

@@ -4,7 +4,7 @@ use nsv_spec::model::{Block, Disturbance, VirtualDerivative};
 
 use super::law::Law;
 use super::observer::assemble;
-use super::symbol::{Symbol, diagonal, gain, matrix, name, number, vector};
+use super::symbol::{Symbol, diagonal, name, number, vector};
 use crate::ir::{Function, Shape};
 
 impl Law<'_> {
@@ -71,7 +71,8 @@ impl Law<'_> {
             }
         }
         if let Some(s) = &block.observer {
-            let image = self.define(format!("SH{i}"), format!("S_{i} H_{i}"), matrix(s).times(h));
+            let observer = self.constant(format!("S{i}"), &format!("S_{i}"), s);
+            let image = self.define(format!("SH{i}"), format!("S_{i} H_{i}"), observer.times(h));
             let norm = self.define_norm_squared(
                 format!("SH_norm2_{i}"),
                 format!("||S_{i} H_{i}||^2"),
@@ -192,7 +193,7 @@ impl Law<'_> {
         if block.network.is_some() {
             bracket = bracket + name(format!("A_hat{i}"));
         }
-        bracket = bracket - self.reference_rate(i) + gain(&block.c, name(format!("zeta{i}")));
+        bracket = bracket - self.reference_rate(i) + self.leak(i, block);
         if block.observer.is_some() {
             bracket = bracket + name(format!("D_hat{i}"));
         }

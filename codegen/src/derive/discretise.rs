@@ -8,7 +8,7 @@ use nsv_spec::model::{Disturbance, Integration, Matrix, NoiseBound, PhiFloor};
 
 use super::law::Law;
 use super::observer::{assemble, closed_observer};
-use super::symbol::{Symbol, gain, name, number};
+use super::symbol::{Symbol, name, number};
 use crate::ir::Function;
 
 impl Law<'_> {
@@ -51,7 +51,13 @@ impl Law<'_> {
             Integration::Exponential => exponential_step(leak, dt),
         };
         let rate = name(format!("{state}_dot"));
-        self.define_next(&state, gain(&step, rate));
+        let increment = self.gain(
+            format!("{state}_step"),
+            &format!("Gamma of {state}"),
+            &step,
+            rate,
+        );
+        self.define_next(&state, increment);
     }
 
     /// z+ = z + Gamma z' with a scalar leak.

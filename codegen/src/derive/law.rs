@@ -2,9 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use nsv_spec::model::Model;
+use nsv_spec::model::{Matrix, Model};
 
-use super::symbol::{Symbol, TapeId, name};
+use super::symbol::{Symbol, TapeId, diagonal, diagonal_of, matrix, name};
 use crate::ir::{MonomialBasis, Origin, Program, Shape};
 
 /// One equation: `name = rhs`.
@@ -115,6 +115,24 @@ impl<'m> Law<'m> {
             shape,
         });
         name(quantity)
+    }
+
+    /// A constant matrix times a vector: the scalar or elementwise product where the matrix is diagonal, else the product with the
+    /// matrix under its name.
+    pub fn gain(&mut self, quantity: String, text: &str, value: &Matrix, of: Symbol) -> Symbol {
+        match diagonal_of(value) {
+            Some(values) => diagonal(&values) * of,
+            None => self.constant(quantity, text, value).times(of),
+        }
+    }
+
+    /// A constant matrix under its name.
+    pub fn constant(&mut self, quantity: String, text: &str, value: &Matrix) -> Symbol {
+        if self.contains(&quantity) {
+            name(quantity)
+        } else {
+            self.define(quantity, text, matrix(value))
+        }
     }
 
     /// Adds a controller state.

@@ -3,7 +3,7 @@
 use nsv_spec::model::{Block, Disturbance, Exosystem, Matrix};
 
 use super::law::Law;
-use super::symbol::{gain, matrix, name};
+use super::symbol::{Symbol, name};
 use crate::ir::Shape;
 
 /// M, N and L of a block's exosystems, block-diagonal; N without its zero columns.
@@ -28,30 +28,32 @@ impl Law<'_> {
             format!("x{i}")
         };
         // The first estimate is zero.
-        let initial = -gain(s, name(observed));
+        let initial = -self.observed(i, s, name(observed));
         let th = self.state(format!("th{i}"), Shape::Vector(s.rows), doc, initial);
         match &block.disturbance {
             Disturbance::None => {}
             Disturbance::Bounded(_) => {
                 let x = name(format!("x{i}"));
+                let estimate = th + self.observed(i, s, x);
                 self.define(
                     format!("D_hat{i}"),
                     format!("D_hat_{i} = th_{i} + S_{i} x_{i}"),
-                    th + gain(s, x),
+                    estimate,
                 );
             }
             Disturbance::Exosystem(channels) => {
                 let e = name(format!("e{i}"));
+                let estimate = th + self.observed(i, s, e);
                 let w = self.define(
                     format!("w_hat{i}"),
                     format!("w_hat_{i} = th_{i} + S_{i} e_{i}"),
-                    th + gain(s, e),
+                    estimate,
                 );
-                let l = assemble(channels).l;
+                let l = self.constant(format!("L{i}"), &format!("L_{i}"), &assemble(channels).l);
                 self.define(
                     format!("D_hat{i}"),
                     format!("d_hat_{i} = L_{i} w_hat_{i}"),
-                    matrix(&l).times(w),
+                    l.times(w),
                 );
             }
         }
@@ -82,7 +84,8 @@ impl Law<'_> {
                     "th_{i}' = -S_{i} (D_hat_{i} + F_{i} + G_{i} x_{} + A_hat_{i})",
                     i + 1
                 );
-                self.define(format!("th{i}_dot"), text, -gain(s, flow));
+                let rate = -self.observed(i, s, flow);
+                self.define(format!("th{i}_dot"), text, rate);
             }
             Disturbance::Exosystem(channels) => {
                 let parts = assemble(channels);
@@ -91,10 +94,14 @@ impl Law<'_> {
                 } else {
                     name(format!("x{}", i + 1)) - name(format!("zeta{}", i + 1))
                 };
-                let flow = known + g.times(next) - self.reference_rate(i)
-                    + gain(&block.c, name(format!("zeta{i}")));
+                let flow = known + g.times(next) - self.reference_rate(i) + self.leak(i, block);
                 let closed = closed_observer(s, &parts);
-                let rate = matrix(&closed).times(name(format!("w_hat{i}"))) - gain(s, flow);
+                let closed = self.constant(
+                    format!("w{i}_closed"),
+                    &format!("M_{i} - S_{i} L_{i}"),
+                    &closed,
+                );
+                let rate = closed.times(name(format!("w_hat{i}"))) - self.observed(i, s, flow);
                 let text = format!(
                     "th_{i}' = (M_{i} - S_{i} L_{i}) w_hat_{i} - S_{i} (F_{i} + G_{i} v_{i} - h_{}' + C_{i} zeta_{i} + A_hat_{i})",
                     i - 1
@@ -102,6 +109,11 @@ impl Law<'_> {
                 self.define(format!("th{i}_dot"), text, rate);
             }
         }
+    }
+
+    /// S_i times a vector.
+    fn observed(&mut self, i: usize, s: &Matrix, of: Symbol) -> Symbol {
+        self.gain(format!("S{i}"), &format!("S_{i}, observer gain"), s, of)
     }
 }
 

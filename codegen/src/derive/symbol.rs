@@ -125,16 +125,11 @@ pub fn uniform(values: &[f64]) -> Option<f64> {
     rest.iter().all(|value| value == first).then_some(*first)
 }
 
-/// A constant matrix times a vector, as the scalar or diagonal product where the matrix is one.
-pub fn gain(value: &model::Matrix, of: Symbol) -> Symbol {
-    let entry = |row: usize, col: usize| value.data[row * value.cols + col];
-    let square = value.rows == value.cols;
+/// The diagonal of a square matrix that has nothing else.
+pub fn diagonal_of(value: &model::Matrix) -> Option<Vec<f64>> {
     let off_diagonal = |at: usize| !at.is_multiple_of(value.cols + 1) && value.data[at] != 0.0;
-    if square && !(0..value.data.len()).any(off_diagonal) {
-        diagonal(&(0..value.rows).map(|at| entry(at, at)).collect::<Vec<_>>()) * of
-    } else {
-        matrix(value).times(of)
-    }
+    let diagonal = value.rows == value.cols && !(0..value.data.len()).any(off_diagonal);
+    diagonal.then(|| value.data.iter().copied().step_by(value.cols + 1).collect())
 }
 
 /// A matrix of numbers.

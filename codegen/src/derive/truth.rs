@@ -61,11 +61,12 @@ impl Law<'_> {
             }
             Disturbance::Exosystem(channels) => {
                 let parts = assemble(channels);
+                let l = self.constant(format!("L{i}"), &format!("L_{i}"), &parts.l);
                 let w = name(format!("w{i}"));
                 let d = self.define(
                     format!("d{i}"),
                     format!("d_{i} = L_{i} w_{i}  (12)"),
-                    matrix(&parts.l).times(w.clone()),
+                    l.times(w.clone()),
                 );
                 flow = flow + d;
                 self.define(

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 287a9260a2fa51176d539563c0c92d86ab445e3da576cd3ccb0d10899d7c7f15
+// SHA-256 of the text below: 31422ed03751cb45b07f3ca97754264b99a0a9a989c2e47218a49b80cbbcaf60
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // initial: 39 additions, 69 multiplications, 13 divisions, 1 square roots, 8 elementary functions, 3 comparisons and selections
@@ -397,8 +397,10 @@ pub fn initial<T: Real>(
     // -- disturbance observer of block 2 (20) (49) --
     // w_hat_2 = th_2 + S_2 e_2
     let w_hat2 = t10 - t10;
+    // L_2
+    let L2: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
     // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = Matrix::<T, 1, 1>::from_f64([[1.0]]) * w_hat2;
+    let D_hat2 = L2 * w_hat2;
 
     // -- norms of block 2 --
     // ||G_2||^2
@@ -409,8 +411,10 @@ pub fn initial<T: Real>(
     let H_norm2_2 = H2.sum_squares();
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
     let Ybar_norm2 = real(3.0);
+    // S_2
+    let S2: Matrix<T, 1, 1> = Matrix::from_f64([[10.0]]);
     // S_2 H_2
-    let SH2 = Matrix::<T, 1, 1>::from_f64([[10.0]]) * H2;
+    let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
     let t11 = H_norm2_2 * Ybar_norm2;
@@ -617,8 +621,10 @@ pub fn control<T: Real>(
     // -- disturbance observer of block 2 (20) (49) --
     // w_hat_2 = th_2 + S_2 e_2
     let w_hat2 = state.th2 + e2 * real(10.0);
+    // L_2
+    let L2: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
     // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = Matrix::<T, 1, 1>::from_f64([[1.0]]) * w_hat2;
+    let D_hat2 = L2 * w_hat2;
 
     // -- norms of block 2 --
     // ||G_2||^2
@@ -629,8 +635,10 @@ pub fn control<T: Real>(
     let H_norm2_2 = H2.sum_squares();
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
     let Ybar_norm2 = real(3.0);
+    // S_2
+    let S2: Matrix<T, 1, 1> = Matrix::from_f64([[10.0]]);
     // S_2 H_2
-    let SH2 = Matrix::<T, 1, 1>::from_f64([[10.0]]) * H2;
+    let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
     let t9 = H_norm2_2 * Ybar_norm2;
@@ -681,8 +689,10 @@ pub fn control<T: Real>(
     let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
+    // M_2 - S_2 L_2
+    let w2_closed: Matrix<T, 1, 1> = Matrix::from_f64([[-12.0]]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = Matrix::<T, 1, 1>::from_f64([[-12.0]]) * w_hat2
+    let th2_dot = w2_closed * w_hat2
         - (t14 + G2 * (x3 - state.zeta3) - h1_dot + t15) * real(10.0);
 
     // -- network error bound of block 2 (66) --

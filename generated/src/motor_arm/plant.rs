@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 254c88cda1c4cbc5477f581cf0ca60c90067ece35b0c89aeec1ea4e07f9c11dd
+// SHA-256 of the text below: 4e74973ae3aee1a91df0e3d67f90c42f19740d007f7b448afafa847584b66738
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // plant: 10 additions, 16 multiplications, 6 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -75,6 +75,10 @@ pub fn plant<T: Real>(
 ) -> PlantOutputs<T> {
     let real = T::from_f64;
 
+    // -- disturbance observer of block 2 (20) (49) --
+    // L_2
+    let L2: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
+
     // -- true dynamics of block 1 (position) (11) --
     // F_1 with the plant's parameters
     let F1_plant: Vector<T, 1> = Vector::zero();
@@ -104,7 +108,7 @@ pub fn plant<T: Real>(
     // G_2 with the plant's parameters
     let G2_plant = Matrix([[real(0.9) / inertia]]);
     // d_2 = L_2 w_2 (12)
-    let d2 = Matrix::<T, 1, 1>::from_f64([[1.0]]) * w2;
+    let d2 = L2 * w2;
     // w_2' = M_2 w_2 (12)
     let w2_flow = Matrix::<T, 1, 1>::from_f64([[-2.0]]) * w2;
     // F_2 + G_2 x_3 + d_2

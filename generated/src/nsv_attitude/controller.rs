@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 5f5301f4629e2c397055b36489ac02425b86b5fa2f3b5b54ed3664849a4193c5
+// SHA-256 of the text below: 9576bce9f9a874649e7eeac9dcb697a9b95b4a74c9313e51da3dedf2ac737b65
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // initial: 208 additions, 284 multiplications, 15 divisions, 0 square roots, 18 elementary functions, 6 comparisons and selections
@@ -402,8 +402,9 @@ pub fn initial<T: Real>(
     // e_2 = x_2 - h_1 - zeta_2
     let e2 = x2 + t21;
 
-    // -- given --
-    let t22: Matrix<T, 6, 3> = Matrix::from_f64([
+    // -- disturbance observer of block 2 (20) (49) --
+    // S_2, observer gain
+    let S2: Matrix<T, 6, 3> = Matrix::from_f64([
         [-1.5, 0.0, 0.0],
         [1.5, 0.0, 0.0],
         [0.0, 1.5, 0.0],
@@ -411,7 +412,9 @@ pub fn initial<T: Real>(
         [0.0, 0.0, -2.0],
         [0.0, 0.0, 4.0],
     ]);
-    let th2 = -(t22 * e2);
+
+    // -- given --
+    let th2 = -(S2 * e2);
     State {
         zeta1,
         zeta2,
@@ -748,7 +751,8 @@ pub fn control<T: Real>(
     let A_hat2 = state.W2.transpose() * P2 * real(0.1);
 
     // -- disturbance observer of block 2 (20) (49) --
-    let t35: Matrix<T, 6, 3> = Matrix::from_f64([
+    // S_2, observer gain
+    let S2: Matrix<T, 6, 3> = Matrix::from_f64([
         [-1.5, 0.0, 0.0],
         [1.5, 0.0, 0.0],
         [0.0, 1.5, 0.0],
@@ -757,29 +761,30 @@ pub fn control<T: Real>(
         [0.0, 0.0, 4.0],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t35 * e2;
-    let t36: Matrix<T, 3, 6> = Matrix::from_f64([
+    let w_hat2 = state.th2 + S2 * e2;
+    // L_2
+    let L2: Matrix<T, 3, 6> = Matrix::from_f64([
         [0.0, 2.0, 0.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 3.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 0.0, 0.0, 1.0, 1.0],
     ]);
     // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = t36 * w_hat2;
+    let D_hat2 = L2 * w_hat2;
 
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
-    let t37 = real(3.0) / t34;
-    let t38 = real(8.0) * E2_free * E2.sin() / (t34 * cosE2) + t37;
+    let t35 = real(3.0) / t34;
+    let t36 = real(8.0) * E2_free * E2.sin() / (t34 * cosE2) + t35;
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = (t38 * t38 + real(2.0) * (t37 * t37)).sqrt();
+    let Ybar_norm2 = (t36 * t36 + real(2.0) * (t35 * t35)).sqrt();
     // S_2 H_2
-    let SH2 = t35 * H2;
+    let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t39 = H_norm2_2 * Ybar_norm2;
+    let t37 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t39 * t39 * real(0.5) + real(12.0)
+    let Psi2 = t37 * t37 * real(0.5) + real(12.0)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
@@ -789,34 +794,34 @@ pub fn control<T: Real>(
         + e2 * real(2.0);
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(75.0);
-    let t40 = e2 * real(0.5);
+    let t38 = e2 * real(0.5);
     // e / (2 cos^2 E) (63)
-    let Lam2_network = t40 / t34;
-    let t41 = t40.map(T::tanh);
+    let Lam2_network = t38 / t34;
+    let t39 = t38.map(T::tanh);
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t41 * state.eps2;
-    let t42 = G_norm2_1 * s_c1;
+    let Lam2_error_bound = t39 * state.eps2;
+    let t40 = G_norm2_1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t42 * t42) * real(0.25) * t34;
-    let t43 = s2 * s2;
-    let t44 = (t43 + real(1.0)).sqrt();
+    let Lam2_coupling = e2 * (t40 * t40) * real(0.25) * t34;
+    let t41 = s2 * s2;
+    let t42 = (t41 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t39 * state.sigma2) / t44;
-    let t45 = Psi2 / (state.phi2 * state.phi2 + t43);
+    let Lam2_noise = e2 * (t37 * state.sigma2) / t42;
+    let t43 = Psi2 / (state.phi2 * state.phi2 + t41);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t45 * t34;
+    let Lam2_diffusion = e2 * t43 * t34;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
 
     // -- control (64) of block 2 --
-    let t46 = F2 + A_hat2;
-    let t47 = state.zeta2 * real(50.0);
+    let t44 = F2 + A_hat2;
+    let t45 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t46 - h1_dot + t47 + D_hat2 + Lam2;
-    let t48 = G2.solve(bracket2);
+    let bracket2 = t44 - h1_dot + t45 + D_hat2 + Lam2;
+    let t46 = G2.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t48;
+    let u = -t46;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .zip(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]), T::max)
@@ -824,14 +829,15 @@ pub fn control<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = G2 * (u_sat + t48) - t47;
+    let zeta2_dot = G2 * (u_sat + t46) - t45;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(t32.hadamard(c2)) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t49: Matrix<T, 6, 6> = Matrix::from_f64([
+    // M_2 - S_2 L_2
+    let w2_closed: Matrix<T, 6, 6> = Matrix::from_f64([
         [0.0, 6.0, 0.0, 0.0, 0.0, 0.0],
         [-3.0, -3.0, 0.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, -4.5, 3.0, 0.0, 0.0],
@@ -840,20 +846,20 @@ pub fn control<T: Real>(
         [0.0, 0.0, 0.0, 0.0, -7.0, -4.0],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = t49 * w_hat2 - t35 * (t46 + G2 * u - h1_dot + t47);
+    let th2_dot = w2_closed * w_hat2 - S2 * (t44 + G2 * u - h1_dot + t45);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 / t34 * e2.dot(t41) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 / t34 * e2.dot(t39) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t39 * t43 / t34 / t44 - real(0.1) * state.sigma2;
+    let sigma2_dot = t37 * t41 / t34 / t42 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t45 + real(2.0);
+    let phi2_decay = t43 + real(2.0);
 
     // -- status --
     // some E_i >= pi/2 - delta
@@ -872,7 +878,8 @@ pub fn control<T: Real>(
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
     let zeta2_next = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
-    let t50: Matrix<T, 6, 6> = Matrix::from_f64([
+    // Gamma of th2
+    let th2_step: Matrix<T, 6, 6> = Matrix::from_f64([
         [0.0019999760360430705, 1.1975964129556617e-5, 0.0, 0.0, 0.0, 0.0],
         [-5.9879820647783075e-6, 0.0019939880539782922, 0.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 0.0019910030471541806, 5.982004556604176e-6, 0.0, 0.0],
@@ -881,7 +888,7 @@ pub fn control<T: Real>(
         [0.0, 0.0, 0.0, 0.0, -1.3981226186927993e-5, 0.0019919747640585435],
     ]);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + t50 * th2_dot;
+    let th2_next = state.th2 + th2_step * th2_dot;
     // W2(t + dt) = W2 + Gamma W2'
     let W2_next = state.W2 + W2_dot * real(0.001999800013332667);
     // eps2(t + dt) = eps2 + Gamma eps2'

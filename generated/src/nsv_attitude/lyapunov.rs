@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 10c7efbfa094ebcf1f57e1fc4416da169a6f3030a406e7ab36a85e72de70693b
+// SHA-256 of the text below: 1dd81f6d37d389c9a62937d5a1aec1bc1dfd76ea7443b33b66b5189677bbaffe
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // lyapunov: 2534 additions, 3093 multiplications, 129 divisions, 3 square roots, 32 elementary functions, 33 comparisons and selections
@@ -347,7 +347,8 @@ pub fn lyapunov<T: Real>(
     let A_hat2 = t72 * P2 * real(0.1);
 
     // -- disturbance observer of block 2 (20) (49) --
-    let t73: Matrix<T, 6, 3> = Matrix::from_f64([
+    // S_2, observer gain
+    let S2: Matrix<T, 6, 3> = Matrix::from_f64([
         [-1.5, 0.0, 0.0],
         [1.5, 0.0, 0.0],
         [0.0, 1.5, 0.0],
@@ -356,30 +357,31 @@ pub fn lyapunov<T: Real>(
         [0.0, 0.0, 4.0],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t73 * e2;
-    let t74: Matrix<T, 3, 6> = Matrix::from_f64([
+    let w_hat2 = state.th2 + S2 * e2;
+    // L_2
+    let L2: Matrix<T, 3, 6> = Matrix::from_f64([
         [0.0, 2.0, 0.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 3.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 0.0, 0.0, 1.0, 1.0],
     ]);
     // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = t74 * w_hat2;
+    let D_hat2 = L2 * w_hat2;
 
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
-    let t75 = E2.sin();
-    let t76 = real(3.0) / t71;
-    let t77 = real(8.0) * E2_free * t75 / (t71 * cosE2) + t76;
+    let t73 = E2.sin();
+    let t74 = real(3.0) / t71;
+    let t75 = real(8.0) * E2_free * t73 / (t71 * cosE2) + t74;
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = (t77 * t77 + real(2.0) * (t76 * t76)).sqrt();
+    let Ybar_norm2 = (t75 * t75 + real(2.0) * (t74 * t74)).sqrt();
     // S_2 H_2
-    let SH2 = t73 * H2;
+    let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t78 = H_norm2_2 * Ybar_norm2;
+    let t76 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t78 * t78 * real(0.5) + real(12.0)
+    let Psi2 = t76 * t76 * real(0.5) + real(12.0)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
@@ -389,35 +391,35 @@ pub fn lyapunov<T: Real>(
         + e2 * real(2.0);
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(75.0);
-    let t79 = e2 * real(0.5);
+    let t77 = e2 * real(0.5);
     // e / (2 cos^2 E) (63)
-    let Lam2_network = t79 / t71;
-    let t80 = t79.map(T::tanh);
+    let Lam2_network = t77 / t71;
+    let t78 = t77.map(T::tanh);
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t80 * state.eps2;
-    let t81 = G_norm2_1 * s_c1;
+    let Lam2_error_bound = t78 * state.eps2;
+    let t79 = G_norm2_1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t81 * t81) * real(0.25) * t71;
-    let t82 = s2 * s2;
-    let t83 = (t82 + real(1.0)).sqrt();
+    let Lam2_coupling = e2 * (t79 * t79) * real(0.25) * t71;
+    let t80 = s2 * s2;
+    let t81 = (t80 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t78 * state.sigma2) / t83;
-    let t84 = state.phi2 * state.phi2;
-    let t85 = Psi2 / (t84 + t82);
+    let Lam2_noise = e2 * (t76 * state.sigma2) / t81;
+    let t82 = state.phi2 * state.phi2;
+    let t83 = Psi2 / (t82 + t80);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t85 * t71;
+    let Lam2_diffusion = e2 * t83 * t71;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
 
     // -- control (64) of block 2 --
-    let t86 = F2 + A_hat2;
-    let t87 = state.zeta2 * real(50.0);
+    let t84 = F2 + A_hat2;
+    let t85 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t86 - h1_dot + t87 + D_hat2 + Lam2;
-    let t88 = G2.solve(bracket2);
+    let bracket2 = t84 - h1_dot + t85 + D_hat2 + Lam2;
+    let t86 = G2.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t88;
+    let u = -t86;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .zip(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]), T::max)
@@ -425,14 +427,15 @@ pub fn lyapunov<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = G2 * (u_sat + t88) - t87;
+    let zeta2_dot = G2 * (u_sat + t86) - t85;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(t68.hadamard(c2)) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t89: Matrix<T, 6, 6> = Matrix::from_f64([
+    // M_2 - S_2 L_2
+    let w2_closed: Matrix<T, 6, 6> = Matrix::from_f64([
         [0.0, 6.0, 0.0, 0.0, 0.0, 0.0],
         [-3.0, -3.0, 0.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, -4.5, 3.0, 0.0, 0.0],
@@ -441,20 +444,20 @@ pub fn lyapunov<T: Real>(
         [0.0, 0.0, 0.0, 0.0, -7.0, -4.0],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = t89 * w_hat2 - t73 * (t86 + G2 * u - h1_dot + t87);
+    let th2_dot = w2_closed * w_hat2 - S2 * (t84 + G2 * u - h1_dot + t85);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 / t71 * e2.dot(t80) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 / t71 * e2.dot(t78) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t78 * t82 / t71 / t83 - real(0.1) * state.sigma2;
+    let sigma2_dot = t76 * t80 / t71 / t81 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t85 + real(2.0);
+    let phi2_decay = t83 + real(2.0);
     // phi_2' = -phi_2 Psi_2/(phi_2^2 + s_2^2) - kappa_phi phi_2 if ||e_2|| >= iota_phi, else 0
     let phi2_dot = T::select(
         s2.sqrt().ge(real(0.01)),
@@ -463,38 +466,37 @@ pub fn lyapunov<T: Real>(
     );
 
     // -- true dynamics of block 1 (attitude) (11) --
-    let t90 = real(97170193.3485195) * plant.CL_scale;
-    let t91 = t90 * t2;
-    let t92 = real(97170193.3485195) * plant.CY_scale;
-    let t93 = t92 * t5;
-    let t94 = t93 * real(0.0);
+    let t87 = real(97170193.3485195) * plant.CL_scale;
+    let t88 = t87 * t2;
+    let t89 = real(97170193.3485195) * plant.CY_scale;
+    let t90 = t89 * t5;
+    let t91 = t90 * real(0.0);
     // F_1 with the plant's parameters
     let F1_plant = Vector([
-        (-t91 - t20 + t22) / t24,
-        (t93 - t27 + t29) / real(410460000.0),
-        (t91 * t31 + t94 * t21 - t33 + t35) / real(410460000.0),
+        (-t88 - t20 + t22) / t24,
+        (t90 - t27 + t29) / real(410460000.0),
+        (t88 * t31 + t91 * t21 - t33 + t35) / real(410460000.0),
     ]);
-    let t95 = real(2.0) * t;
-    let t96 = real(0.02) * t95.sin();
-    let t97 = (real(-0.1) * t).exp();
-    let t98 = t96 * t97;
-    let t99 = real(0.02) * t50;
+    let t92 = real(2.0) * t;
+    let t93 = real(0.02) * t92.sin();
+    let t94 = (real(-0.1) * t).exp();
+    let t95 = t93 * t94;
+    let t96 = real(0.02) * t50;
     // d_1(t)
-    let d1 = Vector([t98, t99 * t97, t98]);
-    let t100 = G1 * x2;
+    let d1 = Vector([t95, t96 * t94, t95]);
+    let t97 = G1 * x2;
     // F_1 + G_1 x_2 + d_1
-    let x1_flow = F1_plant + t100 + d1;
+    let x1_flow = F1_plant + t97 + d1;
 
     // -- true dynamics of block 2 (rates) (11) --
-    let t101 = real(1777048495.9577248) * plant.Cl_scale;
-    let t102 = real(0.0)
-        * (real(97170193.3485195) * plant.CD_scale * t13 * t17 + t91 * t18);
+    let t98 = real(1777048495.9577248) * plant.Cl_scale;
+    let t99 = real(0.0)
+        * (real(97170193.3485195) * plant.CD_scale * t13 * t17 + t88 * t18);
     // F_2 with the plant's parameters
     let F2_plant = Vector([
-        (t42 + t101 * t9) / real(1355818.0),
-        (t43 + real(2369397994.6102996) * plant.Cm_scale * t11 + t102)
-            / real(13558180.0),
-        (t44 + real(1777048495.9577248) * plant.Cn_scale * t16 + t94) / real(13558180.0),
+        (t42 + t98 * t9) / real(1355818.0),
+        (t43 + real(2369397994.6102996) * plant.Cm_scale * t11 + t99) / real(13558180.0),
+        (t44 + real(1777048495.9577248) * plant.Cn_scale * t16 + t91) / real(13558180.0),
     ]);
     // G_2 with the plant's parameters
     let G2_plant: Matrix<T, 3, 3> = Matrix::from_f64([
@@ -503,8 +505,8 @@ pub fn lyapunov<T: Real>(
         [0.0, 0.0, 7.375621211696555e-8],
     ]);
     // d_2 = L_2 w_2 (12)
-    let d2 = t74 * w2;
-    let t103: Matrix<T, 6, 6> = Matrix::from_f64([
+    let d2 = L2 * w2;
+    let t100: Matrix<T, 6, 6> = Matrix::from_f64([
         [0.0, 3.0, 0.0, 0.0, 0.0, 0.0],
         [-3.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 0.0, 3.0, 0.0, 0.0],
@@ -513,33 +515,33 @@ pub fn lyapunov<T: Real>(
         [0.0, 0.0, 0.0, 0.0, -3.0, 0.0],
     ]);
     // w_2' = M_2 w_2 (12)
-    let w2_flow = t103 * w2;
+    let w2_flow = t100 * w2;
     // F_2 + G_2 x_3 + d_2
     let x2_flow = F2_plant + G2_plant * u_sat + d2;
-    let t104 = dCl * t101;
-    let t105 = (dCD * plant.CD_scale * t17 + dCL * plant.CL_scale * t18) * real(0.0);
-    let t106 = (dCm * (real(24.384) * plant.Cm_scale) + t105) * real(97170193.3485195);
-    let t107 = (dCn * (real(18.288) * plant.Cn_scale)
+    let t101 = dCl * t98;
+    let t102 = (dCD * plant.CD_scale * t17 + dCL * plant.CL_scale * t18) * real(0.0);
+    let t103 = (dCm * (real(24.384) * plant.Cm_scale) + t102) * real(97170193.3485195);
+    let t104 = (dCn * (real(18.288) * plant.Cn_scale)
         + dCY * (real(0.0) * plant.CY_scale)) * real(97170193.3485195);
-    let t108 = Matrix([
+    let t105 = Matrix([
         [
-            t104[0] / real(1355818.0),
-            t104[1] / real(1355818.0),
-            t104[2] / real(1355818.0),
+            t101[0] / real(1355818.0),
+            t101[1] / real(1355818.0),
+            t101[2] / real(1355818.0),
         ],
         [
-            t106[0] / real(13558180.0),
-            t106[1] / real(13558180.0),
-            t106[2] / real(13558180.0),
+            t103[0] / real(13558180.0),
+            t103[1] / real(13558180.0),
+            t103[2] / real(13558180.0),
         ],
         [
-            t107[0] / real(13558180.0),
-            t107[1] / real(13558180.0),
-            t107[2] / real(13558180.0),
+            t104[0] / real(13558180.0),
+            t104[1] / real(13558180.0),
+            t104[2] / real(13558180.0),
         ],
     ]);
     // H_2 Sigma_2
-    let HSigma2 = t108
+    let HSigma2 = t105
         .hadamard(
             Matrix::<
                 T,
@@ -549,13 +551,13 @@ pub fn lyapunov<T: Real>(
         );
 
     // -- Lyapunov function of block 1 (23) (52) --
-    let t109 = t58 * t58 / real(TAU);
-    let t110 = E1.tan();
+    let t106 = t58 * t58 / real(TAU);
+    let t107 = E1.tan();
     // k_1^4/(2 pi) tan E_1
-    let V_T1 = t109 * t110;
-    let t111 = t61 * state.W1;
+    let V_T1 = t106 * t107;
+    let t108 = t61 * state.W1;
     // tr(W_1^T W_1)/(2 Gamma_1)
-    let V_W1 = (t111[(0, 0)] + t111[(1, 1)] + t111[(2, 2)]) * real(0.5);
+    let V_W1 = (t108[(0, 0)] + t108[(1, 1)] + t108[(2, 2)]) * real(0.5);
     // D_1 = d_1 + model error of block 1
     let D1 = d1 + (F1_plant - F1);
     // D_1 - D_hat_1
@@ -570,13 +572,13 @@ pub fn lyapunov<T: Real>(
     let V_chi1 = chi1.sum_squares() * real(0.5);
 
     // -- Lyapunov function of block 2 (23) (52) --
-    let t112 = t69 * t69 / real(TAU);
-    let t113 = E2.tan();
+    let t109 = t69 * t69 / real(TAU);
+    let t110 = E2.tan();
     // k_2^4/(2 pi) tan E_2
-    let V_T2 = t112 * t113;
-    let t114 = t72 * state.W2;
+    let V_T2 = t109 * t110;
+    let t111 = t72 * state.W2;
     // tr(W_2^T W_2)/(2 Gamma_2)
-    let V_W2 = (t114[(0, 0)] + t114[(1, 1)] + t114[(2, 2)]) * real(0.5);
+    let V_W2 = (t111[(0, 0)] + t111[(1, 1)] + t111[(2, 2)]) * real(0.5);
     // w_2 - w_hat_2
     let w_error2 = w2 - w_hat2;
     // 1/2 ||theta_2 - th_2||^2
@@ -585,16 +587,16 @@ pub fn lyapunov<T: Real>(
     let V_zeta2 = state.zeta2.sum_squares() * real(0.5);
     // eps_hat_2^2/(2 iota_20)
     let V_eps2 = state.eps2 * state.eps2 / real(0.2);
-    let t115 = real(0.0075000000000000015) - state.sigma2;
+    let t112 = real(0.0075000000000000015) - state.sigma2;
     // (sigma_bar_2 - sigma_hat_2)^2/(2 taubar_2)
-    let V_sigma2 = t115 * t115 * real(0.5);
+    let V_sigma2 = t112 * t112 * real(0.5);
     // phi_2^2/2
-    let V_phi2 = t84 * real(0.5);
+    let V_phi2 = t82 * real(0.5);
 
     // -- Lyapunov function (52) --
-    let t116 = V_T1 + V_W1 + V_D1 + V_zeta1 + V_chi1 + V_T2 + V_W2 + V_D2 + V_zeta2;
+    let t113 = V_T1 + V_W1 + V_D1 + V_zeta1 + V_chi1 + V_T2 + V_W2 + V_D2 + V_zeta2;
     // V, sum of the parts above
-    let V = t116 + V_eps2 + V_sigma2 + V_phi2;
+    let V = t113 + V_eps2 + V_sigma2 + V_phi2;
 
     // -- Ito generator (2) --
     // column 1 of HSigma2
@@ -605,12 +607,12 @@ pub fn lyapunov<T: Real>(
     let HSigma2_3 = Vector([HSigma2[(0, 2)], HSigma2[(1, 2)], HSigma2[(2, 2)]]);
     // e1' along the flow
     let e1_flow = x1_flow - y_r_dot - zeta1_dot;
-    let t117 = e1_flow.dot(e1);
+    let t114 = e1_flow.dot(e1);
     // s1' along the flow
-    let s1_flow = t117 + t117;
-    let t118 = (t59 + t59) * (s1_flow / t58 - t59 / t58 * ((k1 + k1) * k1_dot));
+    let s1_flow = t114 + t114;
+    let t115 = (t59 + t59) * (s1_flow / t58 - t59 / t58 * ((k1 + k1) * k1_dot));
     // E1_free' along the flow
-    let E1_free_flow = real(FRAC_PI_2) * t118;
+    let E1_free_flow = real(FRAC_PI_2) * t115;
     // E1' along the flow
     let E1_flow = T::select(
         E1_free.lt(real(1.5697963267948967)),
@@ -618,93 +620,93 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t110 * (real(4.0) * (t58 * k1) * k1_dot / real(TAU))
-        + t109 * (E1_flow / t60);
-    let t119 = W1_dot.transpose();
-    let t120 = t119 * state.W1 + t61 * W1_dot;
+    let V_T1_flow = t107 * (real(4.0) * (t58 * k1) * k1_dot / real(TAU))
+        + t106 * (E1_flow / t60);
+    let t116 = W1_dot.transpose();
+    let t117 = t116 * state.W1 + t61 * W1_dot;
     // V_W1' along the flow
-    let V_W1_flow = (t120[(0, 0)] + t120[(1, 1)] + t120[(2, 2)]) * real(0.5);
-    let t121 = t97 * real(-0.1);
-    let t122 = t97 * (real(0.02) * (t95.cos() * real(2.0))) + t96 * t121;
+    let V_W1_flow = (t117[(0, 0)] + t117[(1, 1)] + t117[(2, 2)]) * real(0.5);
+    let t118 = t94 * real(-0.1);
+    let t119 = t94 * (real(0.02) * (t92.cos() * real(2.0))) + t93 * t118;
     // d1'
-    let d1_dot = Vector([t122, t97 * (real(0.02) * t55) + t99 * t121, t122]);
-    let t123 = t26 * x1_flow[1];
-    let t124 = real(410460000.0) * t123;
-    let t125 = (t22 - (t91 + t20)) / t24 / t24 * t124;
-    let t126 = t28 * x1_flow[2];
-    let t127 = real(1332506.5352200002) * t126;
-    let t128 = x1_flow[0] / real(0.017453292519943295);
-    let t129 = polynomials::CL_alpha_d1(alpha_deg, real(10.122243135087704), real(0.0))
-        * t128
-        + polynomials::CL_LE_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t128;
-    let t130 = t129
-        + polynomials::CL_RE_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t128;
-    let t131 = t90 * t130;
-    let t132 = t18 * x1_flow[0];
-    let t133 = real(0.0) * t132;
-    let t134 = beta
+    let d1_dot = Vector([t119, t94 * (real(0.02) * t55) + t96 * t118, t119]);
+    let t120 = t26 * x1_flow[1];
+    let t121 = real(410460000.0) * t120;
+    let t122 = (t22 - (t88 + t20)) / t24 / t24 * t121;
+    let t123 = t28 * x1_flow[2];
+    let t124 = real(1332506.5352200002) * t123;
+    let t125 = x1_flow[0] / real(0.017453292519943295);
+    let t126 = polynomials::CL_alpha_d1(alpha_deg, real(10.122243135087704), real(0.0))
+        * t125
+        + polynomials::CL_LE_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t125;
+    let t127 = t126
+        + polynomials::CL_RE_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t125;
+    let t128 = t87 * t127;
+    let t129 = t18 * x1_flow[0];
+    let t130 = real(0.0) * t129;
+    let t131 = beta
         * (polynomials::CY_beta_d1(alpha_deg, real(10.122243135087704), real(0.0))
-            * t128) + t4 * x1_flow[1];
-    let t135 = t134
-        + polynomials::CY_LE_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t128
-        + polynomials::CY_RE_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t128;
-    let t136 = t135
-        + polynomials::CY_RUD_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t128;
-    let t137 = t92 * t136;
-    let t138 = t23 * x1_flow[1];
-    let t139 = t17 * x1_flow[0];
-    let t140 = t25 * t138 - t26 * (real(0.0) * t139);
-    let t141 = t21 * x1_flow[2];
-    let t142 = real(1332506.5352200002) * t141;
-    let t143 = x1_flow[1] / (t23 * t23);
-    let t144 = t143 + real(0.0) * t141;
-    let t145 = t31 * t131 + t91 * t144 + (t21 * (real(0.0) * t137) - t94 * t126);
-    let t146 = t22 * t143 - t30 * t127;
-    let t147 = t21 * (real(0.0) * (t18 * t138 - t26 * t139)) - t34 * t126;
-    let t148 = real(0.0) * (t31 * t132 + t17 * t144 - t147);
+            * t125) + t4 * x1_flow[1];
+    let t132 = t131
+        + polynomials::CY_LE_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t125
+        + polynomials::CY_RE_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t125;
+    let t133 = t132
+        + polynomials::CY_RUD_d1(alpha_deg, real(10.122243135087704), real(0.0)) * t125;
+    let t134 = t89 * t133;
+    let t135 = t23 * x1_flow[1];
+    let t136 = t17 * x1_flow[0];
+    let t137 = t25 * t135 - t26 * (real(0.0) * t136);
+    let t138 = t21 * x1_flow[2];
+    let t139 = real(1332506.5352200002) * t138;
+    let t140 = x1_flow[1] / (t23 * t23);
+    let t141 = t140 + real(0.0) * t138;
+    let t142 = t31 * t128 + t88 * t141 + (t21 * (real(0.0) * t134) - t91 * t123);
+    let t143 = t22 * t140 - t30 * t124;
+    let t144 = t21 * (real(0.0) * (t18 * t135 - t26 * t136)) - t34 * t123;
+    let t145 = real(0.0) * (t31 * t129 + t17 * t141 - t144);
     // F1_plant' along the flow
     let F1_plant_flow = Vector([
-        t125 - (t127 + (t131 + t133)) / t24,
-        (t137 - t140 + t142) / real(410460000.0),
-        (t145 - t146 + t148) / real(410460000.0),
+        t122 - (t124 + (t128 + t130)) / t24,
+        (t134 - t137 + t139) / real(410460000.0),
+        (t142 - t143 + t145) / real(410460000.0),
     ]);
-    let t149 = (t22 - (lift + t20)) / t24 / t24 * t124;
-    let t150 = t1 * t130;
-    let t151 = t3 * t136;
-    let t152 = t31 * t150 + lift * t144 + (t21 * (real(0.0) * t151) - t32 * t126);
+    let t146 = (t22 - (lift + t20)) / t24 / t24 * t121;
+    let t147 = t1 * t127;
+    let t148 = t3 * t133;
+    let t149 = t31 * t147 + lift * t141 + (t21 * (real(0.0) * t148) - t32 * t123);
     // F1' along the flow
     let F1_flow = Vector([
-        t149 - (t127 + (t150 + t133)) / t24,
-        (t151 - t140 + t142) / real(410460000.0),
-        (t152 - t146 + t148) / real(410460000.0),
+        t146 - (t124 + (t147 + t130)) / t24,
+        (t148 - t137 + t139) / real(410460000.0),
+        (t149 - t143 + t145) / real(410460000.0),
     ]);
     // D1' along the flow
     let D1_flow = d1_dot + (F1_plant_flow - F1_flow);
     // D_hat1' along the flow
-    let D_hat1_flow = x1_flow * real(10.0) - (D_hat1 + t65 + t100) * real(10.0);
+    let D_hat1_flow = x1_flow * real(10.0) - (D_hat1 + t65 + t97) * real(10.0);
     // D_error1' along the flow
     let D_error1_flow = D1_flow - D_hat1_flow;
-    let t153 = D_error1_flow.dot(D_error1);
+    let t150 = D_error1_flow.dot(D_error1);
     // V_D1' along the flow
-    let V_D1_flow = (t153 + t153) * real(0.5);
-    let t154 = zeta1_dot.dot(state.zeta1);
+    let V_D1_flow = (t150 + t150) * real(0.5);
+    let t151 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
-    let V_zeta1_flow = (t154 + t154) * real(0.5);
-    let t155 = -(t18 * t143 - t30 * t139);
-    let t156 = -(t17 * t143 + t30 * t132);
-    let t157 = t40 / t23 * t123 - t139 / t23;
-    let t158 = t132 / t23 + t41 / t23 * t123;
+    let V_zeta1_flow = (t151 + t151) * real(0.5);
+    let t152 = -(t18 * t140 - t30 * t136);
+    let t153 = -(t17 * t140 + t30 * t129);
+    let t154 = t40 / t23 * t120 - t136 / t23;
+    let t155 = t129 / t23 + t41 / t23 * t120;
     // G1' along the flow
     let G1_flow = Matrix([
-        [t155, real(0.0), t156],
-        [t132, real(0.0), t139],
-        [t157, real(0.0), t158],
+        [t152, real(0.0), t153],
+        [t129, real(0.0), t136],
+        [t154, real(0.0), t155],
     ]);
     // P1' along the flow
     let P1_flow = polynomials::basis1_rate(x1, x1_flow);
     // A_hat1' along the flow
-    let A_hat1_flow = (t119 * P1 + t61 * P1_flow) * real(0.1);
-    let t159 = real(-2.0) * (t55 * real(0.0) - t50)
+    let A_hat1_flow = (t116 * P1 + t61 * P1_flow) * real(0.1);
+    let t156 = real(-2.0) * (t55 * real(0.0) - t50)
         - real(0.5) * (real(0.5) * t52 + t56 * real(0.0));
     // y_r''
     let y_r_dot2 = Vector([
@@ -719,40 +721,40 @@ pub fn lyapunov<T: Real>(
             * (real(0.5)
                 * (t54 * real(0.0)
                     - real(0.9424777960769379) * (t49 * real(0.9424777960769379)))),
-        real(0.017453292519943295) * t159,
+        real(0.017453292519943295) * t156,
     ]);
-    let t160 = real(1.0).lt(t63);
-    let t161 = T::select(t160, real(1.0), t63);
-    let t162 = t161 * (kernel::sin_cos_over_d1(E1) * E1_flow)
-        + T::select(t160, real(0.0), -(t62 * (t63 / E1_free * E1_free_flow)));
-    let t163 = t62 * t161;
+    let t157 = real(1.0).lt(t63);
+    let t158 = T::select(t157, real(1.0), t63);
+    let t159 = t158 * (kernel::sin_cos_over_d1(E1) * E1_flow)
+        + T::select(t157, real(0.0), -(t62 * (t63 / E1_free * E1_free_flow)));
+    let t160 = t62 * t158;
     // Lam0_1' along the flow
     let Lam0_1_flow = Vector([
-        real(2.375) * e1[0] * t162 + t163 * (real(2.375) * e1_flow[0])
+        real(2.375) * e1[0] * t159 + t160 * (real(2.375) * e1_flow[0])
             + real(2.0) * e1_flow[0],
-        real(2.375) * e1[1] * t162 + t163 * (real(2.375) * e1_flow[1])
+        real(2.375) * e1[1] * t159 + t160 * (real(2.375) * e1_flow[1])
             + real(2.0) * e1_flow[1],
-        real(2.375) * e1[2] * t162 + t163 * (real(2.375) * e1_flow[2])
+        real(2.375) * e1[2] * t159 + t160 * (real(2.375) * e1_flow[2])
             + real(2.0) * e1_flow[2],
     ]);
     // cosE1' along the flow
     let cosE1_flow = -(E1.sin() * E1_flow);
-    let t164 = (cosE1 + cosE1) * cosE1_flow;
-    let t165 = s1 * e1[0] / t60 / t60 * t164;
-    let t166 = s1 * e1[1] / t60 / t60 * t164;
-    let t167 = s1 * e1[2] / t60 / t60 * t164;
+    let t161 = (cosE1 + cosE1) * cosE1_flow;
+    let t162 = s1 * e1[0] / t60 / t60 * t161;
+    let t163 = s1 * e1[1] / t60 / t60 * t161;
+    let t164 = s1 * e1[2] / t60 / t60 * t161;
     // c1' along the flow
     let c1_flow = Vector([
-        (e1[0] * s1_flow + s1 * e1_flow[0]) / t60 - t165,
-        (e1[1] * s1_flow + s1 * e1_flow[1]) / t60 - t166,
-        (e1[2] * s1_flow + s1 * e1_flow[2]) / t60 - t167,
+        (e1[0] * s1_flow + s1 * e1_flow[0]) / t60 - t162,
+        (e1[1] * s1_flow + s1 * e1_flow[1]) / t60 - t163,
+        (e1[2] * s1_flow + s1 * e1_flow[2]) / t60 - t164,
     ]);
     // Lam1_disturbance' along the flow
     let Lam1_disturbance_flow = c1_flow * real(0.5);
-    let t168 = (t37 + t37) * t155 + real(0.0) + (t38 + t38) * t156;
-    let t169 = t168 + (t17 + t17) * t132 + real(0.0) + (t39 - t18) * t139;
+    let t165 = (t37 + t37) * t152 + real(0.0) + (t38 + t38) * t153;
+    let t166 = t165 + (t17 + t17) * t129 + real(0.0) + (t39 - t18) * t136;
     // G_norm2_1' along the flow
-    let G_norm2_1_flow = t169 + (t40 + t40) * t157 + real(0.0) + (t41 + t41) * t158;
+    let G_norm2_1_flow = t166 + (t40 + t40) * t154 + real(0.0) + (t41 + t41) * t155;
     // Lam1_filter' along the flow
     let Lam1_filter_flow = c1 * (real(0.5) * G_norm2_1_flow) + c1_flow * t64;
     // Lam1' along the flow
@@ -762,127 +764,127 @@ pub fn lyapunov<T: Real>(
         + D_hat1_flow + Lam1_flow;
     // chi1' along the flow
     let chi1_flow = h1_dot + G1.solve(bracket1_flow - G1_flow * t67);
-    let t170 = chi1_flow.dot(chi1);
+    let t167 = chi1_flow.dot(chi1);
     // V_chi1' along the flow
-    let V_chi1_flow = (t170 + t170) * real(0.5);
+    let V_chi1_flow = (t167 + t167) * real(0.5);
     // e2' along the flow
     let e2_flow = x2_flow - h1_dot - zeta2_dot;
-    let t171 = e2_flow.dot(e2);
+    let t168 = e2_flow.dot(e2);
     // s2' along the flow
-    let s2_flow = t171 + t171;
-    let t172 = t70 + t70;
+    let s2_flow = t168 + t168;
+    let t169 = t70 + t70;
     // E2_free' along the flow
     let E2_free_flow = real(FRAC_PI_2)
-        * (t172 * (s2_flow / t69 - t70 / t69 * ((k2 + k2) * k2_dot)));
-    let t173 = E2_free.lt(real(1.5697963267948967));
+        * (t169 * (s2_flow / t69 - t70 / t69 * ((k2 + k2) * k2_dot)));
+    let t170 = E2_free.lt(real(1.5697963267948967));
     // E2' along the flow
-    let E2_flow = T::select(t173, E2_free_flow, real(0.0));
+    let E2_flow = T::select(t170, E2_free_flow, real(0.0));
     // V_T2' along the flow
-    let V_T2_flow = t113 * (real(4.0) * (t69 * k2) * k2_dot / real(TAU))
-        + t112 * (E2_flow / t71);
-    let t174 = W2_dot.transpose() * state.W2 + t72 * W2_dot;
+    let V_T2_flow = t110 * (real(4.0) * (t69 * k2) * k2_dot / real(TAU))
+        + t109 * (E2_flow / t71);
+    let t171 = W2_dot.transpose() * state.W2 + t72 * W2_dot;
     // V_W2' along the flow
-    let V_W2_flow = (t174[(0, 0)] + t174[(1, 1)] + t174[(2, 2)]) * real(0.5);
+    let V_W2_flow = (t171[(0, 0)] + t171[(1, 1)] + t171[(2, 2)]) * real(0.5);
     // w_hat2' along the flow
-    let w_hat2_flow = th2_dot + t73 * e2_flow;
+    let w_hat2_flow = th2_dot + S2 * e2_flow;
     // w_error2' along the flow
     let w_error2_flow = w2_flow - w_hat2_flow;
-    let t175 = w_error2_flow.dot(w_error2);
+    let t172 = w_error2_flow.dot(w_error2);
     // V_D2' along the flow
-    let V_D2_flow = (t175 + t175) * real(0.5);
-    let t176 = zeta2_dot.dot(state.zeta2);
+    let V_D2_flow = (t172 + t172) * real(0.5);
+    let t173 = zeta2_dot.dot(state.zeta2);
     // V_zeta2' along the flow
-    let V_zeta2_flow = (t176 + t176) * real(0.5);
-    let t177 = eps2_dot * state.eps2;
+    let V_zeta2_flow = (t173 + t173) * real(0.5);
+    let t174 = eps2_dot * state.eps2;
     // V_eps2' along the flow
-    let V_eps2_flow = (t177 + t177) / real(0.2);
-    let t178 = -sigma2_dot * t115;
+    let V_eps2_flow = (t174 + t174) / real(0.2);
+    let t175 = -sigma2_dot * t112;
     // V_sigma2' along the flow
-    let V_sigma2_flow = (t178 + t178) * real(0.5);
-    let t179 = phi2_dot * state.phi2;
+    let V_sigma2_flow = (t175 + t175) * real(0.5);
+    let t176 = phi2_dot * state.phi2;
     // V_phi2' along the flow
-    let V_phi2_flow = (t179 + t179) * real(0.5);
-    let t180 = HSigma2_1.dot(e2);
+    let V_phi2_flow = (t176 + t176) * real(0.5);
+    let t177 = HSigma2_1.dot(e2);
     // D^1 s2 along noise1
-    let s2_noise1_ = t180 + t180;
-    let t181 = s2_noise1_ / t69;
+    let s2_noise1_ = t177 + t177;
+    let t178 = s2_noise1_ / t69;
     // D^1 E2_free along noise1
-    let E2_free_noise1_ = real(FRAC_PI_2) * (t172 * t181);
+    let E2_free_noise1_ = real(FRAC_PI_2) * (t169 * t178);
     // D^1 E2 along noise1
-    let E2_noise1_ = T::select(t173, E2_free_noise1_, real(0.0));
-    let t182 = HSigma2_1.sum_squares();
+    let E2_noise1_ = T::select(t170, E2_free_noise1_, real(0.0));
+    let t179 = HSigma2_1.sum_squares();
     // D^2 s2 along noise1
-    let s2_noise1_2 = t182 + t182;
+    let s2_noise1_2 = t179 + t179;
     // D^2 E2_free along noise1
     let E2_free_noise1_2 = real(FRAC_PI_2)
-        * (t181 * (t181 + t181) + t172 * (s2_noise1_2 / t69));
+        * (t178 * (t178 + t178) + t169 * (s2_noise1_2 / t69));
     // D^2 E2 along noise1
-    let E2_noise1_2 = T::select(t173, E2_free_noise1_2, real(0.0));
-    let t183 = cosE2 + cosE2;
+    let E2_noise1_2 = T::select(t170, E2_free_noise1_2, real(0.0));
+    let t180 = cosE2 + cosE2;
     // D^2 V_T2 along noise1
-    let V_T2_noise1_2 = t112
-        * (E2_noise1_2 / t71 + E2_noise1_ / t71 / t71 * (t183 * (t75 * E2_noise1_)));
+    let V_T2_noise1_2 = t109
+        * (E2_noise1_2 / t71 + E2_noise1_ / t71 / t71 * (t180 * (t73 * E2_noise1_)));
     // D^1 w_hat2 along noise1
-    let w_hat2_noise1_ = t73 * HSigma2_1;
-    let t184 = w_hat2_noise1_.sum_squares();
+    let w_hat2_noise1_ = S2 * HSigma2_1;
+    let t181 = w_hat2_noise1_.sum_squares();
     // D^2 V_D2 along noise1
-    let V_D2_noise1_2 = (t184 + t184) * real(0.5);
-    let t185 = HSigma2_2.dot(e2);
+    let V_D2_noise1_2 = (t181 + t181) * real(0.5);
+    let t182 = HSigma2_2.dot(e2);
     // D^1 s2 along noise2
-    let s2_noise2_ = t185 + t185;
-    let t186 = s2_noise2_ / t69;
+    let s2_noise2_ = t182 + t182;
+    let t183 = s2_noise2_ / t69;
     // D^1 E2_free along noise2
-    let E2_free_noise2_ = real(FRAC_PI_2) * (t172 * t186);
+    let E2_free_noise2_ = real(FRAC_PI_2) * (t169 * t183);
     // D^1 E2 along noise2
-    let E2_noise2_ = T::select(t173, E2_free_noise2_, real(0.0));
-    let t187 = HSigma2_2.sum_squares();
+    let E2_noise2_ = T::select(t170, E2_free_noise2_, real(0.0));
+    let t184 = HSigma2_2.sum_squares();
     // D^2 s2 along noise2
-    let s2_noise2_2 = t187 + t187;
+    let s2_noise2_2 = t184 + t184;
     // D^2 E2_free along noise2
     let E2_free_noise2_2 = real(FRAC_PI_2)
-        * (t186 * (t186 + t186) + t172 * (s2_noise2_2 / t69));
+        * (t183 * (t183 + t183) + t169 * (s2_noise2_2 / t69));
     // D^2 E2 along noise2
-    let E2_noise2_2 = T::select(t173, E2_free_noise2_2, real(0.0));
+    let E2_noise2_2 = T::select(t170, E2_free_noise2_2, real(0.0));
     // D^2 V_T2 along noise2
-    let V_T2_noise2_2 = t112
-        * (E2_noise2_2 / t71 + E2_noise2_ / t71 / t71 * (t183 * (t75 * E2_noise2_)));
+    let V_T2_noise2_2 = t109
+        * (E2_noise2_2 / t71 + E2_noise2_ / t71 / t71 * (t180 * (t73 * E2_noise2_)));
     // D^1 w_hat2 along noise2
-    let w_hat2_noise2_ = t73 * HSigma2_2;
-    let t188 = w_hat2_noise2_.sum_squares();
+    let w_hat2_noise2_ = S2 * HSigma2_2;
+    let t185 = w_hat2_noise2_.sum_squares();
     // D^2 V_D2 along noise2
-    let V_D2_noise2_2 = (t188 + t188) * real(0.5);
-    let t189 = HSigma2_3.dot(e2);
+    let V_D2_noise2_2 = (t185 + t185) * real(0.5);
+    let t186 = HSigma2_3.dot(e2);
     // D^1 s2 along noise3
-    let s2_noise3_ = t189 + t189;
-    let t190 = s2_noise3_ / t69;
+    let s2_noise3_ = t186 + t186;
+    let t187 = s2_noise3_ / t69;
     // D^1 E2_free along noise3
-    let E2_free_noise3_ = real(FRAC_PI_2) * (t172 * t190);
+    let E2_free_noise3_ = real(FRAC_PI_2) * (t169 * t187);
     // D^1 E2 along noise3
-    let E2_noise3_ = T::select(t173, E2_free_noise3_, real(0.0));
-    let t191 = HSigma2_3.sum_squares();
+    let E2_noise3_ = T::select(t170, E2_free_noise3_, real(0.0));
+    let t188 = HSigma2_3.sum_squares();
     // D^2 s2 along noise3
-    let s2_noise3_2 = t191 + t191;
+    let s2_noise3_2 = t188 + t188;
     // D^2 E2_free along noise3
     let E2_free_noise3_2 = real(FRAC_PI_2)
-        * (t190 * (t190 + t190) + t172 * (s2_noise3_2 / t69));
+        * (t187 * (t187 + t187) + t169 * (s2_noise3_2 / t69));
     // D^2 E2 along noise3
-    let E2_noise3_2 = T::select(t173, E2_free_noise3_2, real(0.0));
+    let E2_noise3_2 = T::select(t170, E2_free_noise3_2, real(0.0));
     // D^2 V_T2 along noise3
-    let V_T2_noise3_2 = t112
-        * (E2_noise3_2 / t71 + E2_noise3_ / t71 / t71 * (t183 * (t75 * E2_noise3_)));
+    let V_T2_noise3_2 = t109
+        * (E2_noise3_2 / t71 + E2_noise3_ / t71 / t71 * (t180 * (t73 * E2_noise3_)));
     // D^1 w_hat2 along noise3
-    let w_hat2_noise3_ = t73 * HSigma2_3;
-    let t192 = w_hat2_noise3_.sum_squares();
+    let w_hat2_noise3_ = S2 * HSigma2_3;
+    let t189 = w_hat2_noise3_.sum_squares();
     // D^2 V_D2 along noise3
-    let V_D2_noise3_2 = (t192 + t192) * real(0.5);
-    let t193 = V_T1_flow + V_W1_flow + V_D1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow
+    let V_D2_noise3_2 = (t189 + t189) * real(0.5);
+    let t190 = V_T1_flow + V_W1_flow + V_D1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow
         + V_W2_flow + V_D2_flow + V_zeta2_flow;
-    let t194 = t193 + V_eps2_flow + V_sigma2_flow + V_phi2_flow
+    let t191 = t190 + V_eps2_flow + V_sigma2_flow + V_phi2_flow
         + V_T2_noise1_2 * real(0.5) + V_D2_noise1_2 * real(0.5);
-    let t195 = t194 + V_T2_noise2_2 * real(0.5) + V_D2_noise2_2 * real(0.5)
+    let t192 = t191 + V_T2_noise2_2 * real(0.5) + V_D2_noise2_2 * real(0.5)
         + V_T2_noise3_2 * real(0.5) + V_D2_noise3_2 * real(0.5);
     // LV = V_t + V_x f + 1/2 sum_j g_j^T V_xx g_j
-    let LV = t195 + real(0.5) + real(0.5) + real(0.5) + real(0.5) + real(0.5)
+    let LV = t192 + real(0.5) + real(0.5) + real(0.5) + real(0.5) + real(0.5)
         + real(0.5);
     LyapunovOutputs { V, LV }
 }

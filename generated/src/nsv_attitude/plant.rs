@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 970d893644f64ab2db1ac6740b71448c65a1cab2551f0cb90e91e82793cb22ff
+// SHA-256 of the text below: b820a6d091cef8813ef2545e53440405227e2546686cc429a611cf74ce8f0a1f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // plant: 436 additions, 601 multiplications, 23 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
@@ -87,6 +87,14 @@ pub fn plant<T: Real>(
     params: &Params<T>,
 ) -> PlantOutputs<T> {
     let real = T::from_f64;
+
+    // -- disturbance observer of block 2 (20) (49) --
+    // L_2
+    let L2: Matrix<T, 3, 6> = Matrix::from_f64([
+        [0.0, 2.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 3.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 1.0, 1.0],
+    ]);
 
     // -- plant model --
     let alpha = x[0];
@@ -228,14 +236,9 @@ pub fn plant<T: Real>(
         [0.0, 7.375621211696555e-8, 0.0],
         [0.0, 0.0, 7.375621211696555e-8],
     ]);
-    let t26: Matrix<T, 3, 6> = Matrix::from_f64([
-        [0.0, 2.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 3.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 1.0, 1.0],
-    ]);
     // d_2 = L_2 w_2 (12)
-    let d2 = t26 * w2;
-    let t27: Matrix<T, 6, 6> = Matrix::from_f64([
+    let d2 = L2 * w2;
+    let t26: Matrix<T, 6, 6> = Matrix::from_f64([
         [0.0, 3.0, 0.0, 0.0, 0.0, 0.0],
         [-3.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 0.0, 3.0, 0.0, 0.0],
@@ -244,10 +247,10 @@ pub fn plant<T: Real>(
         [0.0, 0.0, 0.0, 0.0, -3.0, 0.0],
     ]);
     // w_2' = M_2 w_2 (12)
-    let w2_flow = t27 * w2;
+    let w2_flow = t26 * w2;
     // F_2 + G_2 x_3 + d_2
     let x2_flow = F2_plant + G2_plant * u_sat + d2;
-    let t28 = Matrix([
+    let t27 = Matrix([
         [
             roll_delta[0] / real(1355818.0),
             roll_delta[1] / real(1355818.0),
@@ -265,7 +268,7 @@ pub fn plant<T: Real>(
         ],
     ]);
     // H_2 Sigma_2
-    let HSigma2 = t28
+    let HSigma2 = t27
         .hadamard(
             Matrix::<
                 T,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: f63cdddc6333534fc206e89bea81d4840f95fa34534bbe0111c3883d16f5afae
+// SHA-256 of the text below: 716fa5fafec03bbf9133b0a290873d1bd48a46d13fe5007c68d23b759c8fcf4c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // initial: 26 additions, 41 multiplications, 7 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
@@ -283,12 +283,18 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     // e_2 = x_2 - h_1 - zeta_2
     let e2 = x2 + t6;
 
+    // -- disturbance observer of block 2 (20) (49) --
+    // S_2, observer gain
+    let S2: Matrix<T, 5, 2> = Matrix::from_f64([
+        [12.0, 0.0],
+        [36.0, 0.0],
+        [0.0, 8.0],
+        [0.0, 2.0],
+        [0.0, 11.0],
+    ]);
+
     // -- given --
-    let th2 = -(Matrix::<
-        T,
-        5,
-        2,
-    >::from_f64([[12.0, 0.0], [36.0, 0.0], [0.0, 8.0], [0.0, 2.0], [0.0, 11.0]]) * e2);
+    let th2 = -(S2 * e2);
     State {
         zeta1,
         zeta2,
@@ -460,7 +466,8 @@ pub fn control<T: Real>(
     let A_hat2 = state.W2.transpose() * P2;
 
     // -- disturbance observer of block 2 (20) (49) --
-    let t15: Matrix<T, 5, 2> = Matrix::from_f64([
+    // S_2, observer gain
+    let S2: Matrix<T, 5, 2> = Matrix::from_f64([
         [12.0, 0.0],
         [36.0, 0.0],
         [0.0, 8.0],
@@ -468,13 +475,14 @@ pub fn control<T: Real>(
         [0.0, 11.0],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t15 * e2;
+    let w_hat2 = state.th2 + S2 * e2;
+    // L_2
+    let L2: Matrix<T, 2, 5> = Matrix::from_f64([
+        [1.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 1.0, 1.0, 0.0],
+    ]);
     // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = Matrix::<
-        T,
-        2,
-        5,
-    >::from_f64([[1.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 1.0, 0.0]]) * w_hat2;
+    let D_hat2 = L2 * w_hat2;
 
     // -- robust feedback of block 2 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -485,9 +493,9 @@ pub fn control<T: Real>(
     let Lam2_disturbance = c2 * real(0.9999999999999998);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5) / t14;
-    let t16 = e2.map(T::tanh);
+    let t15 = e2.map(T::tanh);
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t16 * state.eps2;
+    let Lam2_error_bound = t15 * state.eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
     let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25) * t14;
     // Lam_2, sum of the terms above
@@ -495,13 +503,13 @@ pub fn control<T: Real>(
         + Lam2_coupling;
 
     // -- control (64) of block 2 --
-    let t17 = F2 + A_hat2;
-    let t18 = state.zeta2 * real(50.0);
+    let t16 = F2 + A_hat2;
+    let t17 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t17 - h1_dot + t18 + D_hat2 + Lam2;
-    let t19 = inverse_M.solve(bracket2);
+    let bracket2 = t16 - h1_dot + t17 + D_hat2 + Lam2;
+    let t18 = inverse_M.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t19;
+    let u = -t18;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .zip(Vector::<T, 2>::from_f64([-60.0, -30.0]), T::max)
@@ -509,14 +517,15 @@ pub fn control<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = inverse_M * (u_sat + t19) - t18;
+    let zeta2_dot = inverse_M * (u_sat + t18) - t17;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t20: Matrix<T, 5, 5> = Matrix::from_f64([
+    // M_2 - S_2 L_2
+    let w2_closed: Matrix<T, 5, 5> = Matrix::from_f64([
         [-12.0, 1.0, 0.0, 0.0, 0.0],
         [-36.0, 0.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, -8.0, -8.0, 0.0],
@@ -524,11 +533,11 @@ pub fn control<T: Real>(
         [0.0, 0.0, -11.0, -14.0, 0.0],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = t20 * w_hat2 - t15 * (t17 + inverse_M * u - h1_dot + t18);
+    let th2_dot = w2_closed * w_hat2 - S2 * (t16 + inverse_M * u - h1_dot + t17);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 / t14 * e2.dot(t16) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 / t14 * e2.dot(t15) - state.eps2);
 
     // -- status --
     // some E_i >= pi/2 - delta
@@ -543,7 +552,8 @@ pub fn control<T: Real>(
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
     let zeta2_next = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
-    let t21: Matrix<T, 5, 5> = Matrix::from_f64([
+    // Gamma of th2
+    let th2_step: Matrix<T, 5, 5> = Matrix::from_f64([
         [0.001976143425723861, 1.984071770174817e-6, 0.0, 0.0, 0.0],
         [-7.142658372629343e-5, 0.001999952286965959, 0.0, 0.0, 0.0],
         [
@@ -557,7 +567,7 @@ pub fn control<T: Real>(
         [0.0, 0.0, -2.1845797894047418e-5, -2.784571417199025e-5, 0.0019999442315428947],
     ]);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + t21 * th2_dot;
+    let th2_next = state.th2 + th2_step * th2_dot;
     // W2(t + dt) = W2 + Gamma W2'
     let W2_next = state.W2 + W2_dot * real(0.001999800013332667);
     // eps2(t + dt) = eps2 + Gamma eps2'

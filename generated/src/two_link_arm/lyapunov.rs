@@ -1,4 +1,4 @@
-// SHA-256 of the text below: ff58fbd3244a5baaf946bda8c53b33f1771d5ae317e375ce5ecf22be093ad78c
+// SHA-256 of the text below: baab15936d0fcd7ca5701ced907778ab9d155ed1dd8bf830a932bee242ab6ee5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // lyapunov: 606 additions, 732 multiplications, 50 divisions, 0 square roots, 16 elementary functions, 19 comparisons and selections
@@ -171,7 +171,8 @@ pub fn lyapunov<T: Real>(
     let A_hat2 = t24 * P2;
 
     // -- disturbance observer of block 2 (20) (49) --
-    let t25: Matrix<T, 5, 2> = Matrix::from_f64([
+    // S_2, observer gain
+    let S2: Matrix<T, 5, 2> = Matrix::from_f64([
         [12.0, 0.0],
         [36.0, 0.0],
         [0.0, 8.0],
@@ -179,13 +180,14 @@ pub fn lyapunov<T: Real>(
         [0.0, 11.0],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t25 * e2;
-    let t26: Matrix<T, 2, 5> = Matrix::from_f64([
+    let w_hat2 = state.th2 + S2 * e2;
+    // L_2
+    let L2: Matrix<T, 2, 5> = Matrix::from_f64([
         [1.0, 0.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 1.0, 1.0, 0.0],
     ]);
     // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = t26 * w_hat2;
+    let D_hat2 = L2 * w_hat2;
 
     // -- robust feedback of block 2 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -196,9 +198,9 @@ pub fn lyapunov<T: Real>(
     let Lam2_disturbance = c2 * real(0.9999999999999998);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5) / t23;
-    let t27 = e2.map(T::tanh);
+    let t25 = e2.map(T::tanh);
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t27 * state.eps2;
+    let Lam2_error_bound = t25 * state.eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
     let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25) * t23;
     // Lam_2, sum of the terms above
@@ -206,13 +208,13 @@ pub fn lyapunov<T: Real>(
         + Lam2_coupling;
 
     // -- control (64) of block 2 --
-    let t28 = F2 + A_hat2;
-    let t29 = state.zeta2 * real(50.0);
+    let t26 = F2 + A_hat2;
+    let t27 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t28 - h1_dot + t29 + D_hat2 + Lam2;
-    let t30 = inverse_M.solve(bracket2);
+    let bracket2 = t26 - h1_dot + t27 + D_hat2 + Lam2;
+    let t28 = inverse_M.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t30;
+    let u = -t28;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .zip(Vector::<T, 2>::from_f64([-60.0, -30.0]), T::max)
@@ -220,14 +222,15 @@ pub fn lyapunov<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = inverse_M * (u_sat + t30) - t29;
+    let zeta2_dot = inverse_M * (u_sat + t28) - t27;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t31: Matrix<T, 5, 5> = Matrix::from_f64([
+    // M_2 - S_2 L_2
+    let w2_closed: Matrix<T, 5, 5> = Matrix::from_f64([
         [-12.0, 1.0, 0.0, 0.0, 0.0],
         [-36.0, 0.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, -8.0, -8.0, 0.0],
@@ -235,11 +238,11 @@ pub fn lyapunov<T: Real>(
         [0.0, 0.0, -11.0, -14.0, 0.0],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = t31 * w_hat2 - t25 * (t28 + inverse_M * u - h1_dot + t29);
+    let th2_dot = w2_closed * w_hat2 - S2 * (t26 + inverse_M * u - h1_dot + t27);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 / t23 * e2.dot(t27) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 / t23 * e2.dot(t25) - state.eps2);
 
     // -- true dynamics of block 1 (joints) (11) --
     // F_1 with the plant's parameters
@@ -250,22 +253,22 @@ pub fn lyapunov<T: Real>(
     let x1_flow = F1_plant + G1_plant * x2;
 
     // -- true dynamics of block 2 (rates) (11) --
-    let t32 = plant.m_e * real(0.36);
-    let t33 = real(0.25) + t32;
-    let t34 = plant.m_e * real(0.6);
-    let t35 = t34 * real(0.8660254037844386);
-    let t36 = t34 * real(0.5);
-    let t37 = t33 + t35 * t3 + t36 * t4;
-    let t38 = -t37;
-    let t39 = real(0.62) + t32 + plant.m_e + real(2.0) * t35 * t3 + real(2.0) * t36 * t4;
-    let t40 = t39 * t33 - t37 * t37;
+    let t29 = plant.m_e * real(0.36);
+    let t30 = real(0.25) + t29;
+    let t31 = plant.m_e * real(0.6);
+    let t32 = t31 * real(0.8660254037844386);
+    let t33 = t31 * real(0.5);
+    let t34 = t30 + t32 * t3 + t33 * t4;
+    let t35 = -t34;
+    let t36 = real(0.62) + t29 + plant.m_e + real(2.0) * t32 * t3 + real(2.0) * t33 * t4;
+    let t37 = t36 * t30 - t34 * t34;
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[t33, t38], [t38, t39]]) / t40;
+    let G2_plant = Matrix([[t30, t35], [t35, t36]]) / t37;
     // F_2 with the plant's parameters
-    let F2_plant = -G2_plant * (t6 * (t35 * t4 - t36 * t3));
+    let F2_plant = -G2_plant * (t6 * (t32 * t4 - t33 * t3));
     // d_2 = L_2 w_2 (12)
-    let d2 = t26 * w2;
-    let t41: Matrix<T, 5, 5> = Matrix::from_f64([
+    let d2 = L2 * w2;
+    let t38: Matrix<T, 5, 5> = Matrix::from_f64([
         [0.0, 1.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 0.0, 0.0, 0.0],
@@ -273,15 +276,15 @@ pub fn lyapunov<T: Real>(
         [0.0, 0.0, 0.0, -3.0, 0.0],
     ]);
     // w_2' = M_2 w_2 (12)
-    let w2_flow = t41 * w2;
+    let w2_flow = t38 * w2;
     // F_2 + G_2 x_3 + d_2
     let x2_flow = F2_plant + G2_plant * u_sat + d2;
 
     // -- Lyapunov function of block 1 (23) (52) --
-    let t42 = t14 * t14 / real(TAU);
-    let t43 = E1.tan();
+    let t39 = t14 * t14 / real(TAU);
+    let t40 = E1.tan();
     // k_1^4/(2 pi) tan E_1
-    let V_T1 = t42 * t43;
+    let V_T1 = t39 * t40;
     // 1/2 ||zeta_1||^2
     let V_zeta1 = state.zeta1.sum_squares() * real(0.5);
     // chi_1 = h_1 - alpha_1 (34)
@@ -290,13 +293,13 @@ pub fn lyapunov<T: Real>(
     let V_chi1 = chi1.sum_squares() * real(0.5);
 
     // -- Lyapunov function of block 2 (23) (52) --
-    let t44 = t21 * t21 / real(TAU);
-    let t45 = E2.tan();
+    let t41 = t21 * t21 / real(TAU);
+    let t42 = E2.tan();
     // k_2^4/(2 pi) tan E_2
-    let V_T2 = t44 * t45;
-    let t46 = t24 * state.W2;
+    let V_T2 = t41 * t42;
+    let t43 = t24 * state.W2;
     // tr(W_2^T W_2)/(2 Gamma_2)
-    let V_W2 = (t46[(0, 0)] + t46[(1, 1)]) * real(0.5);
+    let V_W2 = (t43[(0, 0)] + t43[(1, 1)]) * real(0.5);
     // w_2 - w_hat_2
     let w_error2 = w2 - w_hat2;
     // 1/2 ||theta_2 - th_2||^2
@@ -313,12 +316,12 @@ pub fn lyapunov<T: Real>(
     // -- Ito generator (2) --
     // e1' along the flow
     let e1_flow = x1_flow - y_r_dot - zeta1_dot;
-    let t47 = e1_flow.dot(e1);
+    let t44 = e1_flow.dot(e1);
     // s1' along the flow
-    let s1_flow = t47 + t47;
-    let t48 = (t15 + t15) * (s1_flow / t14 - t15 / t14 * ((k1 + k1) * k1_dot));
+    let s1_flow = t44 + t44;
+    let t45 = (t15 + t15) * (s1_flow / t14 - t15 / t14 * ((k1 + k1) * k1_dot));
     // E1_free' along the flow
-    let E1_free_flow = real(FRAC_PI_2) * t48;
+    let E1_free_flow = real(FRAC_PI_2) * t45;
     // E1' along the flow
     let E1_flow = T::select(
         E1_free.lt(real(1.5697963267948967)),
@@ -326,34 +329,34 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t43 * (real(4.0) * (t14 * k1) * k1_dot / real(TAU))
-        + t42 * (E1_flow / t16);
-    let t49 = zeta1_dot.dot(state.zeta1);
+    let V_T1_flow = t40 * (real(4.0) * (t14 * k1) * k1_dot / real(TAU))
+        + t39 * (E1_flow / t16);
+    let t46 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
-    let V_zeta1_flow = (t49 + t49) * real(0.5);
-    let t50 = real(2.0) * (t8 * real(2.0)) + t10 * real(0.0);
+    let V_zeta1_flow = (t46 + t46) * real(0.5);
+    let t47 = real(2.0) * (t8 * real(2.0)) + t10 * real(0.0);
     // y_r''
-    let y_r_dot2 = Vector([real(0.5235987755982989) * t50, real(FRAC_PI_4) * t50]);
-    let t51 = real(1.0).lt(t18);
-    let t52 = T::select(t51, real(1.0), t18);
-    let t53 = t52 * (kernel::sin_cos_over_d1(E1) * E1_flow)
-        + T::select(t51, real(0.0), -(t17 * (t18 / E1_free * E1_free_flow)));
-    let t54 = t17 * t52;
+    let y_r_dot2 = Vector([real(0.5235987755982989) * t47, real(FRAC_PI_4) * t47]);
+    let t48 = real(1.0).lt(t18);
+    let t49 = T::select(t48, real(1.0), t18);
+    let t50 = t49 * (kernel::sin_cos_over_d1(E1) * E1_flow)
+        + T::select(t48, real(0.0), -(t17 * (t18 / E1_free * E1_free_flow)));
+    let t51 = t17 * t49;
     // Lam0_1' along the flow
     let Lam0_1_flow = Vector([
-        real(5.0) * e1[0] * t53 + t54 * (real(5.0) * e1_flow[0])
+        real(5.0) * e1[0] * t50 + t51 * (real(5.0) * e1_flow[0])
             + real(4.0) * e1_flow[0],
-        real(5.0) * e1[1] * t53 + t54 * (real(5.0) * e1_flow[1]) + real(4.0) * e1_flow[1],
+        real(5.0) * e1[1] * t50 + t51 * (real(5.0) * e1_flow[1]) + real(4.0) * e1_flow[1],
     ]);
     // cosE1' along the flow
     let cosE1_flow = -(E1.sin() * E1_flow);
-    let t55 = (cosE1 + cosE1) * cosE1_flow;
-    let t56 = s1 * e1[0] / t16 / t16 * t55;
-    let t57 = s1 * e1[1] / t16 / t16 * t55;
+    let t52 = (cosE1 + cosE1) * cosE1_flow;
+    let t53 = s1 * e1[0] / t16 / t16 * t52;
+    let t54 = s1 * e1[1] / t16 / t16 * t52;
     // c1' along the flow
     let c1_flow = Vector([
-        (e1[0] * s1_flow + s1 * e1_flow[0]) / t16 - t56,
-        (e1[1] * s1_flow + s1 * e1_flow[1]) / t16 - t57,
+        (e1[0] * s1_flow + s1 * e1_flow[0]) / t16 - t53,
+        (e1[1] * s1_flow + s1 * e1_flow[1]) / t16 - t54,
     ]);
     // Lam1_filter' along the flow
     let Lam1_filter_flow = c1_flow * real(0.5);
@@ -363,17 +366,17 @@ pub fn lyapunov<T: Real>(
     let bracket1_flow = zeta1_dot * real(20.0) - y_r_dot2 + Lam1_flow;
     // chi1' along the flow
     let chi1_flow = h1_dot + G1.solve(bracket1_flow);
-    let t58 = chi1_flow.dot(chi1);
+    let t55 = chi1_flow.dot(chi1);
     // V_chi1' along the flow
-    let V_chi1_flow = (t58 + t58) * real(0.5);
+    let V_chi1_flow = (t55 + t55) * real(0.5);
     // e2' along the flow
     let e2_flow = x2_flow - h1_dot - zeta2_dot;
-    let t59 = e2_flow.dot(e2);
+    let t56 = e2_flow.dot(e2);
     // s2' along the flow
-    let s2_flow = t59 + t59;
-    let t60 = (t22 + t22) * (s2_flow / t21 - t22 / t21 * ((k2 + k2) * k2_dot));
+    let s2_flow = t56 + t56;
+    let t57 = (t22 + t22) * (s2_flow / t21 - t22 / t21 * ((k2 + k2) * k2_dot));
     // E2_free' along the flow
-    let E2_free_flow = real(FRAC_PI_2) * t60;
+    let E2_free_flow = real(FRAC_PI_2) * t57;
     // E2' along the flow
     let E2_flow = T::select(
         E2_free.lt(real(1.5697963267948967)),
@@ -381,24 +384,24 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T2' along the flow
-    let V_T2_flow = t45 * (real(4.0) * (t21 * k2) * k2_dot / real(TAU))
-        + t44 * (E2_flow / t23);
-    let t61 = W2_dot.transpose() * state.W2 + t24 * W2_dot;
+    let V_T2_flow = t42 * (real(4.0) * (t21 * k2) * k2_dot / real(TAU))
+        + t41 * (E2_flow / t23);
+    let t58 = W2_dot.transpose() * state.W2 + t24 * W2_dot;
     // V_W2' along the flow
-    let V_W2_flow = (t61[(0, 0)] + t61[(1, 1)]) * real(0.5);
+    let V_W2_flow = (t58[(0, 0)] + t58[(1, 1)]) * real(0.5);
     // w_hat2' along the flow
-    let w_hat2_flow = th2_dot + t25 * e2_flow;
+    let w_hat2_flow = th2_dot + S2 * e2_flow;
     // w_error2' along the flow
     let w_error2_flow = w2_flow - w_hat2_flow;
-    let t62 = w_error2_flow.dot(w_error2);
+    let t59 = w_error2_flow.dot(w_error2);
     // V_D2' along the flow
-    let V_D2_flow = (t62 + t62) * real(0.5);
-    let t63 = zeta2_dot.dot(state.zeta2);
+    let V_D2_flow = (t59 + t59) * real(0.5);
+    let t60 = zeta2_dot.dot(state.zeta2);
     // V_zeta2' along the flow
-    let V_zeta2_flow = (t63 + t63) * real(0.5);
-    let t64 = eps2_dot * state.eps2;
+    let V_zeta2_flow = (t60 + t60) * real(0.5);
+    let t61 = eps2_dot * state.eps2;
     // V_eps2' along the flow
-    let V_eps2_flow = (t64 + t64) / real(0.2);
+    let V_eps2_flow = (t61 + t61) / real(0.2);
     // LV = V_t + V_x f + 1/2 sum_j g_j^T V_xx g_j
     let LV = V_T1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow + V_W2_flow + V_D2_flow
         + V_zeta2_flow + V_eps2_flow;

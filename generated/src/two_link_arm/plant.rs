@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 047c462f6308a0121cad6cb8808c513acd4f87b67dc420e86ee61ee8f4ff3ea2
+// SHA-256 of the text below: 4700293c1b1bde50ac92999c65acf7cdc8db3b7b0bff20cc6a5ecd59ed45cd7c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // plant: 51 additions, 66 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -67,6 +67,13 @@ pub fn plant<T: Real>(
 ) -> PlantOutputs<T> {
     let real = T::from_f64;
 
+    // -- disturbance observer of block 2 (20) (49) --
+    // L_2
+    let L2: Matrix<T, 2, 5> = Matrix::from_f64([
+        [1.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 1.0, 1.0, 0.0],
+    ]);
+
     // -- true dynamics of block 1 (joints) (11) --
     // F_1 with the plant's parameters
     let F1_plant: Vector<T, 2> = Vector::zero();
@@ -105,11 +112,7 @@ pub fn plant<T: Real>(
     // F_2 with the plant's parameters
     let F2_plant = -inverse_M * torque;
     // d_2 = L_2 w_2 (12)
-    let d2 = Matrix::<
-        T,
-        2,
-        5,
-    >::from_f64([[1.0, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.0, 1.0, 0.0]]) * w2;
+    let d2 = L2 * w2;
     let t6: Matrix<T, 5, 5> = Matrix::from_f64([
         [0.0, 1.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 0.0, 0.0, 0.0],

@@ -71,8 +71,8 @@ const MODULES: [&str; 8] = [
 /// What a name is used for, which decides what it may collide with.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Use {
-    /// Written by value: it meets no emitted name.
-    Constant,
+    /// A constant, which is written by value, or a label: it meets no emitted name.
+    Label,
     /// Becomes a name in the emitted code.
     Emitted,
 }
@@ -87,7 +87,7 @@ impl Context<'_> {
             &mut declared,
             words(&spec.constants),
             "constant",
-            Use::Constant,
+            Use::Label,
         );
         self.declare(
             &mut declared,
@@ -120,12 +120,12 @@ impl Context<'_> {
             &mut BTreeMap::new(),
             words(&spec.inputs),
             "input",
-            Use::Emitted,
+            Use::Label,
         );
     }
 
     fn check_module_name(&mut self, name: &Word) {
-        if !self.check_identifier(name, "name", Use::Constant) {
+        if !self.check_identifier(name, "name", Use::Label) {
             return;
         }
         if name.value.chars().any(|c| c.is_ascii_uppercase()) {
@@ -224,15 +224,15 @@ impl Context<'_> {
         let spec = self.spec;
         let mut emitted: BTreeMap<String, Span> = BTreeMap::new();
         for group in &spec.polynomials {
-            self.check_identifier(&group.name, "polynomial group", Use::Constant);
+            self.check_identifier(&group.name, "polynomial group", Use::Label);
             self.declare(
                 &mut BTreeMap::new(),
                 group.value.arguments.iter(),
                 "argument",
-                Use::Constant,
+                Use::Label,
             );
             for part in &group.value.parts {
-                self.check_identifier(&part.name, "polynomial", Use::Constant);
+                self.check_identifier(&part.name, "polynomial", Use::Label);
                 let name = format!("{}_{}", group.name.value, part.name.value);
                 let taken = declared
                     .get(&name)
