@@ -214,6 +214,7 @@ fn compiled_programs_keep_the_bits_of_the_evaluator() {
     }
     let answers = answers(&executable, questions);
     assert_eq!(answers.len(), cases().count());
+    let (mut entries, mut numbers) = (0, 0);
     for ((index, point), answer) in cases().zip(answers) {
         let program = program(index, LENGTH);
         let expected = words(
@@ -231,6 +232,12 @@ fn compiled_programs_keep_the_bits_of_the_evaluator() {
                 found == expected || (a.is_nan() && b.is_nan()),
                 "program {index}, point {point}: {a:e} compiled, {b:e} evaluated"
             );
+            entries += 1;
+            numbers += usize::from(b.is_finite());
         }
     }
+    assert!(
+        2 * numbers > entries,
+        "{numbers} of {entries} results are finite numbers"
+    );
 }
