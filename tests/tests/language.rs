@@ -122,7 +122,7 @@ const CHAIN: Chain = Chain {
 };
 
 /// x1' = x2, x2' = -sin x1 - 0.2 x2 + x3, x3' = -0.5 x3 + x4, x4' = -0.5 x4 + u, ended by u after some blocks, each disturbed by a sine,
-/// the last one shaken by a Wiener process. Gains as in equations.md, end of section 6.
+/// the last one shaken by a Wiener process.
 fn text(chain: Chain) -> String {
     let Chain {
         blocks,
