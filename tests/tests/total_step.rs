@@ -113,6 +113,35 @@ fn a_controller_starts_with_the_first_finite_measurement() {
     }
 }
 
+/// One measurement far out of any flight can drive the states so far that the law overflows; the controller then starts anew
+/// instead of refusing for good.
+#[test]
+fn an_overflow_is_not_for_good() {
+    for (module, size) in modules()
+        .iter()
+        .flat_map(|module| SIZES.map(|size| (module, size)))
+    {
+        let (mut controller, start) = started(module);
+        let calm = vec![0.01; controller.measured()];
+        controller.step(start, &vec![size; controller.measured()]);
+        let mut refused = 0;
+        for sample in 1..=200 {
+            let t = start + f64::from(sample) * module.sample_time;
+            let output = controller.step(t, &calm);
+            check(module, &output, &controller.state());
+            refused += u32::from(output.status.contains(Status::NON_FINITE_INPUT));
+        }
+        assert!(
+            refused < 100,
+            "{}: after {size:e}, refused {refused} of 200",
+            module.name
+        );
+    }
+}
+
+/// From large to far beyond any flight.
+const SIZES: [f64; 6] = [10.0, 1e3, 1e6, 1e12, 1e30, 1e60];
+
 /// Thousands of steps with measurements from tiny to the largest numbers, among calm ones. Numbers far out of any flight can leave
 /// states behind from which the law overflows for good; so each controller flies 20 samples.
 #[test]

@@ -264,7 +264,7 @@ impl Controller<'_> {
                 let law = #law;
                 let valid = measured.and(law.u.is_finite()).and(law.u_sat.is_finite()) #next_finite;
                 #keep
-                self.started = self.started.or(valid);
+                self.started = valid.or(self.started.and(measured.not()));
                 let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
                 let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
                 let saturated = #saturated;
@@ -285,7 +285,8 @@ const STEP_DOCS: [&str; 5] = [
      `NON_FINITE_INPUT`, and the states stay as they were. `SATURATED` means that a control is at its limit, `CONSTRAINT_VIOLATED` \
      that an error has reached its bound and the barrier was clamped.",
     "",
-    "The first step with finite measurements initialises the states.",
+    "The first step with finite measurements initialises the states; so does the step after one whose law overflowed although its \
+     measurements were finite, since such states are beyond use.",
 ];
 
 /// A call of `function` from a method that has the measurements as variables.

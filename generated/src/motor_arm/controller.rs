@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 31422ed03751cb45b07f3ca97754264b99a0a9a989c2e47218a49b80cbbcaf60
+// SHA-256 of the text below: 9771a25525e5eaa0e072ab37c75df2917edafca5213b1afe70a0404b69142205
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // initial: 39 additions, 69 multiplications, 13 divisions, 1 square roots, 8 elementary functions, 3 comparisons and selections
@@ -207,7 +207,9 @@ impl<T: Real> Controller<T> {
     /// a control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
     /// barrier was clamped.
     ///
-    /// The first step with finite measurements initialises the states.
+    /// The first step with finite measurements initialises the states; so does the step after one
+    /// whose law overflowed although its measurements were finite, since such states are beyond
+    /// use.
     #[inline]
     pub fn step(
         &mut self,
@@ -236,7 +238,7 @@ impl<T: Real> Controller<T> {
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
         self.state = State::select(valid, &law.next, &self.state);
-        self.started = self.started.or(valid);
+        self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
         let saturated = u[0].ne(u_sat[0]);

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 9576bce9f9a874649e7eeac9dcb697a9b95b4a74c9313e51da3dedf2ac737b65
+// SHA-256 of the text below: 59750f54adbfd1360ac891f5418672d6d28102701a7ad213e28463d1105785a9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // initial: 208 additions, 284 multiplications, 15 divisions, 0 square roots, 18 elementary functions, 6 comparisons and selections
@@ -204,7 +204,9 @@ impl<T: Real> Controller<T> {
     /// a control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
     /// barrier was clamped.
     ///
-    /// The first step with finite measurements initialises the states.
+    /// The first step with finite measurements initialises the states; so does the step after one
+    /// whose law overflowed although its measurements were finite, since such states are beyond
+    /// use.
     #[inline]
     pub fn step(&mut self, t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
@@ -219,7 +221,7 @@ impl<T: Real> Controller<T> {
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
         self.state = State::select(valid, &law.next, &self.state);
-        self.started = self.started.or(valid);
+        self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
         let saturated = u[0].ne(u_sat[0]).or(u[1].ne(u_sat[1])).or(u[2].ne(u_sat[2]));

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 515e78cfb0a640c1664c9791e94b09963440b948847456f389256bb8fd40a109
+// SHA-256 of the text below: 1df12ce6ebe809154843d3a941f1c39c9b519181e8050bf6d2ad6001a7c0bd9c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // initial: 8 additions, 17 multiplications, 5 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
@@ -156,7 +156,9 @@ impl<T: Real> Controller<T> {
     /// a control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
     /// barrier was clamped.
     ///
-    /// The first step with finite measurements initialises the states.
+    /// The first step with finite measurements initialises the states; so does the step after one
+    /// whose law overflowed although its measurements were finite, since such states are beyond
+    /// use.
     #[inline]
     pub fn step(&mut self, t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
@@ -171,7 +173,7 @@ impl<T: Real> Controller<T> {
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
         self.state = State::select(valid, &law.next, &self.state);
-        self.started = self.started.or(valid);
+        self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
         let saturated = u[0].ne(u_sat[0]);

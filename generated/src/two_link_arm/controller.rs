@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 716fa5fafec03bbf9133b0a290873d1bd48a46d13fe5007c68d23b759c8fcf4c
+// SHA-256 of the text below: 4ce168f0e02f36782154dfa9c5e6c78d51cbd80f5ac94aa6d375ee266f81969f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // initial: 26 additions, 41 multiplications, 7 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
@@ -166,7 +166,9 @@ impl<T: Real> Controller<T> {
     /// a control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
     /// barrier was clamped.
     ///
-    /// The first step with finite measurements initialises the states.
+    /// The first step with finite measurements initialises the states; so does the step after one
+    /// whose law overflowed although its measurements were finite, since such states are beyond
+    /// use.
     #[inline]
     pub fn step(&mut self, t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
@@ -181,7 +183,7 @@ impl<T: Real> Controller<T> {
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
         self.state = State::select(valid, &law.next, &self.state);
-        self.started = self.started.or(valid);
+        self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
         let saturated = u[0].ne(u_sat[0]).or(u[1].ne(u_sat[1]));
