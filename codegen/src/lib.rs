@@ -3,6 +3,7 @@ pub mod casadi;
 pub mod derive;
 pub mod driver;
 pub mod emit;
+pub mod interrupt;
 pub mod ir;
 pub mod lower;
 pub mod opt;

@@ -25,6 +25,12 @@ fn wrong_usage_is_two() {
     check(&["simulate", "x.yaml", "--runs", "0"], 2, "--runs");
     check(&["simulate", "x.yaml", "--horizon", "-1"], 2, "positive");
     check(&["simulate", "x.yaml", "--out", "run.txt"], 2, ".parquet");
+    check(&["simulate", PENDULUM, "--horizon", "1e12"], 2, "steps");
+    check(
+        &["simulate", PENDULUM, "--out", "/no/such/x.csv"],
+        3,
+        "/no/such",
+    );
     check(&["eval", "x.yaml"], 2, "--at");
 }
 
@@ -112,21 +118,79 @@ fn entries(folder: &Path) -> usize {
 #[cfg(unix)]
 #[test]
 fn an_interrupt_ends_the_children_and_removes_scratch_folders() {
-    use rustix::process::{Pid, Signal, kill_process, test_kill_process};
     let folder = tempfile::tempdir().expect("a folder");
-    let (rustc, told) = (folder.path().join("rustc"), folder.path().join("pid"));
+    let rustc = folder.path().join("rustc");
+    let cache = folder.path().join("cache");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_nsv"));
+    command.arg("doctor").env("RUSTC", &rustc);
+    let simulators = cache.join("simulators");
+    let began = || assert_eq!(entries(&simulators), 1);
+    interrupted(command.env("NSV_CACHE_DIR", &cache), &rustc, began);
+    assert_eq!(entries(&simulators), 0);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_ends_casadi() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let python = folder.path().join("python");
+    let spec = changed(
+        folder.path(),
+        "damping*omega/inertia",
+        "damping*omega^5/inertia/(1 rad/s)^4",
+    );
+    let mut command = Command::new(env!("CARGO_BIN_EXE_nsv"));
+    command
+        .args(["generate", "--out"])
+        .arg(folder.path())
+        .arg(spec)
+        .env("NSV_PYTHON", &python)
+        .env("NSV_CACHE_DIR", folder.path().join("cache"));
+    interrupted(&mut command, &python, || {});
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_removes_a_python_environment_that_is_not_complete() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let bin = folder.path().join("bin");
+    std::fs::create_dir(&bin).expect("a folder");
+    let spec = changed(
+        folder.path(),
+        "damping*omega/inertia",
+        "damping*omega^5/inertia/(1 rad/s)^4",
+    );
+    let mut path = std::ffi::OsString::from(&bin);
+    path.push(":/usr/bin:/bin");
+    let cache = folder.path().join("cache");
+    let mut command = Command::new(env!("CARGO_BIN_EXE_nsv"));
+    command
+        .args(["generate", "--out"])
+        .arg(folder.path())
+        .arg(spec)
+        .env_remove("NSV_PYTHON")
+        .env("PATH", path)
+        .env("NSV_CACHE_DIR", &cache);
+    // The lock file stays.
+    let python = cache.join("python");
+    let began = || assert_eq!(entries(&python), 2);
+    interrupted(&mut command, &bin.join("python3"), began);
+    assert_eq!(entries(&python), 1);
+}
+
+/// Interrupts `command` when it runs `program`, which hangs; `began` looks at what is there by then.
+#[cfg(unix)]
+fn interrupted(command: &mut Command, program: &Path, began: impl FnOnce()) {
+    use rustix::process::{Pid, Signal, kill_process, test_kill_process};
+    let told = program.with_file_name("pid");
     script(
-        &rustc,
+        program,
         &format!(
             "[ \"$1\" = -vV ] && {{ echo rustc 1; exit; }}\necho $$ > '{}.part'\nmv '{0}.part' '{0}'\nexec sleep 600",
             told.display()
         ),
     );
-    let cache = folder.path().join("cache");
-    let mut child = Command::new(env!("CARGO_BIN_EXE_nsv"))
-        .arg("doctor")
-        .env("NSV_CACHE_DIR", &cache)
-        .env("RUSTC", &rustc)
+    let mut child = command
         .stdout(Stdio::null())
         .stderr(Stdio::null())
         .spawn()
@@ -138,13 +202,12 @@ fn an_interrupt_ends_the_children_and_removes_scratch_folders() {
         );
         std::thread::yield_now();
     }
-    assert_eq!(entries(&cache.join("simulators")), 1);
+    began();
     let pid =
         |text: &str| Pid::from_raw(text.trim().parse().expect("a process id")).expect("not zero");
     let hanging = pid(&std::fs::read_to_string(&told).expect("the script tells its process id"));
     kill_process(pid(&child.id().to_string()), Signal::INT).expect("nsv gets the signal");
     assert_eq!(child.wait().expect("nsv ends").code(), Some(130));
-    assert_eq!(entries(&cache.join("simulators")), 0);
     // The orphan is reaped by init a moment after it is killed.
     while test_kill_process(hanging).is_ok() && alive(hanging.as_raw_nonzero().get()) {
         std::thread::yield_now();
@@ -159,6 +222,48 @@ fn alive(pid: i32) -> bool {
         .rsplit(") ")
         .next()
         .is_some_and(|rest| !rest.is_empty() && !rest.starts_with('Z'))
+}
+
+/// The pendulum with one text instead of another, in `folder`, beside the stored derivatives.
+#[cfg(unix)]
+fn changed(folder: &Path, old: &str, new: &str) -> std::path::PathBuf {
+    let text = std::fs::read_to_string(PENDULUM).expect("the pendulum");
+    assert!(text.contains(old));
+    let partials = Path::new(PENDULUM).with_file_name("partials");
+    std::os::unix::fs::symlink(partials, folder.join("partials")).expect("a link");
+    let path = folder.join("changed.yaml");
+    std::fs::write(&path, text.replace(old, new)).expect("a file");
+    path
+}
+
+#[cfg(unix)]
+#[test]
+fn a_state_may_have_the_name_of_the_packed_states() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let spec = changed(folder.path(), "omega", "x");
+    let output = with_cache(&[
+        "simulate",
+        "--horizon=4",
+        spec.to_str().expect("a path in UTF-8"),
+    ]);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{stderr}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_no_specification() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let pipe = folder.path().join("pipe.yaml");
+    assert!(
+        Command::new("mkfifo")
+            .arg(&pipe)
+            .status()
+            .expect("mkfifo")
+            .success()
+    );
+    let pipe = pipe.to_str().expect("a path in UTF-8");
+    check(&["check", pipe], 1, "not a regular file");
 }
 
 const PENDULUM: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/pendulum.yaml");

@@ -87,10 +87,15 @@ fn parse(name: &str, bytes: &[u8], sources: &mut SourceMap) -> Result<Node, Vec<
 
 /// At most one byte more than is allowed, so that a huge or endless file costs nothing.
 fn read_capped(path: &Path) -> std::io::Result<Vec<u8>> {
-    let file = fs::File::open(path)?;
-    if !file.metadata()?.is_file() {
+    // Before it is opened, since opening a pipe waits for its writer.
+    let metadata = fs::metadata(path)?;
+    if metadata.is_dir() {
+        return Err(std::io::Error::other("it is a directory"));
+    }
+    if !metadata.is_file() {
         return Err(std::io::Error::other("not a regular file"));
     }
+    let file = fs::File::open(path)?;
     let mut bytes = Vec::new();
     file.take(MAX_BYTES as u64 + 1).read_to_end(&mut bytes)?;
     Ok(bytes)

@@ -360,6 +360,9 @@ pub enum Scheme {
     RungeKutta4,
 }
 
+/// Most plant steps of one run.
+pub const MAX_STEPS: f64 = 1e9;
+
 /// How the closed loop is simulated.
 #[derive(Clone, Debug)]
 pub struct Scenario {

@@ -4,17 +4,22 @@ use std::env;
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::Command;
 use std::time::Duration;
 
 use sha2::{Digest, Sha256};
 
 use super::error::Error;
-use super::process::tail;
+use super::process::{self, Failure, Output, tail};
 use super::store::Key;
+use crate::interrupt::Scratch;
 
 /// What the environment holds, pinned by hash for CPython 3.9 to 3.14.
 const REQUIREMENTS: &str = include_str!("requirements.txt");
+/// Time that making the environment may take: a download over a slow line.
+const INSTALLATION: Duration = Duration::from_secs(60 * 60);
+/// How much output of an installation is read.
+const INSTALLATION_OUTPUT: usize = 16 << 20;
 /// Time that the exporter may take, unless NSV_CASADI_TIMEOUT says otherwise.
 const TIMEOUT: Duration = Duration::from_secs(60);
 
@@ -130,19 +135,23 @@ impl Settings {
         directory: &Path,
         progress: &mut dyn FnMut(&str),
     ) -> Result<PathBuf, Error> {
-        let draft = tempfile::tempdir_in(parent).map_err(|error| storage(parent, error))?;
+        let draft = Scratch::new_in(parent).map_err(|error| storage(parent, error))?;
         progress(&format!(
             "creating a Python environment in {}",
             directory.display()
         ));
         let program = &self.base_python;
-        let created = Command::new(program)
-            .args(["-I", "-m", "venv"])
-            .arg(draft.path())
-            .output();
-        let created = created.map_err(|error| Error::PythonMissing {
-            program: program.clone(),
-            error,
+        let mut create = Command::new(program);
+        create.args(["-I", "-m", "venv"]).arg(draft.path());
+        let created = installed(&mut create).map_err(|failure| match failure {
+            Failure::Start(error) => Error::PythonMissing {
+                program: program.clone(),
+                error,
+            },
+            failure => Error::VenvFailed {
+                program: program.clone(),
+                detail: why(&failure),
+            },
         })?;
         if !created.status.success() {
             return Err(Error::VenvFailed {
@@ -153,7 +162,8 @@ impl Settings {
         progress("installing casadi and numpy from PyPI (about 110 MB, once)");
         let requirements = draft.path().join("requirements.txt");
         fs::write(&requirements, REQUIREMENTS).map_err(|error| storage(&requirements, error))?;
-        let installed = Command::new(interpreter(draft.path()))
+        let mut install = Command::new(interpreter(draft.path()));
+        install
             .args([
                 "-m",
                 "pip",
@@ -168,32 +178,33 @@ impl Settings {
                 ":all:",
                 "--requirement",
             ])
-            .arg(&requirements)
-            .output()
-            .map_err(|error| Error::VenvFailed {
+            .arg(&requirements);
+        let installed = installed(&mut install).map_err(|failure| match failure {
+            Failure::Start(error) => Error::VenvFailed {
                 program: program.clone(),
                 detail: format!("its python: {error}"),
-            })?;
+            },
+            failure => Error::InstallFailed {
+                detail: why(&failure),
+            },
+        })?;
         if !installed.status.success() {
             return Err(Error::InstallFailed {
                 detail: report(&installed),
             });
         }
-        replace(draft, directory).map_err(|error| storage(directory, error))?;
+        replace(&draft, directory).map_err(|error| storage(directory, error))?;
         Ok(interpreter(directory))
     }
 }
 
 /// Moves a complete draft to `directory`. One that is there already has no interpreter: its base Python has been removed.
-fn replace(draft: tempfile::TempDir, directory: &Path) -> io::Result<()> {
+fn replace(draft: &Scratch, directory: &Path) -> io::Result<()> {
     match fs::remove_dir_all(directory) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(error),
         _ => {}
     }
-    fs::rename(draft.path(), directory)?;
-    // The draft is no longer under its temporary name.
-    let _ = draft.keep();
-    Ok(())
+    fs::rename(draft.path(), directory)
 }
 
 /// Locks a file until the result is dropped, so that one process at a time installs.
@@ -224,12 +235,24 @@ fn interpreter(environment: &Path) -> PathBuf {
 
 /// What a failed command said; `venv` writes its reason to standard output.
 fn report(output: &Output) -> String {
-    let text = if output.stderr.is_empty() {
-        &output.stdout
+    if output.stderr.is_empty() {
+        tail(&String::from_utf8_lossy(&output.stdout))
     } else {
-        &output.stderr
-    };
-    tail(&String::from_utf8_lossy(text))
+        tail(&output.stderr)
+    }
+}
+
+/// Runs a step of the installation, without input.
+fn installed(command: &mut Command) -> Result<Output, Failure> {
+    process::run(command, Vec::new(), INSTALLATION_OUTPUT, INSTALLATION)
+}
+
+fn why(failure: &Failure) -> String {
+    match failure {
+        Failure::Start(error) | Failure::Io(error) => error.to_string(),
+        Failure::Timeout => format!("it did not end within {} s", INSTALLATION.as_secs()),
+        Failure::TooLarge => "it wrote too much".to_owned(),
+    }
 }
 
 fn storage(path: &Path, error: io::Error) -> Error {

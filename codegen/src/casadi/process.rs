@@ -6,6 +6,8 @@ use std::sync::mpsc::{self, Receiver};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use crate::interrupt::Tended;
+
 /// How much of standard error is kept.
 const STDERR_BYTES: usize = 64 << 10;
 /// How often a child that closed its output is looked at.
@@ -41,12 +43,12 @@ pub(crate) fn run(
     timeout: Duration,
 ) -> Result<Output, Failure> {
     let deadline = Instant::now() + timeout;
-    own_group(command);
     command
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped());
-    let mut child = command.spawn().map_err(Failure::Start)?;
+    let mut tended = Tended::spawn(command).map_err(Failure::Start)?;
+    let child = &mut tended.child;
     let mut stdin = child
         .stdin
         .take()
@@ -69,9 +71,9 @@ pub(crate) fn run(
     thread::spawn(move || {
         let _ = stdin.write_all(&input);
     });
-    let result = collect(&mut child, &stdout, &stderr, limit, deadline);
+    let result = collect(child, &stdout, &stderr, limit, deadline);
     if result.is_err() {
-        kill(&mut child);
+        kill(child);
     }
     result
 }
@@ -125,14 +127,6 @@ fn reader(pipe: impl Read + Send + 'static, limit: usize) -> Receiver<io::Result
     receiver
 }
 
-#[cfg(unix)]
-fn own_group(command: &mut Command) {
-    std::os::unix::process::CommandExt::process_group(command, 0);
-}
-
-#[cfg(not(unix))]
-fn own_group(_: &mut Command) {}
-
 fn kill(child: &mut Child) {
     #[cfg(unix)]
     if let Some(group) = i32::try_from(child.id())
@@ -163,6 +157,7 @@ pub(crate) fn tail(stderr: &str) -> String {
     if lines.is_empty() {
         "no message".to_owned()
     } else {
-        lines.join("; ")
+        // What a program writes must not reach the terminal as anything but text.
+        lines.join("; ").replace(char::is_control, " ")
     }
 }

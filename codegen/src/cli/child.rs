@@ -3,7 +3,7 @@
 use std::io::{self, BufRead as _, BufReader, Read as _};
 use std::process::{Command, ExitStatus, Stdio};
 
-use super::interrupt::Tended;
+use nsv_codegen::interrupt::Tended;
 
 /// How a program ended, and what it said on standard error.
 #[derive(Debug)]

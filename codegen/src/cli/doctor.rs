@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use nsv_codegen::casadi::{Mode, Settings, versions};
+use nsv_codegen::interrupt::Scratch;
 
 use super::child;
 use super::failure::{Exit, Failure};
-use super::interrupt::Scratch;
 use super::output;
 use super::runner::{Cache, Package, Toolchain};
 

@@ -4,10 +4,10 @@ use std::fs::File;
 use std::io::{self, BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 
+use nsv_codegen::interrupt::{Scratch, shielded};
 use tempfile::{NamedTempFile, TempPath};
 
 use super::failure::{Exit, Failure};
-use super::interrupt::{Scratch, shielded};
 
 /// Replaces a set of files: all texts are on disk before the first old file goes, so a full disk changes nothing.
 pub(crate) fn replace(texts: &[(PathBuf, &str)], removed: &[PathBuf]) -> Result<(), Failure> {
@@ -77,6 +77,19 @@ pub(crate) fn write<E: std::fmt::Display>(
     std::fs::rename(&staged, path).map_err(|error| failed(&error))
 }
 
+/// Whether a file can be made at `path` as far as names go, before work begins whose result goes there.
+pub(crate) fn expect_folder(path: &Path) -> Result<(), Failure> {
+    let failed = |error: io::Error| Failure::io("write", path, &error);
+    if path.is_dir() {
+        return Err(failed(io::ErrorKind::IsADirectory.into()));
+    }
+    match std::fs::metadata(folder_of(path)) {
+        Ok(folder) if folder.is_dir() => Ok(()),
+        Ok(_) => Err(failed(io::Error::other("its folder is a file"))),
+        Err(error) => Err(failed(error)),
+    }
+}
+
 fn folder_of(path: &Path) -> &Path {
     path.parent()
         .filter(|parent| !parent.as_os_str().is_empty())
@@ -119,6 +132,18 @@ mod tests {
         assert!(replace(&[(at("a.rs"), "new"), (at("b.rs"), "new")], &[]).is_err());
         assert_eq!(std::fs::read_to_string(at("a.rs")).unwrap(), "old");
         assert_eq!(names(folder.path()), ["a.rs", "b.rs"]);
+    }
+
+    #[test]
+    fn a_folder_is_expected_above_a_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        std::fs::write(at("file"), "").unwrap();
+        assert!(expect_folder(&at("new.csv")).is_ok());
+        assert!(expect_folder(&at("file")).is_ok());
+        for wrong in [at(""), at("no/new.csv"), at("file/new.csv")] {
+            assert!(expect_folder(&wrong).is_err(), "{wrong:?}");
+        }
     }
 
     #[test]

@@ -11,7 +11,6 @@ mod eval;
 mod failure;
 mod files;
 mod generate;
-mod interrupt;
 mod output;
 mod render;
 mod runner;
@@ -48,7 +47,7 @@ enum Verb {
 /// Reads the command line, runs the verb, and says in the exit code how it went.
 pub(crate) fn main() -> ExitCode {
     let cli = Cli::parse();
-    interrupt::install();
+    nsv_codegen::interrupt::install();
     let done = match &cli.verb {
         Verb::Check(args) => check::run(args),
         Verb::Generate(args) => generate::run(args),

@@ -109,11 +109,12 @@ impl<'l, 'm, C: Context> Lowering<'l, 'm, C> {
     }
 
     /// Names a value after its signal, unless the value has a name or the name is taken (the same definition with the parameters
-    /// of the other side).
+    /// of the other side, or a state called `x` as the packed states are).
     fn label(&mut self, value: ValueId, name: &str, origin: &Origin) {
         let instruction = &self.program.instructions[value.0 as usize];
         let anonymous = instruction.name.is_none() && !matches!(instruction.op, Op::Input(_));
-        if !anonymous || !self.names.insert(name.to_string()) {
+        let taken = self.program.inputs.iter().any(|input| input.name == name);
+        if !anonymous || taken || !self.names.insert(name.to_string()) {
             return;
         }
         let key = (origin.group.clone(), origin.equation.clone());

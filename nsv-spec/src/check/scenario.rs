@@ -3,11 +3,9 @@
 use super::Context;
 use super::plant::SECOND;
 use crate::diagnostic::Span;
-use crate::model::{NoiseModel, Scenario, Scheme};
+use crate::model::{MAX_STEPS, NoiseModel, Scenario, Scheme};
 use crate::spec::{self, Located};
 
-/// Most plant steps of one run.
-const MAX_STEPS: f64 = 1e9;
 const MAX_SUBSTEPS: u64 = 1000;
 const MAX_RUNS: u64 = 1_000_000_000;
 /// Sample times outside this range are slips of a unit, s.

@@ -8,7 +8,7 @@ use super::package::{NAME, Package};
 use super::toolchain::{INSTALL, Toolchain};
 use crate::cli::child;
 use crate::cli::failure::{Exit, Failure};
-use crate::cli::interrupt::Scratch;
+use nsv_codegen::interrupt::Scratch;
 
 /// The program of `package`. `building` is called before a build that takes a while.
 pub(crate) fn prepare(

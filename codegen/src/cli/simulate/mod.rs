@@ -6,12 +6,12 @@ mod trajectory;
 
 use std::path::PathBuf;
 
-use nsv_spec::model::Model;
+use nsv_codegen::interrupt::Scratch;
+use nsv_spec::model::{MAX_STEPS, Model};
 
 use super::compile::{Partials, compile, load};
 use super::failure::{Exit, Failure};
 use super::files;
-use super::interrupt::Scratch;
 use super::output::{self, note};
 use super::runner::{self, Cache, Campaign, Package, Recordings, Replay};
 use crate::report::{Plant, Report, page};
@@ -85,6 +85,10 @@ fn recording(text: &str) -> Result<PathBuf, String> {
 /// Runs the verb.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let model = load(&args.spec)?;
+    // Before the campaign, which may take long.
+    for path in [&args.out, &args.report].into_iter().flatten() {
+        files::expect_folder(path)?;
+    }
     let (campaign, shown) = campaign(args, &model)?;
     let compiled = compile(&args.spec, &model, Partials::Cached)?;
     let plant = Plant::from(&model);
@@ -116,11 +120,20 @@ fn campaign(args: &Args, model: &Model) -> Result<(Campaign, u64), Failure> {
             format_args!("there is no run {shown}, the {runs} runs are counted from 0"),
         ));
     }
+    let horizon_s = args.horizon.unwrap_or(scenario.horizon);
+    let steps = horizon_s / model.controller.sample_time * f64::from(scenario.substeps);
+    if steps > MAX_STEPS {
+        return Err(Failure::new(
+            Exit::Usage,
+            format_args!("a run has {steps:.1e} steps, expected at most {MAX_STEPS:.0e}"),
+        )
+        .with_help("shorten `--horizon`"));
+    }
     let campaign = Campaign {
         seed: args.seed.unwrap_or(scenario.seed),
         first_run,
         runs,
-        horizon_s: args.horizon.unwrap_or(scenario.horizon),
+        horizon_s,
         settle_s: scenario.settle,
         threads: usize::from(args.threads.unwrap_or(0)),
         noise: !args.no_noise,

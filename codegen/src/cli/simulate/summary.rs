@@ -78,7 +78,10 @@ pub(super) fn document<'a>(
 
 /// The statistics for people, in display units.
 pub(super) fn table(plant: &Plant, campaign: &Campaign, outcome: &Outcome) -> String {
-    let mut rows = vec![("specification", format!("{} ({})", plant.title, plant.name))];
+    let mut rows = vec![(
+        "specification",
+        format!("{} ({})", plain(&plant.title), plant.name),
+    )];
     rows.push((
         "campaign",
         format!(
@@ -102,7 +105,7 @@ pub(super) fn table(plant: &Plant, campaign: &Campaign, outcome: &Outcome) -> St
             .get(&channel.name)?
             .map_or("-".to_owned(), |rms| short(rms / channel.factor));
         Some(
-            format!("{} {rms} {}", channel.name, channel.unit)
+            format!("{} {rms} {}", channel.name, unit(&channel.unit))
                 .trim_end()
                 .to_owned(),
         )
@@ -150,6 +153,20 @@ pub(super) fn table(plant: &Plant, campaign: &Campaign, outcome: &Outcome) -> St
         let _ = writeln!(text, "{name:14} {value}");
     }
     text
+}
+
+/// A title on one line of a terminal: what would move the cursor or turn the writing direction is left out.
+fn plain(title: &str) -> String {
+    let shown = |c: char| !matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}');
+    let text = title
+        .replace(char::is_control, " ")
+        .replace(|c| !shown(c), " ");
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The unit of a pure number is not shown.
+fn unit(unit: &str) -> &str {
+    if unit == "1" { "" } else { unit }
 }
 
 fn runs(campaign: &Campaign) -> String {
@@ -213,6 +230,12 @@ mod tests {
         noise: true,
         dispersion: true,
     };
+
+    #[test]
+    fn a_title_cannot_command_the_terminal() {
+        let title = "\u{1b}]0;a\u{7}\nb\r\u{202e}c\u{9b}31m  d";
+        assert_eq!(plain(title), "]0;a b c 31m d");
+    }
 
     #[test]
     fn a_campaign_as_a_table() {

@@ -26,7 +26,7 @@ fn live() -> MutexGuard<'static, Live> {
 }
 
 /// Takes over Ctrl-C and requests to terminate.
-pub(crate) fn install() {
+pub fn install() {
     let handler = || {
         // The guard is never released: nobody may start anything new while the process ends.
         let live = live();
@@ -43,20 +43,20 @@ pub(crate) fn install() {
 }
 
 /// Runs `work` as a whole: an interrupt waits for its end. It must be short and must not call this module.
-pub(crate) fn shielded<T>(work: impl FnOnce() -> T) -> T {
+pub fn shielded<T>(work: impl FnOnce() -> T) -> T {
     let _live = live();
     work()
 }
 
 /// A child process in a group of its own, ended with us.
-pub(crate) struct Tended {
+pub struct Tended {
     /// The process.
-    pub(crate) child: Child,
+    pub child: Child,
 }
 
 impl Tended {
     /// Starts `command`.
-    pub(crate) fn spawn(command: &mut Command) -> io::Result<Tended> {
+    pub fn spawn(command: &mut Command) -> io::Result<Tended> {
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(command, 0);
         let mut live = live();
@@ -93,13 +93,13 @@ fn end(_child: u32) {
 }
 
 /// A folder that is removed when dropped, and when the process is interrupted.
-pub(crate) struct Scratch {
+pub struct Scratch {
     folder: PathBuf,
 }
 
 impl Scratch {
     /// A new folder inside `parent`, which exists.
-    pub(crate) fn new_in(parent: &Path) -> io::Result<Scratch> {
+    pub fn new_in(parent: &Path) -> io::Result<Scratch> {
         let mut live = live();
         let folder = tempfile::Builder::new()
             .prefix(".nsv-")
@@ -110,12 +110,12 @@ impl Scratch {
     }
 
     /// A new folder where the system keeps temporary files.
-    pub(crate) fn new() -> io::Result<Scratch> {
+    pub fn new() -> io::Result<Scratch> {
         Scratch::new_in(&std::env::temp_dir())
     }
 
     /// Where it is.
-    pub(crate) fn path(&self) -> &Path {
+    pub fn path(&self) -> &Path {
         &self.folder
     }
 }
