@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use nsv_codegen::ir::build::size;
 use nsv_codegen::ir::eval::eval;
 use nsv_codegen::ir::{Program, Shape, Type, Values};
-use nsv_spec::model::Model;
+use nsv_spec::model::{Disturbance, Model};
 use serde_json::{Map, Value};
 
 use super::compile::{Partials, compile, load};
@@ -19,7 +19,8 @@ pub(crate) struct Args {
     /// Specification
     #[arg(value_name = "SPEC")]
     spec: PathBuf,
-    /// JSON object with a number, list or list of rows for each input, SI; parameters may be left out
+    /// JSON object with a number, list or list of rows for each input, SI: `t, x1, .., th1, h1, zeta1, W1, eps1, sigma1, phi1, ..`;
+    /// parameters and the true exosystem states `w1, ..` may be left out
     #[arg(long, value_name = "FILE.json")]
     at: PathBuf,
 }
@@ -29,7 +30,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let model = load(&args.spec)?;
     let given = read(&args.at)?;
     let program = compile(&args.spec, &model, Partials::Cached)?.eval;
-    let values = inputs(&program, &given, &parameters(&model))
+    let values = inputs(&program, &given, &defaults(&model))
         .map_err(|faults| rejected(&args.at, &faults))?;
     let outputs = eval(&program, &values)
         .map_err(|error| Failure::new(Exit::Usage, format_args!("cannot evaluate: {error}")))?;
@@ -46,18 +47,26 @@ fn read(path: &Path) -> Result<Map<String, Value>, Failure> {
     })
 }
 
-/// Values that need not be given: the parameters of the specification.
-fn parameters(model: &Model) -> Values {
-    let pairs = model.parameters.iter().flat_map(|parameter| {
+/// Values that need not be given: the parameters of the specification, and the true states of its exosystems at the start.
+fn defaults(model: &Model) -> Values {
+    let parameters = model.parameters.iter().flat_map(|parameter| {
+        let design = format!("params.{}", parameter.name);
+        let plant = format!("plant.{}", parameter.name);
         [
-            (
-                format!("params.{}", parameter.name),
-                vec![parameter.design_value],
-            ),
-            (format!("plant.{}", parameter.name), vec![parameter.value]),
+            (design, vec![parameter.design_value]),
+            (plant, vec![parameter.value]),
         ]
     });
-    pairs.collect()
+    let exosystems = (1..).zip(&model.blocks).filter_map(|(i, block)| {
+        let Disturbance::Exosystem(channels) = &block.disturbance else {
+            return None;
+        };
+        let initial = channels
+            .iter()
+            .flat_map(|channel| channel.initial.iter().copied());
+        Some((format!("w{i}"), initial.collect()))
+    });
+    parameters.chain(exosystems).collect()
 }
 
 /// Everything wrong with the values given.
