@@ -73,7 +73,7 @@ impl fmt::Display for Error {
             }
             Error::PythonMissing { program, error } => write!(
                 f,
-                "cannot run `{}` ({error}): install Python 3.9 or newer with its venv module, or set NSV_PYTHON to an interpreter with casadi {CASADI_VERSION}",
+                "cannot run `{}` ({error}): let NSV_PYTHON name an interpreter with casadi {CASADI_VERSION}, or unset it and install Python 3.9 or newer with its venv module",
                 program.display()
             ),
             Error::VenvFailed { program, detail } => {
