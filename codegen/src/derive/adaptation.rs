@@ -3,7 +3,7 @@
 use nsv_spec::model::Block;
 
 use super::law::Law;
-use super::symbol::{Symbol, Term, diagonal, name, number};
+use super::symbol::{Symbol, diagonal, name, number};
 use crate::ir::{Function, Shape};
 
 impl Law<'_> {
@@ -80,10 +80,6 @@ impl Law<'_> {
     /// ||e_i|| >= iota_phi.
     pub(super) fn phi_active(&self, i: usize, threshold: f64) -> Symbol {
         let active = name(format!("s{i}")).apply(Function::Sqrt);
-        Symbol::from(Term::Compare(
-            crate::ir::Comparison::Ge,
-            active,
-            number(threshold),
-        ))
+        active.at_least(number(threshold))
     }
 }
