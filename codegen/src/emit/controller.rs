@@ -24,7 +24,7 @@ pub(crate) struct Controller<'a> {
     /// Fields of `Params`.
     pub(crate) params: &'a Fields,
     /// Names of the polynomial functions.
-    pub(crate) library: &'a Library,
+    pub(crate) tables: &'a Library,
 }
 
 /// The outputs of the law that `Output` passes on: all but the next states and the flag of the constraint.
@@ -66,14 +66,14 @@ impl Controller<'_> {
             docs: &initial_docs,
             records: &records,
             results: Results::Existing("State", &states),
-            library: self.library,
+            tables: self.tables,
         };
         let control = Function {
             program: self.control,
             docs: &control_docs,
             records: &records,
             results: Results::Own,
-            library: self.library,
+            tables: self.tables,
         };
         let mut items = self.constants();
         items.extend(

@@ -48,7 +48,7 @@ pub(crate) struct Function<'a> {
     /// What is returned.
     pub(crate) results: Results<'a>,
     /// Names of the polynomial functions.
-    pub(crate) library: &'a Library,
+    pub(crate) tables: &'a Library,
 }
 
 impl Function<'_> {
@@ -184,8 +184,8 @@ impl Function<'_> {
             variables[id.0 as usize].get_or_insert_with(|| scope.temporary(&mut next));
         }
         let (polynomials, bases) = (
-            self.library.polynomial_paths(program),
-            self.library.basis_paths(program),
+            self.tables.polynomial_paths(program),
+            self.tables.basis_paths(program),
         );
         (
             Names {

@@ -13,14 +13,14 @@ pub(crate) fn function<'a>(
     program: &'a Program,
     docs: &'a [String],
     records: &'a [Record<'a>],
-    library: &'a Library,
+    tables: &'a Library,
 ) -> Function<'a> {
     Function {
         program,
         docs,
         records,
         results: Results::Own,
-        library,
+        tables,
     }
 }
 

@@ -187,7 +187,7 @@ pub(crate) fn files(interface: &Interface, programs: &Programs<'_>) -> BTreeMap<
         initial: programs.initial,
         control: programs.control,
         params: &fields,
-        library: &library,
+        tables: &library,
     };
     let items = controller.items(&mut comments);
     texts.add(
@@ -202,7 +202,7 @@ pub(crate) fn files(interface: &Interface, programs: &Programs<'_>) -> BTreeMap<
         interface,
         plant: programs.plant,
         params: &fields,
-        library: &library,
+        tables: &library,
     }
     .items(&mut comments);
     texts.add(
@@ -268,7 +268,7 @@ fn simulator(
         docs: &[],
         records,
         results: Results::Own,
-        library,
+        tables: library,
     };
     Simulator {
         interface,

@@ -23,7 +23,7 @@ pub(crate) struct Plant<'a> {
     /// Fields of `Params`.
     pub(crate) params: &'a Fields,
     /// Names of the polynomial functions.
-    pub(crate) library: &'a Library,
+    pub(crate) tables: &'a Library,
 }
 
 /// Number of noise channels: columns of the diffusion.
@@ -49,7 +49,7 @@ impl Plant<'_> {
             docs: &function_docs,
             records: &records,
             results: Results::Own,
-            library: self.library,
+            tables: self.tables,
         };
         let mut items = self.constants();
         items.push(self.plant_struct());

@@ -41,7 +41,7 @@ pub fn standalone(program: &Program) -> String {
         docs: &lines,
         records: &records,
         results: Results::Own,
-        library: &library,
+        tables: &library,
     };
     items.extend(function.items(&mut comments));
     let source = Source {
