@@ -55,7 +55,7 @@ fn builder() -> tempfile::Builder<'static, 'static> {
 }
 
 /// Writes one file of any size through `write`; nothing is at `path` before all of it is.
-pub(crate) fn write<E: std::fmt::Display>(
+pub(crate) fn write<E: std::error::Error + 'static>(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<File>) -> Result<(), E>,
 ) -> Result<(), Failure> {
@@ -66,15 +66,22 @@ pub(crate) fn write<E: std::fmt::Display>(
     let scratch = Scratch::new_in(folder_of(path)).map_err(|error| failed(&error))?;
     let staged = scratch.path().join("staged");
     let mut file = BufWriter::new(File::create(&staged).map_err(|error| failed(&error))?);
-    write(&mut file).map_err(|error| {
-        Failure::new(
+    write(&mut file).map_err(|error| match operating_system(&error) {
+        Some(error) => failed(error),
+        None => Failure::new(
             Exit::Environment,
             format_args!("cannot write `{}`: {error}", path.display()),
-        )
+        ),
     })?;
     file.flush().map_err(|error| failed(&error))?;
     drop(file);
     std::fs::rename(&staged, path).map_err(|error| failed(&error))
+}
+
+/// The operating system's error at the root of a writer's.
+fn operating_system<'e>(error: &'e (dyn std::error::Error + 'static)) -> Option<&'e io::Error> {
+    std::iter::successors(Some(error), |error| error.source())
+        .find_map(|error| error.downcast_ref())
 }
 
 /// Whether a file can be made at `path` as far as names go, before work begins whose result goes there.
@@ -152,7 +159,7 @@ mod tests {
         let path = folder.path().join("out.csv");
         let failed = write(&path, |file| {
             let _ = file.write_all(b"half");
-            Err("no more")
+            Err(io::Error::other("no more"))
         });
         assert!(failed.is_err());
         assert_eq!(names(folder.path()), [""; 0]);

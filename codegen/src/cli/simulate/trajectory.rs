@@ -1,7 +1,7 @@
 //! Signals as CSV or Parquet, SI units, one column each.
 
 use std::fs::File;
-use std::io::{BufWriter, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -48,18 +48,30 @@ pub(super) fn write(path: &Path, table: &Table, origin: &[(&str, String)]) -> Re
 }
 
 /// Numbers in the shortest form that reads back to the same bits.
-fn write_csv(file: &mut BufWriter<File>, table: &Table) -> Result<(), csv::Error> {
+fn write_csv(file: &mut BufWriter<File>, table: &Table) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
-    writer.write_record(table.columns().iter().map(|(name, _)| name))?;
+    writer
+        .write_record(table.columns().iter().map(|(name, _)| name))
+        .map_err(plain)?;
     for row in 0..table.rows() {
-        writer.write_record(
-            table
-                .columns()
-                .iter()
-                .map(|(_, values)| format!("{:?}", values[row])),
-        )?;
+        writer
+            .write_record(
+                table
+                    .columns()
+                    .iter()
+                    .map(|(_, values)| format!("{:?}", values[row])),
+            )
+            .map_err(plain)?;
     }
-    Ok(writer.flush()?)
+    writer.flush()
+}
+
+/// The operating system's error behind one of the CSV writer.
+fn plain(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
+    }
 }
 
 fn write_parquet<W: Write + Send>(
