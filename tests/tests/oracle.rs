@@ -12,9 +12,6 @@ use nsv_spec::model::Model;
 use nsv_tests::points::{Point, names, points};
 use nsv_tests::specification::{compiled, named};
 
-/// The compiler's arithmetic rounds in another order than the reference's.
-const MARGIN: f64 = 8.0;
-
 fn outputs(program: &Program, values: &Values, context: &str) -> Values {
     eval(program, values).unwrap_or_else(|error| panic!("{context}: {error}"))
 }
@@ -57,7 +54,7 @@ fn check_law(model: &Model, quantities: &Program, point: &Point) {
         let found = found
             .get(name)
             .unwrap_or_else(|| panic!("{context} is computed"));
-        check(&context, found, expected, MARGIN * point.tolerance[name]);
+        check(&context, found, expected, point.tolerance[name]);
     }
 }
 
