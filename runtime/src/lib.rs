@@ -17,11 +17,12 @@
 #[cfg(any(test, feature = "std"))]
 extern crate std;
 
+pub use nsv_math::{lanes, real};
+
 pub mod closed_loop;
 pub mod kernel;
 pub mod linear;
 pub mod noise;
-pub mod real;
 pub mod sde;
 pub mod status;
 

@@ -37,7 +37,7 @@ pub enum Scheme {
 }
 
 /// The state after a step of length `dt` from `(t, x)`, with the increments `dw` of the Wiener processes (variance `dt` each).
-#[inline]
+#[inline(always)]
 pub fn step<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     scheme: Scheme,
     sde: &S,
@@ -53,7 +53,7 @@ pub fn step<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     }
 }
 
-#[inline]
+#[inline(always)]
 fn platen<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     sde: &S,
     t: T,
@@ -73,7 +73,7 @@ fn platen<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     next
 }
 
-#[inline]
+#[inline(always)]
 fn runge_kutta4<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     sde: &S,
     t: T,
