@@ -128,7 +128,7 @@ impl Function<'_> {
         let docs = docs(&lines);
         quote! {
             #docs
-            #[inline]
+            #[inline(always)]
             pub fn #name<T: Real>(#(#parameters),*) -> #ty<T> {
                 #prologue
                 #body

@@ -131,10 +131,10 @@ const IMPORTS: [(&str, &[&str]); 6] = [
         &[
             "nsv_runtime::closed_loop::ClosedLoop",
             "nsv_runtime::closed_loop::Options",
+            "nsv_runtime::closed_loop::Runs",
             "nsv_runtime::noise::Noise",
             "nsv_runtime::sde",
             "nsv_runtime::sde::Scheme",
-            "nsv_runtime::status::Status",
             "super::controller::Controller",
             "super::controller::Output",
             "super::controller::SAMPLE_TIME",

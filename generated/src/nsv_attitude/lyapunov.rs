@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 1dd81f6d37d389c9a62937d5a1aec1bc1dfd76ea7443b33b66b5189677bbaffe
+// SHA-256 of the text below: ae77303813d49914ba666f1018314d60c2234abe495b44ca8639fadc5b7ccde8
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // lyapunov: 2534 additions, 3093 multiplications, 129 divisions, 3 square roots, 32 elementary functions, 33 comparisons and selections
@@ -31,7 +31,7 @@ pub struct LyapunovOutputs<T: Real> {
 ///
 /// Operations: 2534 additions, 3093 multiplications, 129 divisions, 3 square roots, 32
 /// elementary functions, 33 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
     x1: Vector<T, 3>,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: b820a6d091cef8813ef2545e53440405227e2546686cc429a611cf74ce8f0a1f
+// SHA-256 of the text below: 530652b14a0493ca0cb82638263b28a4b7817f5950fcb28832eec3bdb8b62177
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // plant: 436 additions, 601 multiplications, 23 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
@@ -50,16 +50,43 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
-    #[inline]
+    #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        let rate = plant(t, *x, self.u_sat, &self.params);
-        rate.drift + rate.diffusion * self.xi
+        T::outlined(|| {
+            let rate = plant(t, *x, self.u_sat, &self.params);
+            rate.drift + diffuse(&rate.diffusion, &self.xi)
+        })
     }
 
-    #[inline]
+    #[inline(always)]
     fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
+}
+
+/// Diffusion times noise, without the entries that are always 0.
+#[inline(always)]
+fn diffuse<T: Real>(
+    diffusion: &Matrix<T, STATES, NOISE_CHANNELS>,
+    noise: &Vector<T, NOISE_CHANNELS>,
+) -> Vector<T, STATES> {
+    Vector([
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        diffusion[(3, 0)] * noise[0] + diffusion[(3, 1)] * noise[1]
+            + diffusion[(3, 2)] * noise[2],
+        diffusion[(4, 0)] * noise[0] + diffusion[(4, 1)] * noise[1]
+            + diffusion[(4, 2)] * noise[2],
+        diffusion[(5, 0)] * noise[0] + diffusion[(5, 1)] * noise[1]
+            + diffusion[(5, 2)] * noise[2],
+        diffusion[(6, 3)] * noise[3],
+        diffusion[(7, 4)] * noise[4],
+        diffusion[(8, 5)] * noise[5],
+        diffusion[(9, 6)] * noise[6],
+        diffusion[(10, 7)] * noise[7],
+        diffusion[(11, 8)] * noise[8],
+    ])
 }
 
 /// Results of [`plant`].
@@ -79,7 +106,7 @@ pub struct PlantOutputs<T: Real> {
 ///
 /// Operations: 436 additions, 601 multiplications, 23 divisions, 0 square roots, 10 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn plant<T: Real>(
     t: T,
     x: Vector<T, 12>,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 56bc81fc484c5f8cf057c3b98495428cf47541cedd92cdc1848c2be46f6b2658
+// SHA-256 of the text below: 0adf1db64224c998c8533506d19278888f60ad8c83b7b4d584868aa24b3e063f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 
@@ -15,7 +15,7 @@ use nsv_runtime::real::Real;
 /// Source: AIAA 2005-6257, fit of the lift coefficient.
 ///
 /// 13 terms; 12 additions, 13 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CL_alpha<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2 = real(5.99e-7) * mach * mach + real(-0.000152);
@@ -30,7 +30,7 @@ pub fn CL_alpha<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the lift coefficient.
 ///
 /// 8 terms; 7 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CL_LE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1_1 = real(-1.7e-7) * deflection_deg + real(4.7e-6);
@@ -46,7 +46,7 @@ pub fn CL_LE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the lift coefficient.
 ///
 /// 8 terms; 7 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CL_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1_1 = real(-1.7e-7) * deflection_deg + real(4.7e-6);
@@ -62,7 +62,7 @@ pub fn CL_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the side force coefficient.
 ///
 /// 15 terms; 14 additions, 19 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CY_beta<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a4 = (real(2.6144e-11) * mach * mach + real(-2.0675e-8)) * mach * mach
@@ -80,7 +80,7 @@ pub fn CY_beta<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the side force coefficient.
 ///
 /// 9 terms; 8 additions, 12 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CY_LE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(-4.5e-14) * deflection_deg * deflection_deg;
@@ -97,7 +97,7 @@ pub fn CY_LE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the side force coefficient.
 ///
 /// 9 terms; 8 additions, 12 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CY_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(4.5e-14) * deflection_deg * deflection_deg;
@@ -114,7 +114,7 @@ pub fn CY_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the side force coefficient.
 ///
 /// 7 terms; 6 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CY_RUD<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1_1 = real(2.6e-7) * deflection_deg;
@@ -130,7 +130,7 @@ pub fn CY_RUD<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the rolling moment coefficient.
 ///
 /// 13 terms; 12 additions, 13 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cl_beta<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2 = real(-1.044e-8) * mach * mach + real(2.354e-6);
@@ -145,7 +145,7 @@ pub fn Cl_beta<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the rolling moment coefficient.
 ///
 /// 9 terms; 8 additions, 12 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cl_LE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(4.641e-11) * deflection_deg * deflection_deg;
@@ -162,7 +162,7 @@ pub fn Cl_LE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the rolling moment coefficient.
 ///
 /// 9 terms; 8 additions, 12 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cl_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(-4.641e-11) * deflection_deg * deflection_deg;
@@ -179,7 +179,7 @@ pub fn Cl_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the rolling moment coefficient.
 ///
 /// 8 terms; 7 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cl_RUD<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1_1 = real(5.5547e-8) * deflection_deg + real(-3.4201e-21);
@@ -195,7 +195,7 @@ pub fn Cl_RUD<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// AIAA 2005-6257, fit of the rolling moment coefficient.
 ///
 /// 13 terms; 12 additions, 13 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cl_p<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2 = real(-1.52e-7) * mach * mach + real(-0.000204);
@@ -210,7 +210,7 @@ pub fn Cl_p<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// AIAA 2005-6257, fit of the rolling moment coefficient.
 ///
 /// 13 terms; 12 additions, 13 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cl_r<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2 = real(4.49e-8) * mach * mach + real(-9.76e-6);
@@ -225,7 +225,7 @@ pub fn Cl_r<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the pitching moment coefficient.
 ///
 /// 13 terms; 12 additions, 13 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cm_alpha<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2 = real(-2.88e-7) * mach * mach + real(0.0002616);
@@ -240,7 +240,7 @@ pub fn Cm_alpha<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the pitching moment coefficient.
 ///
 /// 8 terms; 7 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cm_LE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1_1 = real(9.72e-8) * deflection_deg + real(-4.46e-6);
@@ -256,7 +256,7 @@ pub fn Cm_LE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the pitching moment coefficient.
 ///
 /// 8 terms; 7 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cm_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1_1 = real(9.72e-8) * deflection_deg + real(-4.46e-6);
@@ -272,7 +272,7 @@ pub fn Cm_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the pitching moment coefficient.
 ///
 /// 17 terms; 16 additions, 21 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cm_RUD<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a0_0 = (((real(2.63e-24) * deflection_deg + real(-3.38e-10)) * deflection_deg
@@ -290,7 +290,7 @@ pub fn Cm_RUD<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// AIAA 2005-6257, fit of the pitching moment coefficient.
 ///
 /// 13 terms; 12 additions, 13 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cm_q<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2 = real(-1.95e-6) * mach * mach + real(0.00236);
@@ -305,7 +305,7 @@ pub fn Cm_q<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the drag coefficient.
 ///
 /// 13 terms; 12 additions, 13 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CD_alpha<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2 = real(1.405e-7) * mach * mach + real(-0.0011);
@@ -320,7 +320,7 @@ pub fn CD_alpha<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the drag coefficient.
 ///
 /// 9 terms; 8 additions, 12 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CD_LE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(2.1026e-12) * deflection_deg * deflection_deg;
@@ -337,7 +337,7 @@ pub fn CD_LE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the drag coefficient.
 ///
 /// 9 terms; 8 additions, 12 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CD_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(2.1026e-12) * deflection_deg * deflection_deg;
@@ -354,7 +354,7 @@ pub fn CD_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the drag coefficient.
 ///
 /// 9 terms; 8 additions, 12 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CD_RUD<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(-1.7702e-11) * deflection_deg * deflection_deg;
@@ -371,7 +371,7 @@ pub fn CD_RUD<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the yawing moment coefficient.
 ///
 /// 15 terms; 14 additions, 25 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cn_beta<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a5 = real(8.5863e-14) * mach * mach * mach * mach * mach + real(-2.5953e-7);
@@ -389,7 +389,7 @@ pub fn Cn_beta<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the yawing moment coefficient.
 ///
 /// 9 terms; 8 additions, 12 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cn_LE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(-1.41e-11) * deflection_deg * deflection_deg;
@@ -406,7 +406,7 @@ pub fn Cn_LE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the yawing moment coefficient.
 ///
 /// 9 terms; 8 additions, 12 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cn_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(1.41e-11) * deflection_deg * deflection_deg;
@@ -423,7 +423,7 @@ pub fn Cn_RE<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the yawing moment coefficient.
 ///
 /// 8 terms; 7 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cn_RUD<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1_1 = real(-3.13e-7) * deflection_deg + real(1.57e-20);
@@ -439,7 +439,7 @@ pub fn Cn_RUD<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// AIAA 2005-6257, fit of the yawing moment coefficient.
 ///
 /// 11 terms; 10 additions, 10 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cn_p<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a0 = ((((real(-3.2e-7) * mach + real(2.57e-5)) * mach + real(-0.000805)) * mach
@@ -452,7 +452,7 @@ pub fn Cn_p<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// AIAA 2005-6257, fit of the yawing moment coefficient.
 ///
 /// 13 terms; 12 additions, 13 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cn_r<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2 = real(-6.53e-8) * mach * mach + real(0.00115);
@@ -467,7 +467,7 @@ pub fn Cn_r<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the rolling moment coefficient.
 ///
 /// 4 terms; 3 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cl_LE_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(9.282e-11) * deflection_deg;
@@ -481,7 +481,7 @@ pub fn Cl_LE_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the rolling moment coefficient.
 ///
 /// 4 terms; 3 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cl_RE_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(-9.282e-11) * deflection_deg;
@@ -495,7 +495,7 @@ pub fn Cl_RE_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the rolling moment coefficient.
 ///
 /// 4 terms; 3 additions, 3 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cl_RUD_d3<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1 = real(5.5547e-8) * mach + real(-2.6824e-6);
@@ -507,7 +507,7 @@ pub fn Cl_RUD_d3<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the pitching moment coefficient.
 ///
 /// 4 terms; 3 additions, 3 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cm_LE_d3<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1 = real(9.72e-8) * mach + real(4.48e-6);
@@ -519,7 +519,7 @@ pub fn Cm_LE_d3<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the pitching moment coefficient.
 ///
 /// 4 terms; 3 additions, 3 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cm_RE_d3<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1 = real(9.72e-8) * mach + real(4.48e-6);
@@ -531,7 +531,7 @@ pub fn Cm_RE_d3<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the pitching moment coefficient.
 ///
 /// 4 terms; 3 additions, 6 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cm_RUD_d3<T: Real>(_alpha_deg: T, _mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     (((real(1.841e-23) * deflection_deg + real(-2.028e-9)) * deflection_deg
@@ -543,7 +543,7 @@ pub fn Cm_RUD_d3<T: Real>(_alpha_deg: T, _mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the drag coefficient.
 ///
 /// 4 terms; 3 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CD_LE_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(4.2052e-12) * deflection_deg;
@@ -557,7 +557,7 @@ pub fn CD_LE_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the drag coefficient.
 ///
 /// 4 terms; 3 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CD_RE_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(4.2052e-12) * deflection_deg;
@@ -571,7 +571,7 @@ pub fn CD_RE_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the drag coefficient.
 ///
 /// 4 terms; 3 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CD_RUD_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(-3.5404e-11) * deflection_deg;
@@ -585,7 +585,7 @@ pub fn CD_RUD_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the lift coefficient.
 ///
 /// 4 terms; 3 additions, 3 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CL_LE_d3<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1 = real(-1.7e-7) * mach + real(-3.51e-6);
@@ -597,7 +597,7 @@ pub fn CL_LE_d3<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the lift coefficient.
 ///
 /// 4 terms; 3 additions, 3 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CL_RE_d3<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1 = real(-1.7e-7) * mach + real(-3.51e-6);
@@ -609,7 +609,7 @@ pub fn CL_RE_d3<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the yawing moment coefficient.
 ///
 /// 4 terms; 3 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cn_LE_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(-2.82e-11) * deflection_deg;
@@ -623,7 +623,7 @@ pub fn Cn_LE_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the yawing moment coefficient.
 ///
 /// 4 terms; 3 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cn_RE_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(2.82e-11) * deflection_deg;
@@ -637,7 +637,7 @@ pub fn Cn_RE_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the yawing moment coefficient.
 ///
 /// 4 terms; 3 additions, 3 multiplications.
-#[inline]
+#[inline(always)]
 pub fn Cn_RUD_d3<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1 = real(-3.13e-7) * mach + real(1.39e-5);
@@ -649,7 +649,7 @@ pub fn Cn_RUD_d3<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the side force coefficient.
 ///
 /// 4 terms; 3 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CY_LE_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(-9e-14) * deflection_deg;
@@ -663,7 +663,7 @@ pub fn CY_LE_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the side force coefficient.
 ///
 /// 4 terms; 3 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CY_RE_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a2_2 = real(9e-14) * deflection_deg;
@@ -677,7 +677,7 @@ pub fn CY_RE_d3<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the side force coefficient.
 ///
 /// 4 terms; 3 additions, 3 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CY_RUD_d3<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1 = real(2.6e-7) * mach + real(-1.17e-5);
@@ -689,7 +689,7 @@ pub fn CY_RUD_d3<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the lift coefficient.
 ///
 /// 7 terms; 6 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CL_alpha_d1<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1 = real(1.198e-6) * mach * mach + real(-0.000304);
@@ -702,7 +702,7 @@ pub fn CL_alpha_d1<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the lift coefficient.
 ///
 /// 4 terms; 3 additions, 3 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CL_LE_d1<T: Real>(_alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1 = real(-1.7e-7) * deflection_deg + real(4.7e-6);
@@ -714,7 +714,7 @@ pub fn CL_LE_d1<T: Real>(_alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the lift coefficient.
 ///
 /// 4 terms; 3 additions, 3 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CL_RE_d1<T: Real>(_alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1 = real(-1.7e-7) * deflection_deg + real(4.7e-6);
@@ -726,7 +726,7 @@ pub fn CL_RE_d1<T: Real>(_alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the side force coefficient.
 ///
 /// 10 terms; 9 additions, 13 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CY_beta_d1<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
     let real = T::from_f64;
     let a3 = (real(1.04576e-10) * mach * mach + real(-8.27e-8)) * mach * mach
@@ -742,7 +742,7 @@ pub fn CY_beta_d1<T: Real>(alpha_deg: T, mach: T, _deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the side force coefficient.
 ///
 /// 4 terms; 3 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CY_LE_d1<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1_2 = real(-9e-14) * deflection_deg * deflection_deg;
@@ -756,7 +756,7 @@ pub fn CY_LE_d1<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the side force coefficient.
 ///
 /// 4 terms; 3 additions, 7 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CY_RE_d1<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1_2 = real(9e-14) * deflection_deg * deflection_deg;
@@ -770,7 +770,7 @@ pub fn CY_RE_d1<T: Real>(alpha_deg: T, mach: T, deflection_deg: T) -> T {
 /// Source: AIAA 2005-6257, fit of the side force coefficient.
 ///
 /// 3 terms; 2 additions, 3 multiplications.
-#[inline]
+#[inline(always)]
 pub fn CY_RUD_d1<T: Real>(_alpha_deg: T, mach: T, deflection_deg: T) -> T {
     let real = T::from_f64;
     let a1 = real(2.6e-7) * deflection_deg;
@@ -779,7 +779,7 @@ pub fn CY_RUD_d1<T: Real>(_alpha_deg: T, mach: T, deflection_deg: T) -> T {
 }
 
 /// Values of the 19 monomials `basis1` of z = (`alpha`, `beta`, `mu`).
-#[inline]
+#[inline(always)]
 pub fn basis1<T: Real>(z: Vector<T, 3>) -> Vector<T, 19> {
     let one = T::one();
     let alpha = z[0];
@@ -825,7 +825,7 @@ pub fn basis1<T: Real>(z: Vector<T, 3>) -> Vector<T, 19> {
 
 /// Rates of the 19 monomials `basis1` of z = (`alpha`, `beta`, `mu`), along the rate `z_d1` of
 /// z.
-#[inline]
+#[inline(always)]
 pub fn basis1_rate<T: Real>(z: Vector<T, 3>, z_d1: Vector<T, 3>) -> Vector<T, 19> {
     let one_d1 = T::zero();
     let alpha = z[0];
@@ -879,7 +879,7 @@ pub fn basis1_rate<T: Real>(z: Vector<T, 3>, z_d1: Vector<T, 3>) -> Vector<T, 19
 }
 
 /// Values of the 19 monomials `basis2` of z = (`p`, `q`, `r`).
-#[inline]
+#[inline(always)]
 pub fn basis2<T: Real>(z: Vector<T, 3>) -> Vector<T, 19> {
     let one = T::one();
     let p = z[0];
