@@ -1,7 +1,9 @@
 //! Closed loops of the committed code: the figures that the reference implementation (`tests/reference/closed_loop.py`) gives, and held
 //! constraints.
 
-use nsv_generated::{motor_arm, nsv_attitude, pendulum, two_link_arm};
+use nsv_generated::{
+    flexible_joint, motor_arm, nsv_attitude, pendulum, two_link_arm, underwater_vehicle,
+};
 use nsv_runtime::closed_loop::{ClosedLoop, Options};
 use nsv_runtime::ensemble::{Campaign, Summary, run};
 
@@ -212,4 +214,32 @@ fn the_motor_turns_its_arm() {
         },
     );
     check_dispersed::<motor_arm::Simulator>(0.01);
+}
+
+#[test]
+fn the_elastic_joint_moves_its_link() {
+    check::<flexible_joint::Simulator>(
+        &NOMINAL,
+        &Figures {
+            ratio: 0.2870,
+            rms: &[0.002527],
+        },
+    );
+    check_dispersed::<flexible_joint::Simulator>(0.01);
+}
+
+#[test]
+fn the_vehicle_finds_its_way_in_a_current() {
+    check::<underwater_vehicle::Simulator>(
+        &Campaign {
+            horizon: 40.0,
+            settle: 10.0,
+            ..NOMINAL
+        },
+        &Figures {
+            ratio: 0.4287,
+            rms: &[0.01654, 0.00769, 0.00660, 0.001923, 0.001746, 0.002254],
+        },
+    );
+    check_dispersed::<underwater_vehicle::Simulator>(0.03);
 }

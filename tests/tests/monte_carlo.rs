@@ -1,6 +1,8 @@
 //! Campaigns are pure functions of (seed, run): nothing else, threads least of all, changes a bit.
 
-use nsv_generated::{motor_arm, nsv_attitude, pendulum, two_link_arm};
+use nsv_generated::{
+    flexible_joint, motor_arm, nsv_attitude, pendulum, two_link_arm, underwater_vehicle,
+};
 use nsv_runtime::closed_loop::{ClosedLoop, Options};
 use nsv_runtime::ensemble::{Campaign, Summary, run};
 
@@ -102,10 +104,12 @@ fn check_all<L: ClosedLoop>() {
 
 #[test]
 fn a_run_depends_on_seed_and_number_alone() {
+    check_all::<flexible_joint::Simulator>();
     check_all::<motor_arm::Simulator>();
     check_all::<nsv_attitude::Simulator>();
     check_all::<pendulum::Simulator>();
     check_all::<two_link_arm::Simulator>();
+    check_all::<underwater_vehicle::Simulator>();
 }
 
 /// Without noise and dispersion the seed does not count; with noise it does.

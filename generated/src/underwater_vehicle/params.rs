@@ -1,0 +1,55 @@
+// SHA-256 of the text below: 08be851d1a3e562b7a4c9669b2e69cd7f176eef68e418ca6dee1565898a25ed7
+// nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
+// specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
+
+//! `underwater_vehicle`: run-time parameters.
+#![allow(non_snake_case, reason = "names are those of the equations")]
+#![allow(clippy::too_many_arguments, reason = "as in the equations")]
+#![allow(clippy::approx_constant, reason = "numbers are as specified")]
+#![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
+
+use nsv_runtime::noise::Noise;
+use nsv_runtime::real::Real;
+
+/// Run-time parameters, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Params<T> {
+    /// Unit: dimensionless. Plant 1.0, dispersed uniformly between 0.8 and 1.2; controller 1.0.
+    /// Source: chosen.
+    pub added_scale: T,
+    /// Unit: dimensionless. Plant 1.0, dispersed uniformly between 0.7 and 1.3; controller 1.0.
+    /// Source: chosen.
+    pub drag_scale: T,
+    /// Unit: dimensionless. Plant 1.0, dispersed uniformly between 0.7 and 1.3; controller 1.0.
+    /// Source: chosen.
+    pub torque_scale: T,
+}
+
+impl<T: Real> Params<T> {
+    /// The plant's nominal values.
+    pub fn plant() -> Self {
+        Self {
+            added_scale: T::from_f64(1.0),
+            drag_scale: T::from_f64(1.0),
+            torque_scale: T::from_f64(1.0),
+        }
+    }
+
+    /// The values that the controller is designed with.
+    pub fn design() -> Self {
+        Self {
+            added_scale: T::from_f64(1.0),
+            drag_scale: T::from_f64(1.0),
+            torque_scale: T::from_f64(1.0),
+        }
+    }
+
+    /// The plant's values in one run, drawn from the dispersions of the specification.
+    pub fn dispersed(noise: &Noise) -> Self {
+        Self {
+            added_scale: T::from_f64(0.8 + (1.2 - 0.8) * noise.uniform(0, 0)),
+            drag_scale: T::from_f64(0.7 + (1.3 - 0.7) * noise.uniform(0, 1)),
+            torque_scale: T::from_f64(0.7 + (1.3 - 0.7) * noise.uniform(0, 2)),
+        }
+    }
+}
