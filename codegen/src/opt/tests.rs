@@ -256,12 +256,12 @@ fn dead_code() {
 }
 
 #[test]
-fn relaxed_arithmetic_removes_what_strict_arithmetic_keeps() {
+fn fast_arithmetic_removes_what_strict_arithmetic_keeps() {
     let text = "input x: real\n%0: real = input x\n%1: real = const 0.0\n%2: real = mul %0, %1\n%3: real = add %0, %2\noutput y = %3";
     let program: Program = text.parse().unwrap();
     assert_eq!(cost::count(&optimise(program.clone())).flops(), 2);
     assert_eq!(
-        cost::count(&optimise_with(program, Arithmetic::Relaxed)).flops(),
+        cost::count(&optimise_with(program, Arithmetic::Fast)).flops(),
         0
     );
 }
