@@ -59,7 +59,10 @@ fn a_stage_that_does_not_exist_is_refused_with_a_list_of_those_that_do() {
     let only_fast = [PENDULUM, "--emit=ir", "--stage=structural_zeros"];
     refused(&only_fast, "no stage `structural_zeros`");
     shown(&[&only_fast[..], &["--math=fast"]].concat());
-    refused(&[PENDULUM, PENDULUM, "--emit=ir"], "one specification");
+    refused(
+        &[PENDULUM, PENDULUM, "--emit=ir"],
+        "expected one specification",
+    );
     refused(&[PENDULUM, "--emit=ir", "--check"], "--check");
     refused(&[PENDULUM, "--stage=lowered"], "--emit");
 }
@@ -72,4 +75,29 @@ fn code_of_another_arithmetic_is_stale() {
     assert_eq!(run(&["--math=fast"]).status.code(), Some(0));
     assert_eq!(run(&["--math=fast", "--check"]).status.code(), Some(0));
     assert_eq!(run(&["--check"]).status.code(), Some(4));
+}
+
+#[test]
+fn operations_are_explained_by_pass_and_by_equation() {
+    let table = shown(&[PENDULUM, "--explain-cost"]);
+    for said in [
+        "program control",
+        "value_numbering (1)",
+        "e_1 = x_1 - y_r",
+        "pendulum.yaml:",
+    ] {
+        assert!(table.contains(said), "{said}: {table}");
+    }
+    let json = shown(&[PENDULUM, "--explain-cost", "--format=json", "--math=fast"]);
+    let document: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(document["math"], "fast");
+    let control = &document["programs"][0];
+    let sum = |when: &str| -> u64 {
+        let equations = control["equations"].as_array().expect("a list").iter();
+        equations
+            .map(|equation| equation[when]["mul"].as_u64().expect("a count"))
+            .sum()
+    };
+    assert_eq!(control["lowered"]["mul"], sum("before"));
+    assert_eq!(control["optimised"]["mul"], sum("after"));
 }

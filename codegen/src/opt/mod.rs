@@ -1,6 +1,7 @@
 //! Optimisation: passes from program to program, one file each, every rewrite under its algebra.
 
 pub mod cost;
+pub mod explain;
 pub mod stage;
 
 mod arrays;

@@ -1,4 +1,4 @@
-//! Looking into the compiler instead of writing code: the IR of a program at a stage.
+//! Looking into the compiler instead of writing code: the IR of a program at a stage, the operations of each pass and equation.
 
 use std::path::PathBuf;
 
@@ -6,6 +6,7 @@ use nsv_codegen::ir::Program;
 use nsv_codegen::lower::Programs;
 use nsv_codegen::opt::stage;
 
+use super::explain;
 use crate::cli::compile::{Math, Partials, load, lower};
 use crate::cli::failure::{Exit, Failure};
 use crate::cli::output;
@@ -23,6 +24,20 @@ pub(super) struct Args {
     /// The program to show
     #[arg(long, value_enum, requires = "emit", default_value_t = Which::Control)]
     program: Which,
+    /// Show the operations of each program, before and after each pass and for each equation
+    #[arg(long, conflicts_with_all = ["emit", "check", "out"])]
+    explain_cost: bool,
+    /// How the operations are shown
+    #[arg(long, value_enum, requires = "explain_cost", default_value_t = Format::Human)]
+    format: Format,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum Format {
+    /// A table
+    Human,
+    /// One JSON document
+    Json,
 }
 
 #[derive(Clone, Copy, clap::ValueEnum)]
@@ -60,7 +75,7 @@ impl Which {
 impl Args {
     /// Whether something is to be shown.
     pub(super) fn wanted(&self) -> bool {
-        self.emit.is_some()
+        self.emit.is_some() || self.explain_cost
     }
 }
 
@@ -73,12 +88,18 @@ pub(super) fn run(args: &Args, specs: &[PathBuf], math: Math) -> Result<(), Fail
             .with_help(format_args!("the stages are {}", stages.join(", "))));
     }
     let [spec] = specs else {
-        return Err(Failure::new(
-            Exit::Usage,
-            "`--emit` shows one specification at a time",
-        ));
+        let message = "expected one specification to show";
+        return Err(Failure::new(Exit::Usage, message));
     };
-    let programs = lower(spec, &load(spec)?, Partials::Cached)?;
+    let model = load(spec)?;
+    let programs = lower(spec, &model, Partials::Cached)?;
+    if args.explain_cost {
+        let explanations = explain::explanations(&programs, math);
+        return match args.format {
+            Format::Human => output::data(&explain::table(&model, &explanations)),
+            Format::Json => output::json(&explain::document(&model, math, &explanations)),
+        };
+    }
     let program = stage::at(args.program.of(programs), math.into(), &args.stage);
     output::data(&program.expect("invariant: the stage exists").to_string())
 }

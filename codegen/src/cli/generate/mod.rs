@@ -1,6 +1,7 @@
 //! `nsv generate`: writes the code of specifications, or checks that what is written is theirs.
 
 mod difference;
+mod explain;
 mod inspect;
 mod library;
 mod target;
