@@ -106,7 +106,7 @@ pub(crate) const FUNCTION_IMPORTS: [&str; 10] = [
 /// What the files may mention besides.
 const IMPORTS: [(&str, &[&str]); 6] = [
     ("params", &["nsv_runtime::noise::Noise"]),
-    ("polynomials", &[]),
+    ("polynomials", &["nsv_runtime::polynomial::horner"]),
     (
         "controller",
         &[
@@ -158,9 +158,9 @@ const IMPORTS: [(&str, &[&str]); 6] = [
 /// The texts of the files.
 pub(crate) fn files(interface: &Interface, programs: &Programs<'_>) -> BTreeMap<String, String> {
     let library = Library::of(&[
-        programs.initial,
         programs.control,
         programs.plant,
+        programs.initial,
         programs.lyapunov,
     ]);
     let fields = params::fields(interface);

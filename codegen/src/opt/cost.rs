@@ -4,6 +4,7 @@ use std::fmt::{self, Display, Formatter};
 use std::iter::Sum;
 use std::ops::{Add, Mul};
 
+use crate::ir::FamilyMember;
 use crate::ir::build::size;
 use crate::ir::eval::{SWEEPS, entries};
 use crate::ir::horner::Horner;
@@ -151,6 +152,16 @@ pub fn of(program: &Program, instruction: &Instruction) -> Cost {
     operation(program, &instruction.op, instruction.ty)
 }
 
+/// The operations of one polynomial of a family.
+pub(super) fn member(member: &FamilyMember) -> Cost {
+    let (additions, multiplications) = member.operations();
+    Cost {
+        additions,
+        multiplications,
+        ..NOTHING
+    }
+}
+
 fn operation(program: &Program, op: &Op, ty: Type) -> Cost {
     let entries = entries(ty) as u64;
     match *op {
@@ -174,6 +185,10 @@ fn operation(program: &Program, op: &Op, ty: Type) -> Cost {
                 multiplications,
                 ..NOTHING
             }
+        }
+        Op::Family(id, _) => {
+            let members = &program.families[id.0 as usize].members;
+            members.iter().map(member).sum()
         }
         Op::Basis(id, _) => products(&program.bases[id.0 as usize]) * MULTIPLICATION,
         // m and m' of each product

@@ -1,10 +1,10 @@
 //! What optimisation does to the number of operations: pass by pass, and equation by equation.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::cost::{self, Cost};
 use super::{Arithmetic, optimise_watched};
-use crate::ir::{Program, ValueId};
+use crate::ir::{Op, Program, ValueId};
 
 /// The operations of a program on its way through the optimiser.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -121,39 +121,84 @@ fn order(quantities: Quantities) -> Vec<(String, (Option<ValueId>, Cost))> {
 /// The operations of each named value: its own and those of the unnamed values that it is the first to need.
 fn by_quantity(program: &Program) -> Quantities {
     let mut quantities = Quantities::new();
-    let mut counted = vec![false; program.instructions.len()];
+    let mut counter = Counter::new(program);
     for (value, instruction) in (0..).map(ValueId).zip(&program.instructions) {
-        let Some(name) = &instruction.name else {
-            continue;
-        };
-        let mut pending = vec![value];
-        let mut sum = Cost::default();
-        while let Some(value) = pending.pop() {
-            if !std::mem::replace(&mut counted[value.0 as usize], true) {
-                let instruction = program.instruction(value);
-                sum = sum + cost::of(program, instruction);
-                pending.extend(
-                    instruction
-                        .op
-                        .operands()
-                        .into_iter()
-                        .filter(|&operand| program.instruction(operand).name.is_none()),
-                );
-            }
+        if let Some(name) = &instruction.name {
+            quantities.insert(name.clone(), (Some(value), counter.count(value)));
         }
-        quantities.insert(name.clone(), (Some(value), sum));
     }
-    let rest: Cost = program
-        .instructions
-        .iter()
-        .zip(counted)
-        .filter(|(_, counted)| !counted)
-        .map(|(instruction, _)| cost::of(program, instruction))
-        .sum();
+    let rest = (0..).map(ValueId).zip(&program.instructions);
+    let rest: Cost = rest.map(|(value, _)| counter.count(value)).sum();
+    let rest = rest + counter.whole_families();
     if rest != Cost::default() {
         quantities.insert(String::new(), (None, rest));
     }
     quantities
+}
+
+/// Counts every operation once.
+struct Counter<'p> {
+    program: &'p Program,
+    counted: Vec<bool>,
+    /// Members of families that were counted: where their value is taken.
+    members: BTreeSet<(ValueId, usize)>,
+}
+
+impl<'p> Counter<'p> {
+    fn new(program: &'p Program) -> Self {
+        Counter {
+            program,
+            counted: vec![false; program.instructions.len()],
+            members: BTreeSet::new(),
+        }
+    }
+
+    /// The operations of a value and of the unnamed values that it needs, without those counted before.
+    fn count(&mut self, value: ValueId) -> Cost {
+        let mut pending = vec![value];
+        let mut sum = Cost::default();
+        while let Some(value) = pending.pop() {
+            if !std::mem::replace(&mut self.counted[value.0 as usize], true) {
+                sum = sum + self.own(value);
+                let operands = self.program.instruction(value).op.operands();
+                let unnamed = |id: &ValueId| self.program.instruction(*id).name.is_none();
+                pending.extend(operands.into_iter().filter(unnamed));
+            }
+        }
+        sum
+    }
+
+    /// The operations of an instruction; a member of a family belongs to where its value is taken.
+    fn own(&mut self, value: ValueId) -> Cost {
+        let instruction = self.program.instruction(value);
+        match instruction.op {
+            Op::Family(..) => Cost::default(),
+            Op::Element(values, row, _) => self.member(values, row),
+            _ => cost::of(self.program, instruction),
+        }
+    }
+
+    fn member(&mut self, values: ValueId, row: usize) -> Cost {
+        match self.program.instruction(values).op {
+            Op::Family(id, _) if self.members.insert((values, row)) => {
+                cost::member(&self.program.families[id.0 as usize].members[row])
+            }
+            _ => Cost::default(),
+        }
+    }
+
+    /// The members of families that no instruction takes alone.
+    fn whole_families(&mut self) -> Cost {
+        let mut sum = Cost::default();
+        for (value, instruction) in (0..).map(ValueId).zip(&self.program.instructions) {
+            if let Op::Family(id, _) = instruction.op {
+                for row in 0..self.program.families[id.0 as usize].members.len() {
+                    sum = sum + self.member(value, row);
+                }
+            }
+        }
+        sum
+    }
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ mod arrays;
 mod dead_code;
 mod fold;
 mod identities;
+mod polynomials;
 mod powers;
 mod reciprocals;
 mod rewrite;
@@ -38,7 +39,7 @@ pub struct Pass {
 }
 
 /// All passes, in the order of a round.
-pub static PASSES: [Pass; 10] = [
+pub static PASSES: [Pass; 11] = [
     Pass {
         name: "fold",
         kind: Kind::Exact,
@@ -78,6 +79,11 @@ pub static PASSES: [Pass; 10] = [
         name: "value_numbering",
         kind: Kind::Exact,
         run: value_numbering::run,
+    },
+    Pass {
+        name: "polynomials",
+        kind: Kind::Exact,
+        run: polynomials::run,
     },
     Pass {
         name: "reciprocals",
