@@ -75,8 +75,8 @@ impl Program {
         writeln!(f)
     }
 
-    /// An operation as text, such as `sub %3, %4`. Operations of one program with equal text are equal to the last bit.
-    pub fn text_of(&self, op: &Op) -> String {
+    /// An operation as text, such as `sub %3, %4`.
+    fn text_of(&self, op: &Op) -> String {
         let operands = list(op.operands());
         match op {
             Op::Const(data) if data.len() == 1 => format!("const {:?}", data[0]),
