@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 3f364765a08645a3dde30a251b7166e739151a8caa07622e25d466a70ad2fbbe
+// SHA-256 of the text below: 6e47596744323f118a76cc26abde0e0284b74c7cf9018c1dfffdaf22ade26921
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
 // lyapunov: 266 additions, 317 multiplications, 39 divisions, 0 square roots, 14 elementary functions, 12 comparisons and selections
@@ -31,7 +31,7 @@ pub struct LyapunovOutputs<T: Real> {
 ///
 /// Operations: 266 additions, 317 multiplications, 39 divisions, 0 square roots, 14 elementary
 /// functions, 12 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
     x1: Vector<T, 1>,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 953a043d45a0b9883872d9548c0575a74ccc87aaa4a6294470117d666dfc7a69
+// SHA-256 of the text below: 8d82fcaa939769c6975e79d08ce7a185cd9e8f2037a3639621339a46a195e843
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
 
@@ -24,6 +24,7 @@ pub struct Params<T> {
 
 impl<T: Real> Params<T> {
     /// The plant's nominal values.
+    #[inline(always)]
     pub fn plant() -> Self {
         Self {
             weight: T::from_f64(0.8),
@@ -32,6 +33,7 @@ impl<T: Real> Params<T> {
     }
 
     /// The values that the controller is designed with.
+    #[inline(always)]
     pub fn design() -> Self {
         Self {
             weight: T::from_f64(0.8),
@@ -39,11 +41,12 @@ impl<T: Real> Params<T> {
         }
     }
 
-    /// The plant's values in one run, drawn from the dispersions of the specification.
-    pub fn dispersed(noise: &Noise) -> Self {
+    /// The plant's values in each lane's run, drawn from the dispersions of the specification.
+    #[inline(always)]
+    pub fn dispersed(noise: &Noise<T>) -> Self {
         Self {
-            weight: T::from_f64(0.6 + (1.0 - 0.6) * noise.uniform(0, 0)),
-            stiffness: T::from_f64(28.0 + (34.0 - 28.0) * noise.uniform(0, 1)),
+            weight: T::from_f64(0.6) + T::from_f64(1.0 - 0.6) * noise.uniform(0, 0),
+            stiffness: T::from_f64(28.0) + T::from_f64(34.0 - 28.0) * noise.uniform(0, 1),
         }
     }
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: e47dc1f1532d839af2539f290cb1516c8689ddbc996543edd36f653a1f6a0aa0
+// SHA-256 of the text below: 38b01c67e58e6ec27e89418fd0b40b1a400c2d7f16f8c293f36c60e79bb669c6
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
 
@@ -12,7 +12,7 @@ use nsv_runtime::linear::Vector;
 use nsv_runtime::real::Real;
 
 /// Values of the 6 monomials `basis2` of z = (`z1`, `v1`).
-#[inline]
+#[inline(always)]
 pub fn basis2<T: Real>(z: Vector<T, 2>) -> Vector<T, 6> {
     let one = T::one();
     let z1 = z[0];
@@ -24,7 +24,7 @@ pub fn basis2<T: Real>(z: Vector<T, 2>) -> Vector<T, 6> {
 }
 
 /// Rates of the 6 monomials `basis2` of z = (`z1`, `v1`), along the rate `z_d1` of z.
-#[inline]
+#[inline(always)]
 pub fn basis2_rate<T: Real>(z: Vector<T, 2>, z_d1: Vector<T, 2>) -> Vector<T, 6> {
     let one_d1 = T::zero();
     let z1 = z[0];

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 28ccee2b1f168b737a7c7ace1f9f7f9c7a709bf5403a082ac7427acbc53a6f44
+// SHA-256 of the text below: b4e1bdb6d3d54d1f4434c7432a11b44ce9376dea232e8ad3d536041f67ddf5e5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
 // lyapunov: 6503 additions, 6987 multiplications, 137 divisions, 2 square roots, 29 elementary functions, 69 comparisons and selections
@@ -31,7 +31,7 @@ pub struct LyapunovOutputs<T: Real> {
 ///
 /// Operations: 6503 additions, 6987 multiplications, 137 divisions, 2 square roots, 29
 /// elementary functions, 69 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
     x1: Vector<T, 6>,

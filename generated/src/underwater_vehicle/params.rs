@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 08be851d1a3e562b7a4c9669b2e69cd7f176eef68e418ca6dee1565898a25ed7
+// SHA-256 of the text below: f8c9cd1794aafcbc6f5c2499a63369570dd90da5a61b804bb8ff905b87d245aa
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
 
@@ -27,6 +27,7 @@ pub struct Params<T> {
 
 impl<T: Real> Params<T> {
     /// The plant's nominal values.
+    #[inline(always)]
     pub fn plant() -> Self {
         Self {
             added_scale: T::from_f64(1.0),
@@ -36,6 +37,7 @@ impl<T: Real> Params<T> {
     }
 
     /// The values that the controller is designed with.
+    #[inline(always)]
     pub fn design() -> Self {
         Self {
             added_scale: T::from_f64(1.0),
@@ -44,12 +46,13 @@ impl<T: Real> Params<T> {
         }
     }
 
-    /// The plant's values in one run, drawn from the dispersions of the specification.
-    pub fn dispersed(noise: &Noise) -> Self {
+    /// The plant's values in each lane's run, drawn from the dispersions of the specification.
+    #[inline(always)]
+    pub fn dispersed(noise: &Noise<T>) -> Self {
         Self {
-            added_scale: T::from_f64(0.8 + (1.2 - 0.8) * noise.uniform(0, 0)),
-            drag_scale: T::from_f64(0.7 + (1.3 - 0.7) * noise.uniform(0, 1)),
-            torque_scale: T::from_f64(0.7 + (1.3 - 0.7) * noise.uniform(0, 2)),
+            added_scale: T::from_f64(0.8) + T::from_f64(1.2 - 0.8) * noise.uniform(0, 0),
+            drag_scale: T::from_f64(0.7) + T::from_f64(1.3 - 0.7) * noise.uniform(0, 1),
+            torque_scale: T::from_f64(0.7) + T::from_f64(1.3 - 0.7) * noise.uniform(0, 2),
         }
     }
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 802b6b70b43b746700e3af7d24ab50317c528097fa902fe5105da101e188893d
+// SHA-256 of the text below: 54fc1a02198f8b3ca6eec28ba73ec82914ee16c1cabea875f7bf9ca38a95667c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
 // plant: 552 additions, 642 multiplications, 10 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
@@ -60,19 +60,78 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
-    #[inline]
+    #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        plant(t, *x, self.u_sat, &self.params).drift
+        T::outlined(|| plant(t, *x, self.u_sat, &self.params).drift)
     }
 
-    #[inline]
+    #[inline(always)]
     fn diffusion(
         &self,
         t: T,
         x: &Vector<T, STATES>,
     ) -> Matrix<T, STATES, NOISE_CHANNELS> {
-        plant(t, *x, self.u_sat, &self.params).diffusion
+        T::outlined(|| plant(t, *x, self.u_sat, &self.params).diffusion)
     }
+
+    #[inline(always)]
+    fn drift_and_noise(
+        &self,
+        t: T,
+        x: &Vector<T, STATES>,
+        dw: &Vector<T, NOISE_CHANNELS>,
+    ) -> (Vector<T, STATES>, Vector<T, STATES>) {
+        T::outlined(|| {
+            let rate = plant(t, *x, self.u_sat, &self.params);
+            (rate.drift, diffuse(&rate.diffusion, dw))
+        })
+    }
+}
+
+/// Diffusion times noise, without the entries that are always 0.
+#[inline(always)]
+fn diffuse<T: Real>(
+    diffusion: &Matrix<T, STATES, NOISE_CHANNELS>,
+    noise: &Vector<T, NOISE_CHANNELS>,
+) -> Vector<T, STATES> {
+    Vector([
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        diffusion[(6, 0)] * noise[0] + diffusion[(6, 1)] * noise[1]
+            + diffusion[(6, 2)] * noise[2] + diffusion[(6, 3)] * noise[3]
+            + diffusion[(6, 4)] * noise[4] + diffusion[(6, 5)] * noise[5],
+        diffusion[(7, 0)] * noise[0] + diffusion[(7, 1)] * noise[1]
+            + diffusion[(7, 2)] * noise[2] + diffusion[(7, 3)] * noise[3]
+            + diffusion[(7, 4)] * noise[4] + diffusion[(7, 5)] * noise[5],
+        diffusion[(8, 0)] * noise[0] + diffusion[(8, 1)] * noise[1]
+            + diffusion[(8, 2)] * noise[2] + diffusion[(8, 3)] * noise[3]
+            + diffusion[(8, 4)] * noise[4] + diffusion[(8, 5)] * noise[5],
+        diffusion[(9, 0)] * noise[0] + diffusion[(9, 1)] * noise[1]
+            + diffusion[(9, 2)] * noise[2] + diffusion[(9, 3)] * noise[3]
+            + diffusion[(9, 4)] * noise[4] + diffusion[(9, 5)] * noise[5],
+        diffusion[(10, 0)] * noise[0] + diffusion[(10, 1)] * noise[1]
+            + diffusion[(10, 2)] * noise[2] + diffusion[(10, 3)] * noise[3]
+            + diffusion[(10, 4)] * noise[4] + diffusion[(10, 5)] * noise[5],
+        diffusion[(11, 0)] * noise[0] + diffusion[(11, 1)] * noise[1]
+            + diffusion[(11, 2)] * noise[2] + diffusion[(11, 3)] * noise[3]
+            + diffusion[(11, 4)] * noise[4] + diffusion[(11, 5)] * noise[5],
+        T::zero(),
+        diffusion[(13, 6)] * noise[6],
+        T::zero(),
+        diffusion[(15, 7)] * noise[7],
+        T::zero(),
+        diffusion[(17, 8)] * noise[8],
+        T::zero(),
+        diffusion[(19, 9)] * noise[9],
+        T::zero(),
+        diffusion[(21, 10)] * noise[10],
+        T::zero(),
+        diffusion[(23, 11)] * noise[11],
+    ])
 }
 
 /// Results of [`plant`].
@@ -92,7 +151,7 @@ pub struct PlantOutputs<T: Real> {
 ///
 /// Operations: 552 additions, 642 multiplications, 10 divisions, 0 square roots, 10 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn plant<T: Real>(
     t: T,
     x: Vector<T, 24>,

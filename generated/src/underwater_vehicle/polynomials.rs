@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 975b6662fb37a5cf83777ca2b9733e4f2565cbf7819439a22d69a4feb95634c8
+// SHA-256 of the text below: 6345709edcaf76593850284428cec452464c2ffcd8a42e4fe239ebb4edcac7e8
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
 
@@ -12,7 +12,7 @@ use nsv_runtime::linear::Vector;
 use nsv_runtime::real::Real;
 
 /// Values of the 28 monomials `basis2` of z = (`surge`, `sway`, `heave`, `p`, `q`, `r`).
-#[inline]
+#[inline(always)]
 pub fn basis2<T: Real>(z: Vector<T, 6>) -> Vector<T, 28> {
     let one = T::one();
     let surge = z[0];
