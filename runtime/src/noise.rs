@@ -19,7 +19,7 @@ use crate::real::{Bits, Real};
 
 /// Draws of one purpose in consecutive runs of a campaign, one in each lane.
 #[derive(Clone, Copy, Debug)]
-pub struct Noise<T: Real> {
+pub struct Noise<T: Real = f64> {
     seed: u64,
     purpose: Purpose,
     /// Bits 0..32 of each run's number.
