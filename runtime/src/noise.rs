@@ -13,6 +13,8 @@
 //!
 //! so step and run count to 2^48 and channel to 2^24; higher bits are ignored.
 
+use crate::real::Real;
+
 /// Draws of one purpose in one run of a campaign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Noise {
@@ -67,8 +69,8 @@ impl Noise {
     #[inline]
     pub fn normal(&self, step: u64, channel: u32) -> f64 {
         let [w0, w1, w2, w3] = self.words(step, channel);
-        let radius = libm::sqrt(-2.0 * libm::log(open_unit(w0, w1)));
-        radius * libm::cos(core::f64::consts::TAU * open_unit(w2, w3))
+        let radius = Real::sqrt(-2.0 * Real::ln(open_unit(w0, w1)));
+        radius * Real::cos(core::f64::consts::TAU * open_unit(w2, w3))
     }
 
     #[inline]
