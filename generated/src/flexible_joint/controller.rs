@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 54fc87ec5124b81bdb35bf93ae17b67d0bfbbc9f12998189691479136871aac7
+// SHA-256 of the text below: c7b2c549260950b16d6fc8eb93b58ef82cd5ce6090d6c7ac64f26811fde19f57
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
 // initial: 37 additions, 60 multiplications, 12 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `torque` in kg*m^2/s^2.
@@ -236,7 +236,15 @@ impl<T: Real> Controller<T> {
             .and(x4.is_finite());
         let starting = measured.and(self.started.not());
         if starting.any() {
-            self.begin(starting, t, x1, x2, x3, x4);
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+                x3,
+                x4,
+            });
         }
         let law = control(t, x1, x2, x3, x4, &self.state, &self.params);
         let valid = measured
@@ -274,26 +282,6 @@ impl<T: Real> Controller<T> {
         }
     }
 
-    /// Initialises the states where the mask is true.
-    #[inline(always)]
-    fn begin(
-        &mut self,
-        mask: T::Mask,
-        t: T,
-        x1: Vector<T, 1>,
-        x2: Vector<T, 1>,
-        x3: Vector<T, 1>,
-        x4: Vector<T, 1>,
-    ) {
-        T::outlined(|| {
-            self.state = State::select(
-                mask,
-                &initial(t, x1, x2, x3, x4, &self.params),
-                &self.state,
-            );
-        });
-    }
-
     /// The states.
     #[inline(always)]
     pub fn state(&self) -> &State<T> {
@@ -304,6 +292,32 @@ impl<T: Real> Controller<T> {
     #[inline(always)]
     pub fn params(&self) -> &Params<T> {
         &self.params
+    }
+}
+
+/// Initialises the controller where the mask is true.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+    x3: Vector<T, 1>,
+    x4: Vector<T, 1>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(
+            self.t,
+            self.x1,
+            self.x2,
+            self.x3,
+            self.x4,
+            &self.controller.params,
+        );
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
     }
 }
 
@@ -785,8 +799,8 @@ pub fn control<T: Real>(
     let u = -t14;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-3.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([3.0]), T::min);
+        .max(Vector::<T, 1>::from_f64([-3.0]))
+        .min(Vector::<T, 1>::from_f64([3.0]));
 
     // -- auxiliary system of block 4 (13) (E1) --
     // zeta_4' = -C_4 zeta_4 + G_4 (sat(u) - u)

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 6e47596744323f118a76cc26abde0e0284b74c7cf9018c1dfffdaf22ade26921
+// SHA-256 of the text below: dbd87c014918c1462c57e50915e3af0af448b68c06155dbae0932b06914f6690
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
 // lyapunov: 266 additions, 317 multiplications, 39 divisions, 0 square roots, 14 elementary functions, 12 comparisons and selections
@@ -281,8 +281,8 @@ pub fn lyapunov<T: Real>(
     let u = -t33;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-3.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([3.0]), T::min);
+        .max(Vector::<T, 1>::from_f64([-3.0]))
+        .min(Vector::<T, 1>::from_f64([3.0]));
 
     // -- auxiliary system of block 4 (13) (E1) --
     // zeta_4' = -C_4 zeta_4 + G_4 (sat(u) - u)

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 015a8f79f05b2f8b545836c22556c26c29addc694e5cdd81c94b130578d82a39
+// SHA-256 of the text below: cdda3fbc7dd475c0ce9e2a975a740870c4018853a72369c1e369b4662fe74161
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
 
@@ -150,17 +150,15 @@ impl<T: Real> Runs<T> for Simulator<T> {
                 Vector([x[3]]),
             );
         let state = *controller.state();
-        let output = T::outlined(|| {
-            controller
-                .clone()
-                .step(
-                    T::zero(),
-                    Vector([x[0]]),
-                    Vector([x[1]]),
-                    Vector([x[2]]),
-                    Vector([x[3]]),
-                )
-        });
+        let output = controller
+            .clone()
+            .step(
+                T::zero(),
+                Vector([x[0]]),
+                Vector([x[1]]),
+                Vector([x[2]]),
+                Vector([x[3]]),
+            );
         Self {
             controller,
             truth,
@@ -172,10 +170,12 @@ impl<T: Real> Runs<T> for Simulator<T> {
     }
 
     #[inline(always)]
-    fn control(&mut self, observed: bool) {
-        if observed {
-            self.state = *self.controller.state();
-        }
+    fn observe(&mut self) {
+        self.state = *self.controller.state();
+    }
+
+    #[inline(always)]
+    fn control(&mut self) {
         let t = T::from_f64(self.time());
         self.output = self
             .controller

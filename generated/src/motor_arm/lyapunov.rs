@@ -1,4 +1,4 @@
-// SHA-256 of the text below: b15c6f1e409958bcb9e856bdd7e61a124f7171fad53001d1ce46026f5fbca2fa
+// SHA-256 of the text below: 2a6102e523c369ea1567b7e13490ef9dccf5f5e869679f4fdba34ad7f01ecf58
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // lyapunov: 302 additions, 401 multiplications, 59 divisions, 2 square roots, 16 elementary functions, 14 comparisons and selections
@@ -199,7 +199,7 @@ pub fn lyapunov<T: Real>(
     let Lam2_filter = c2 * t23;
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t24 = e2.map(T::tanh);
+    let t24 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t24 * state.eps2;
     let t25 = s_c1 * s_c1;
@@ -302,8 +302,8 @@ pub fn lyapunov<T: Real>(
     let u = -t37;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-40.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([40.0]), T::min);
+        .max(Vector::<T, 1>::from_f64([-40.0]))
+        .min(Vector::<T, 1>::from_f64([40.0]));
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 831064f495355e43e56ad56503fe2bf0e0139f7e9c059453a907d139dda3a1c7
+// SHA-256 of the text below: 2d4191a60f7dde8f8d86e09125a76b678db45b5457b46b394a5f66dc5a5f879a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // lyapunov: 2306 additions, 2745 multiplications, 129 divisions, 3 square roots, 32 elementary functions, 33 comparisons and selections
@@ -364,7 +364,7 @@ pub fn lyapunov<T: Real>(
     let t72 = e2 * real(0.5);
     // e / (2 cos^2 E) (63)
     let Lam2_network = t72 / t66;
-    let t73 = t72.map(T::tanh);
+    let t73 = t72.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t73 * state.eps2;
     let t74 = G_norm2_1 * s_c1;
@@ -392,8 +392,8 @@ pub fn lyapunov<T: Real>(
     let u = -t81;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]), T::max)
-        .zip(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]), T::min);
+        .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
+        .min(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: e64e1efd673c2f9d7b765a69b46d808dbaa2eb809924efb2c2e8cf61c3bbf2ef
+// SHA-256 of the text below: 9b8d0bad9f4c1ae0396a5924d6cfc13356546a3efbb1f56896b038896f19896a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // initial: 8 additions, 17 multiplications, 5 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `torque` in kg*m^2/s^2.
@@ -169,7 +169,13 @@ impl<T: Real> Controller<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
         let starting = measured.and(self.started.not());
         if starting.any() {
-            self.begin(starting, t, x1, x2);
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+            });
         }
         let law = control(t, x1, x2, &self.state, &self.params);
         let valid = measured
@@ -202,14 +208,6 @@ impl<T: Real> Controller<T> {
         }
     }
 
-    /// Initialises the states where the mask is true.
-    #[inline(always)]
-    fn begin(&mut self, mask: T::Mask, t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) {
-        T::outlined(|| {
-            self.state = State::select(mask, &initial(t, x1, x2), &self.state);
-        });
-    }
-
     /// The states.
     #[inline(always)]
     pub fn state(&self) -> &State<T> {
@@ -220,6 +218,23 @@ impl<T: Real> Controller<T> {
     #[inline(always)]
     pub fn params(&self) -> &Params<T> {
         &self.params
+    }
+}
+
+/// Initialises the controller where the mask is true.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(self.t, self.x1, self.x2);
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
     }
 }
 
@@ -449,8 +464,8 @@ pub fn control<T: Real>(
     let u = -t7;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-8.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([8.0]), T::min);
+        .max(Vector::<T, 1>::from_f64([-8.0]))
+        .min(Vector::<T, 1>::from_f64([8.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0eca79f054fc821d38ca57e48000d4d080903aa50ba199a0fab12002ba69b76c
+// SHA-256 of the text below: e8161511a1700b5e08ecba0b15dbe6c8e9e6fb432a3f1de8819dc5c80e99ee06
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // lyapunov: 150 additions, 191 multiplications, 27 divisions, 0 square roots, 13 elementary functions, 17 comparisons and selections
@@ -166,8 +166,8 @@ pub fn lyapunov<T: Real>(
     let u = -t18;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-8.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([8.0]), T::min);
+        .max(Vector::<T, 1>::from_f64([-8.0]))
+        .min(Vector::<T, 1>::from_f64([8.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)

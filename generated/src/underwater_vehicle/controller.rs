@@ -1,4 +1,4 @@
-// SHA-256 of the text below: a643fabe0a99ac7adfefb4b7bbdd3623ae941011ff7f2b46ccf8c533e32ec35b
+// SHA-256 of the text below: 2f5d50f5ab1b1aa7160e31e99e08fc03558e9451bbca9d739fe6592779fd3e98
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
 // initial: 260 additions, 295 multiplications, 32 divisions, 0 square roots, 17 elementary functions, 18 comparisons and selections
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `F_x` in kg*m/s^2, `F_y` in kg*m/s^2, `F_z` in kg*m/s^2,
@@ -205,7 +205,13 @@ impl<T: Real> Controller<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
         let starting = measured.and(self.started.not());
         if starting.any() {
-            self.begin(starting, t, x1, x2);
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+            });
         }
         let law = control(t, x1, x2, &self.state, &self.params);
         let valid = measured
@@ -245,14 +251,6 @@ impl<T: Real> Controller<T> {
         }
     }
 
-    /// Initialises the states where the mask is true.
-    #[inline(always)]
-    fn begin(&mut self, mask: T::Mask, t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) {
-        T::outlined(|| {
-            self.state = State::select(mask, &initial(t, x1, x2), &self.state);
-        });
-    }
-
     /// The states.
     #[inline(always)]
     pub fn state(&self) -> &State<T> {
@@ -263,6 +261,23 @@ impl<T: Real> Controller<T> {
     #[inline(always)]
     pub fn params(&self) -> &Params<T> {
         &self.params
+    }
+}
+
+/// Initialises the controller where the mask is true.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 6>,
+    x2: Vector<T, 6>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(self.t, self.x1, self.x2);
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
     }
 }
 
@@ -742,7 +757,7 @@ pub fn control<T: Real>(
     let Lam2_disturbance = c2 * real(3.0);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t53 = e2.map(T::tanh);
+    let t53 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t53 * state.eps2;
     let t54 = G_norm2_1 * s_c1;
@@ -769,8 +784,8 @@ pub fn control<T: Real>(
     let u = -t60;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]), T::max)
-        .zip(Vector::<T, 6>::from_f64([40.0, 40.0, 40.0, 5.0, 5.0, 5.0]), T::min);
+        .max(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]))
+        .min(Vector::<T, 6>::from_f64([40.0, 40.0, 40.0, 5.0, 5.0, 5.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)

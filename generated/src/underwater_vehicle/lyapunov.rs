@@ -1,4 +1,4 @@
-// SHA-256 of the text below: b4e1bdb6d3d54d1f4434c7432a11b44ce9376dea232e8ad3d536041f67ddf5e5
+// SHA-256 of the text below: 5fd0b3ebd5fc99d18da2289479e4b1898f73e83e361ed285c4edee99c523ab8f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
 // lyapunov: 6503 additions, 6987 multiplications, 137 divisions, 2 square roots, 29 elementary functions, 69 comparisons and selections
@@ -344,7 +344,7 @@ pub fn lyapunov<T: Real>(
     let Lam2_disturbance = c2 * real(3.0);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t86 = e2.map(T::tanh);
+    let t86 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t86 * state.eps2;
     let t87 = G_norm2_1 * s_c1;
@@ -372,8 +372,8 @@ pub fn lyapunov<T: Real>(
     let u = -t94;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]), T::max)
-        .zip(Vector::<T, 6>::from_f64([40.0, 40.0, 40.0, 5.0, 5.0, 5.0]), T::min);
+        .max(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]))
+        .min(Vector::<T, 6>::from_f64([40.0, 40.0, 40.0, 5.0, 5.0, 5.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 9481e2fb636287ce3d26fd603685c16937807a164ec2849a425bce44dc612424
+// SHA-256 of the text below: 9922091cf6ed3e026150f31025ef858e1f92e4e865a6da92118e7f0e451c2227
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
 
@@ -223,15 +223,13 @@ impl<T: Real> Runs<T> for Simulator<T> {
                 Vector([x[6], x[7], x[8], x[9], x[10], x[11]]),
             );
         let state = *controller.state();
-        let output = T::outlined(|| {
-            controller
-                .clone()
-                .step(
-                    T::zero(),
-                    Vector([x[0], x[1], x[2], x[3], x[4], x[5]]),
-                    Vector([x[6], x[7], x[8], x[9], x[10], x[11]]),
-                )
-        });
+        let output = controller
+            .clone()
+            .step(
+                T::zero(),
+                Vector([x[0], x[1], x[2], x[3], x[4], x[5]]),
+                Vector([x[6], x[7], x[8], x[9], x[10], x[11]]),
+            );
         let process = Noise::process(options.seed, options.run);
         Self {
             controller,
@@ -245,10 +243,12 @@ impl<T: Real> Runs<T> for Simulator<T> {
     }
 
     #[inline(always)]
-    fn control(&mut self, observed: bool) {
-        if observed {
-            self.state = *self.controller.state();
-        }
+    fn observe(&mut self) {
+        self.state = *self.controller.state();
+    }
+
+    #[inline(always)]
+    fn control(&mut self) {
         let t = T::from_f64(self.time());
         self.output = self.controller.step(t, self.x1(), self.x2());
     }

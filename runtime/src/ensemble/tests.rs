@@ -6,7 +6,6 @@ use super::{Campaign, Summary, run, run_while};
 use crate::closed_loop::{Options, Runs};
 use crate::lanes::Width;
 use crate::mock::MockLoop;
-use crate::simulation::simulate;
 
 fn campaign() -> Campaign {
     Campaign {
@@ -45,7 +44,7 @@ fn largest_ratio(run: u64) -> f64 {
         if sample > 0 {
             plant.advance();
         }
-        plant.control(false);
+        plant.control();
         if !plant.is_finite() {
             return f64::INFINITY;
         }
@@ -147,15 +146,19 @@ fn tracking_error_counts_from_the_settling_time() {
         noise: false,
         dispersion: false,
     };
+    let mut run = MockLoop::<true, f64>::new(&options);
     let mut sum = 0.0;
-    let never = |_| false;
-    simulate::<f64, MockLoop<true>>(&options, 100, never, |sample, run, _| {
+    for sample in 0..=100 {
+        if sample > 0 {
+            run.advance();
+        }
+        run.control();
         let mut error = [0.0];
         run.tracking_error(&mut error);
         if sample >= 30 {
             sum += error[0] * error[0];
         }
-    });
+    }
     assert_eq!(
         outcome(&quiet).rms_tracking,
         [("x", (sum / 71.0_f64).sqrt())]
