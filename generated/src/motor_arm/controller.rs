@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 9771a25525e5eaa0e072ab37c75df2917edafca5213b1afe70a0404b69142205
+// SHA-256 of the text below: 45e0f74600f1227b6b7947173b2455c7aee85d7c336b0d86ef925648f7ace2c0
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// initial: 39 additions, 69 multiplications, 13 divisions, 1 square roots, 8 elementary functions, 3 comparisons and selections
-// control: 88 additions, 128 multiplications, 17 divisions, 3 square roots, 9 elementary functions, 9 comparisons and selections
+// initial: 38 additions, 70 multiplications, 13 divisions, 1 square roots, 9 elementary functions, 3 comparisons and selections
+// control: 87 additions, 129 multiplications, 17 divisions, 3 square roots, 10 elementary functions, 9 comparisons and selections
 
 //! `motor_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -274,7 +274,7 @@ impl<T: Real> Controller<T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 39 additions, 69 multiplications, 13 divisions, 1 square roots, 8 elementary
+/// Operations: 38 additions, 70 multiplications, 13 divisions, 1 square roots, 9 elementary
 /// functions, 3 comparisons and selections.
 #[inline]
 pub fn initial<T: Real>(
@@ -499,7 +499,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 88 additions, 128 multiplications, 17 divisions, 3 square roots, 9 elementary
+/// Operations: 87 additions, 129 multiplications, 17 divisions, 3 square roots, 10 elementary
 /// functions, 9 comparisons and selections.
 #[inline]
 pub fn control<T: Real>(

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 8d382627d40741d6b9c8066166eb2681c6ceaf10c3d778b3148b42ab01486b84
+// SHA-256 of the text below: a646b0dc6524f9fdf6b392ac58b0a5c88795963271d7e57e17cd75f71926edbd
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// lyapunov: 302 additions, 401 multiplications, 59 divisions, 2 square roots, 16 elementary functions, 14 comparisons and selections
+// lyapunov: 299 additions, 401 multiplications, 57 divisions, 2 square roots, 15 elementary functions, 13 comparisons and selections
 
 //! `motor_arm`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,8 +29,8 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 302 additions, 401 multiplications, 59 divisions, 2 square roots, 16 elementary
-/// functions, 14 comparisons and selections.
+/// Operations: 299 additions, 401 multiplications, 57 divisions, 2 square roots, 15 elementary
+/// functions, 13 comparisons and selections.
 #[inline]
 pub fn lyapunov<T: Real>(
     t: T,

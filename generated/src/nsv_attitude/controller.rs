@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 59750f54adbfd1360ac891f5418672d6d28102701a7ad213e28463d1105785a9
+// SHA-256 of the text below: f571fdaa4585f91455db5bb03a972702f98f101e745b9b7abb40c47e66104ec9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// initial: 208 additions, 284 multiplications, 15 divisions, 0 square roots, 18 elementary functions, 6 comparisons and selections
-// control: 1087 additions, 1475 multiplications, 56 divisions, 4 square roots, 25 elementary functions, 21 comparisons and selections
+// initial: 207 additions, 285 multiplications, 15 divisions, 0 square roots, 19 elementary functions, 6 comparisons and selections
+// control: 1085 additions, 1477 multiplications, 56 divisions, 4 square roots, 27 elementary functions, 21 comparisons and selections
 
 //! `nsv_attitude`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -256,7 +256,7 @@ impl<T: Real> Controller<T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 208 additions, 284 multiplications, 15 divisions, 0 square roots, 18 elementary
+/// Operations: 207 additions, 285 multiplications, 15 divisions, 0 square roots, 19 elementary
 /// functions, 6 comparisons and selections.
 #[inline]
 pub fn initial<T: Real>(
@@ -462,7 +462,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 1087 additions, 1475 multiplications, 56 divisions, 4 square roots, 25
+/// Operations: 1085 additions, 1477 multiplications, 56 divisions, 4 square roots, 27
 /// elementary functions, 21 comparisons and selections.
 #[inline]
 pub fn control<T: Real>(

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 1dd81f6d37d389c9a62937d5a1aec1bc1dfd76ea7443b33b66b5189677bbaffe
+// SHA-256 of the text below: 47ab9877fa38f50fc5b929e190c9fcf7b28e1ff5dae9f891ac0c73653b624631
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// lyapunov: 2534 additions, 3093 multiplications, 129 divisions, 3 square roots, 32 elementary functions, 33 comparisons and selections
+// lyapunov: 2530 additions, 3094 multiplications, 127 divisions, 3 square roots, 32 elementary functions, 32 comparisons and selections
 
 //! `nsv_attitude`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,8 +29,8 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 2534 additions, 3093 multiplications, 129 divisions, 3 square roots, 32
-/// elementary functions, 33 comparisons and selections.
+/// Operations: 2530 additions, 3094 multiplications, 127 divisions, 3 square roots, 32
+/// elementary functions, 32 comparisons and selections.
 #[inline]
 pub fn lyapunov<T: Real>(
     t: T,

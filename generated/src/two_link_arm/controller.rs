@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 4ce168f0e02f36782154dfa9c5e6c78d51cbd80f5ac94aa6d375ee266f81969f
+// SHA-256 of the text below: 309435921d1c9b3e7ee71a76009ba5bb2bd1d5c63d8addc09e3584131cd1e5d2
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// initial: 26 additions, 41 multiplications, 7 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
-// control: 285 additions, 374 multiplications, 23 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
+// initial: 25 additions, 42 multiplications, 7 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// control: 283 additions, 376 multiplications, 23 divisions, 0 square roots, 13 elementary functions, 13 comparisons and selections
 
 //! `two_link_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -217,7 +217,7 @@ impl<T: Real> Controller<T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 26 additions, 41 multiplications, 7 divisions, 0 square roots, 5 elementary
+/// Operations: 25 additions, 42 multiplications, 7 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
 #[inline]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
@@ -336,7 +336,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 285 additions, 374 multiplications, 23 divisions, 0 square roots, 11 elementary
+/// Operations: 283 additions, 376 multiplications, 23 divisions, 0 square roots, 13 elementary
 /// functions, 13 comparisons and selections.
 #[inline]
 pub fn control<T: Real>(
