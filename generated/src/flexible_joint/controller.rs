@@ -1,8 +1,8 @@
-// SHA-256 of the text below: c7b2c549260950b16d6fc8eb93b58ef82cd5ce6090d6c7ac64f26811fde19f57
+// SHA-256 of the text below: e87ace07f448519e44a1625491e18df088d2894fefaff51c2ee6938c34430fe3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
-// initial: 37 additions, 60 multiplications, 12 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
-// control: 104 additions, 131 multiplications, 15 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
+// initial: 36 additions, 61 multiplications, 12 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
+// control: 103 additions, 132 multiplications, 15 divisions, 0 square roots, 8 elementary functions, 6 comparisons and selections
 
 //! `flexible_joint`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -323,7 +323,7 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 37 additions, 60 multiplications, 12 divisions, 0 square roots, 7 elementary
+/// Operations: 36 additions, 61 multiplications, 12 divisions, 0 square roots, 8 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -559,7 +559,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 104 additions, 131 multiplications, 15 divisions, 0 square roots, 7 elementary
+/// Operations: 103 additions, 132 multiplications, 15 divisions, 0 square roots, 8 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: dbd87c014918c1462c57e50915e3af0af448b68c06155dbae0932b06914f6690
+// SHA-256 of the text below: 89587ec96498acd9a65d8fbeabdd0315334facace782e4d018ec52b562eca01c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
-// lyapunov: 266 additions, 317 multiplications, 39 divisions, 0 square roots, 14 elementary functions, 12 comparisons and selections
+// lyapunov: 263 additions, 317 multiplications, 37 divisions, 0 square roots, 13 elementary functions, 11 comparisons and selections
 
 //! `flexible_joint`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,8 +29,8 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 266 additions, 317 multiplications, 39 divisions, 0 square roots, 14 elementary
-/// functions, 12 comparisons and selections.
+/// Operations: 263 additions, 317 multiplications, 37 divisions, 0 square roots, 13 elementary
+/// functions, 11 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: f0d6816d7e8ba9a01e150017adf4df02c8561d3225d3daf0bd3d0a08d69c403f
+// SHA-256 of the text below: 8f0cd96612c2a4711ea81c9e17de4c820cfe92147d09fb848bf86a87a8c5aee6
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// initial: 39 additions, 69 multiplications, 13 divisions, 1 square roots, 8 elementary functions, 3 comparisons and selections
-// control: 88 additions, 128 multiplications, 17 divisions, 3 square roots, 9 elementary functions, 9 comparisons and selections
+// initial: 38 additions, 70 multiplications, 13 divisions, 1 square roots, 9 elementary functions, 3 comparisons and selections
+// control: 87 additions, 129 multiplications, 17 divisions, 3 square roots, 10 elementary functions, 9 comparisons and selections
 
 //! `motor_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -306,7 +306,7 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 39 additions, 69 multiplications, 13 divisions, 1 square roots, 8 elementary
+/// Operations: 38 additions, 70 multiplications, 13 divisions, 1 square roots, 9 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -531,7 +531,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 88 additions, 128 multiplications, 17 divisions, 3 square roots, 9 elementary
+/// Operations: 87 additions, 129 multiplications, 17 divisions, 3 square roots, 10 elementary
 /// functions, 9 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 2a6102e523c369ea1567b7e13490ef9dccf5f5e869679f4fdba34ad7f01ecf58
+// SHA-256 of the text below: f265fe57574dd5ba247eb8c2ac286cc351c156ebbf1d666724621d90a8fd0df3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// lyapunov: 302 additions, 401 multiplications, 59 divisions, 2 square roots, 16 elementary functions, 14 comparisons and selections
+// lyapunov: 299 additions, 401 multiplications, 57 divisions, 2 square roots, 15 elementary functions, 13 comparisons and selections
 
 //! `motor_arm`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,8 +29,8 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 302 additions, 401 multiplications, 59 divisions, 2 square roots, 16 elementary
-/// functions, 14 comparisons and selections.
+/// Operations: 299 additions, 401 multiplications, 57 divisions, 2 square roots, 15 elementary
+/// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,

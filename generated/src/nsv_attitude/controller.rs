@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 9927d828c0d16d358ec5f1fe453f97c9b8de48b98609bd6431f0ee508e79dff5
+// SHA-256 of the text below: 6c800583eaa77b42f8a09f0e84d2c8b1d8c2c13105b47735488bce5e07617714
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// initial: 163 additions, 224 multiplications, 15 divisions, 0 square roots, 18 elementary functions, 6 comparisons and selections
-// control: 878 additions, 1161 multiplications, 56 divisions, 4 square roots, 25 elementary functions, 21 comparisons and selections
+// initial: 162 additions, 225 multiplications, 15 divisions, 0 square roots, 19 elementary functions, 6 comparisons and selections
+// control: 876 additions, 1163 multiplications, 56 divisions, 4 square roots, 27 elementary functions, 21 comparisons and selections
 
 //! `nsv_attitude`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -290,7 +290,7 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 163 additions, 224 multiplications, 15 divisions, 0 square roots, 18 elementary
+/// Operations: 162 additions, 225 multiplications, 15 divisions, 0 square roots, 19 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -493,7 +493,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 878 additions, 1161 multiplications, 56 divisions, 4 square roots, 25 elementary
+/// Operations: 876 additions, 1163 multiplications, 56 divisions, 4 square roots, 27 elementary
 /// functions, 21 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

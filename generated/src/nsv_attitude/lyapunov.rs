@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 2d4191a60f7dde8f8d86e09125a76b678db45b5457b46b394a5f66dc5a5f879a
+// SHA-256 of the text below: 8ea472f26fb008b7fe673fa8720fcdd126f21d510ac378d92346efa6840f2b33
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// lyapunov: 2306 additions, 2745 multiplications, 129 divisions, 3 square roots, 32 elementary functions, 33 comparisons and selections
+// lyapunov: 2302 additions, 2746 multiplications, 127 divisions, 3 square roots, 32 elementary functions, 32 comparisons and selections
 
 //! `nsv_attitude`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,8 +29,8 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 2306 additions, 2745 multiplications, 129 divisions, 3 square roots, 32
-/// elementary functions, 33 comparisons and selections.
+/// Operations: 2302 additions, 2746 multiplications, 127 divisions, 3 square roots, 32
+/// elementary functions, 32 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 9b8d0bad9f4c1ae0396a5924d6cfc13356546a3efbb1f56896b038896f19896a
+// SHA-256 of the text below: bc51c826e0ac08879a567625949fcc8a734dea1fd86e309b254e8e8d81fffd56
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// initial: 8 additions, 17 multiplications, 5 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
-// control: 48 additions, 66 multiplications, 9 divisions, 0 square roots, 6 elementary functions, 6 comparisons and selections
+// initial: 7 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// control: 47 additions, 67 multiplications, 9 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
 
 //! `pendulum`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -240,7 +240,7 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 8 additions, 17 multiplications, 5 divisions, 0 square roots, 5 elementary
+/// Operations: 7 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
@@ -336,7 +336,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 48 additions, 66 multiplications, 9 divisions, 0 square roots, 6 elementary
+/// Operations: 47 additions, 67 multiplications, 9 divisions, 0 square roots, 7 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 5032cf1e28a443e2747c09831f722b3c5e24c040e9556a1fd62474a0f3821c79
+// SHA-256 of the text below: af014c3321d461d2320f597a924077e096741e4ce3eb1bb61c87879bca79810d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// initial: 26 additions, 41 multiplications, 7 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
-// control: 285 additions, 374 multiplications, 23 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
+// initial: 25 additions, 42 multiplications, 7 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// control: 283 additions, 376 multiplications, 23 divisions, 0 square roots, 13 elementary functions, 13 comparisons and selections
 
 //! `two_link_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -251,7 +251,7 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 26 additions, 41 multiplications, 7 divisions, 0 square roots, 5 elementary
+/// Operations: 25 additions, 42 multiplications, 7 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
@@ -370,7 +370,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 285 additions, 374 multiplications, 23 divisions, 0 square roots, 11 elementary
+/// Operations: 283 additions, 376 multiplications, 23 divisions, 0 square roots, 13 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: db3ed682973cf85582d95e600db742ab8ffa9ddddca3b836a5d7b8e60dff979c
+// SHA-256 of the text below: 3c6eea7e6f2e9bd3606c58694a90440f0fd89913cffabccc91ec3d660f9166e3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// lyapunov: 606 additions, 732 multiplications, 50 divisions, 0 square roots, 16 elementary functions, 19 comparisons and selections
+// lyapunov: 602 additions, 733 multiplications, 48 divisions, 0 square roots, 16 elementary functions, 18 comparisons and selections
 
 //! `two_link_arm`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,8 +29,8 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 606 additions, 732 multiplications, 50 divisions, 0 square roots, 16 elementary
-/// functions, 19 comparisons and selections.
+/// Operations: 602 additions, 733 multiplications, 48 divisions, 0 square roots, 16 elementary
+/// functions, 18 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,

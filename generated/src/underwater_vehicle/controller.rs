@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 2f5d50f5ab1b1aa7160e31e99e08fc03558e9451bbca9d739fe6592779fd3e98
+// SHA-256 of the text below: af99a4f4320f95111577c7adf0b3bbc6d9de7ec30aa2881dbdcce076ceeed629
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
-// initial: 260 additions, 295 multiplications, 32 divisions, 0 square roots, 17 elementary functions, 18 comparisons and selections
-// control: 2305 additions, 2655 multiplications, 75 divisions, 3 square roots, 24 elementary functions, 49 comparisons and selections
+// initial: 259 additions, 296 multiplications, 32 divisions, 0 square roots, 18 elementary functions, 18 comparisons and selections
+// control: 2304 additions, 2656 multiplications, 75 divisions, 3 square roots, 25 elementary functions, 49 comparisons and selections
 
 //! `underwater_vehicle`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -283,7 +283,7 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 260 additions, 295 multiplications, 32 divisions, 0 square roots, 17 elementary
+/// Operations: 259 additions, 296 multiplications, 32 divisions, 0 square roots, 18 elementary
 /// functions, 18 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
@@ -467,7 +467,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 2305 additions, 2655 multiplications, 75 divisions, 3 square roots, 24
+/// Operations: 2304 additions, 2656 multiplications, 75 divisions, 3 square roots, 25
 /// elementary functions, 49 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

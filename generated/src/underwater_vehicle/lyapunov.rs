@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 5fd0b3ebd5fc99d18da2289479e4b1898f73e83e361ed285c4edee99c523ab8f
+// SHA-256 of the text below: a40aefc453ebc138d4085442243ac509bedd25592be85a84a0a4a9b7629c1d52
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
-// lyapunov: 6503 additions, 6987 multiplications, 137 divisions, 2 square roots, 29 elementary functions, 69 comparisons and selections
+// lyapunov: 6500 additions, 6987 multiplications, 135 divisions, 2 square roots, 28 elementary functions, 68 comparisons and selections
 
 //! `underwater_vehicle`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,8 +29,8 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 6503 additions, 6987 multiplications, 137 divisions, 2 square roots, 29
-/// elementary functions, 69 comparisons and selections.
+/// Operations: 6500 additions, 6987 multiplications, 135 divisions, 2 square roots, 28
+/// elementary functions, 68 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
