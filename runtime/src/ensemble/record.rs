@@ -4,7 +4,7 @@ use std::vec;
 use std::vec::Vec;
 
 use super::Campaign;
-use crate::band::{self, Grid};
+use crate::band::Grid;
 use crate::closed_loop::{ClosedLoop, Options};
 use crate::simulation::{Simulation, samples_in};
 
@@ -27,8 +27,19 @@ pub(super) struct Record {
 }
 
 impl Record {
+    /// Simulates consecutive runs from a place in the campaign on.
+    pub(super) fn of_batch<L: ClosedLoop>(
+        campaign: &Campaign,
+        first: u64,
+        count: u64,
+    ) -> Vec<Self> {
+        (first..first + count)
+            .map(|index| Self::of_run::<L>(campaign, index))
+            .collect()
+    }
+
     /// Simulates the run at a place in the campaign.
-    pub(super) fn of_run<L: ClosedLoop>(campaign: &Campaign, index: u64) -> Self {
+    fn of_run<L: ClosedLoop>(campaign: &Campaign, index: u64) -> Self {
         let options = Options {
             seed: campaign.seed,
             run: campaign.first_run.wrapping_add(index),
@@ -37,7 +48,7 @@ impl Record {
         };
         let last = samples_in::<L>(campaign.horizon);
         let settle = samples_in::<L>(campaign.settle);
-        let grid = (campaign.band && index < band::RUNS).then(|| Grid::new::<L>(last));
+        let grid = campaign.band.then(|| Grid::new::<L>(last));
         let mut record = Self::new::<L>(grid.is_some());
         let mut scratch = Scratch::new::<L>();
         let mut simulation = Simulation::<L>::new(&options, last);
