@@ -82,7 +82,7 @@ impl Done {
     pub(crate) fn runs(&self, shard: Shard, campaign: &Campaign) -> u64 {
         let beyond = self.beyond.iter().map(|&block| block..block + 1);
         beyond
-            .chain([0..self.before])
+            .chain(std::iter::once(0..self.before))
             .map(|blocks| shard.runs_in(blocks, campaign))
             .sum()
     }
@@ -150,7 +150,7 @@ mod tests {
     fn blocks_are_whole_batches() {
         for runs in [1, 100, 4096, 70_000, 1_000_000, u64::MAX] {
             let size = block_size(&of(runs));
-            assert!(size % 8 == 0 && size <= 256);
+            assert!(size.is_multiple_of(8) && size <= 256);
         }
     }
 

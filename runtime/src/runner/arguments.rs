@@ -1,5 +1,6 @@
 //! Command-line arguments.
 
+use std::boxed::Box;
 use std::ffi::{OsStr, OsString};
 use std::fmt;
 use std::format;
@@ -15,7 +16,7 @@ use crate::ensemble::{Campaign, Shard};
 #[derive(Debug, PartialEq)]
 pub(super) enum Command {
     Help,
-    Simulate(Request),
+    Simulate(Box<Request>),
 }
 
 /// A campaign, and the files that go with it.
@@ -136,7 +137,8 @@ pub(super) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Com
             _ => return Err(UsageError::Unknown(option.to_string())),
         }
     }
-    request.complete(trajectory_run).map(Command::Simulate)
+    let request = request.complete(trajectory_run)?;
+    Ok(Command::Simulate(Box::new(request)))
 }
 
 impl Request {
@@ -242,7 +244,7 @@ mod tests {
 
     fn request(line: &str) -> Request {
         match parse(line.split_whitespace().map(Into::into)) {
-            Ok(Command::Simulate(request)) => request,
+            Ok(Command::Simulate(request)) => *request,
             other => panic!("{other:?}"),
         }
     }

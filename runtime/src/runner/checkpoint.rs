@@ -158,8 +158,11 @@ fn shard(text: &str) -> Option<Shard> {
     (1..=of).contains(&k).then_some(Shard { index: k - 1, of })
 }
 
+/// Names and values at the head of a state.
+type Fields<'a> = Vec<(&'a str, &'a str)>;
+
 /// Fields and statistics of a file whose version and checksum are right.
-fn opened(bytes: &[u8]) -> Result<(Vec<(&str, &str)>, &[u8]), Refusal> {
+fn opened(bytes: &[u8]) -> Result<(Fields<'_>, &[u8]), Refusal> {
     let rest = bytes
         .strip_prefix(MAGIC.as_bytes())
         .ok_or(Refusal::Foreign)?;

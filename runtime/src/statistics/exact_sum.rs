@@ -202,7 +202,7 @@ fn rounded(digits: &[i64; DIGITS]) -> f64 {
     let rest = digits[whole] & ((1 << part) - 1) != 0 || digits[..whole].iter().any(|d| *d != 0);
     let up = half && (rest || mantissa & 1 == 1);
     // A carry out of the mantissa raises the exponent, as it should; at the end of the range it gives the pattern of infinity.
-    let pattern = (lowest as u64 + 1 << 52) + (mantissa - (1 << 52)) + u64::from(up);
+    let pattern = ((lowest as u64 + 1) << 52) + (mantissa - (1 << 52)) + u64::from(up);
     f64::from_bits(pattern.min(f64::INFINITY.to_bits()))
 }
 

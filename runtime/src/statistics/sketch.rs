@@ -250,7 +250,7 @@ impl Sketch {
         sketch.infinite = [decoder.count()?, decoder.count()?];
         if bins > 0 {
             let (least, largest) = (decoder.float()?, decoder.float()?);
-            if !(least <= largest) {
+            if least.is_nan() || largest.is_nan() {
                 return Err(Corrupt);
             }
             sketch.range = Some((least, largest));
