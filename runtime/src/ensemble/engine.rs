@@ -70,11 +70,18 @@ impl Flight<'_> {
             };
             let mut tally = Tally::new::<L>(self.campaign);
             let first = self.shard.runs_of(block, self.campaign).start;
-            for (index, record) in (first..).zip(&records) {
-                tally.add(self.campaign.first_run.wrapping_add(index), record);
+            let first = self.campaign.first_run.wrapping_add(first);
+            for (index, record) in (0..).zip(&records) {
+                tally.add(first.wrapping_add(index), record);
             }
             tally.settle();
-            each_block(block, &Rows { records: &records })?;
+            each_block(
+                block,
+                &Rows {
+                    first,
+                    records: &records,
+                },
+            )?;
             let mut state = lock(&self.state);
             state.tally.merge(tally);
             state.done.insert(block);

@@ -10,7 +10,6 @@ use std::path::Path;
 use std::string::String;
 use std::sync::{Mutex, PoisonError};
 use std::vec;
-use std::vec::Vec;
 
 use super::json;
 use crate::closed_loop::ClosedLoop;
@@ -61,11 +60,7 @@ impl RunTable {
 
     /// Writes the rows of a block of the part.
     pub(super) fn write(&self, block: u64, rows: &Rows<'_>) -> io::Result<()> {
-        let values = rows.values();
-        let bytes: Vec<u8> = values
-            .iter()
-            .flat_map(|value| value.to_le_bytes())
-            .collect();
+        let bytes = rows.bytes();
         let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
         file.seek(SeekFrom::Start(self.start + block * self.block))?;
         file.write_all(&bytes)

@@ -301,9 +301,9 @@ fn each_run_has_its_row() {
     let (header, rows) = bits(&whole);
     assert_eq!(
         header,
-        r#"{"columns": ["samples", "diverged", "ratio", "rms.x", "saturated.u"], "rows": 300}"#
+        r#"{"columns": ["run", "samples", "diverged", "ratio", "rms.x", "saturated.u"], "rows": 300}"#
     );
-    assert_eq!(rows.len(), 300 * 5);
+    assert_eq!(rows.len(), 300 * 6);
     for run in [0, 7, 299] {
         let number = run.to_string();
         let alone = [
@@ -318,7 +318,7 @@ fn each_run_has_its_row() {
         ];
         text(&alone);
         let (_, row) = bits(&again);
-        assert_eq!(row, rows[run * 5..][..5], "run {run}");
+        assert_eq!(row, rows[run * 6..][..6], "run {run}");
     }
     // The second of two parts has every other block of eight.
     let state = directory.join("state").to_string_lossy().into_owned();
@@ -332,8 +332,8 @@ fn each_run_has_its_row() {
     ]);
     text(&shard);
     let (_, of_part) = bits(&part);
-    assert_eq!(of_part[..40], rows[40..80]);
-    assert_eq!(of_part[40..80], rows[120..160]);
+    assert_eq!(of_part[..48], rows[48..96]);
+    assert_eq!(of_part[48..96], rows[144..192]);
     // Complete, it stays as it is; gone, it is missed.
     text(&shard);
     assert_eq!(bits(&part).1, of_part);
