@@ -31,7 +31,7 @@ pub(super) fn simulate<L: ClosedLoop>(
     let resumed = found.is_some();
     let start = found.unwrap_or_else(|| State::new::<L>(campaign));
     if resumed {
-        line(output, "resumed", start.runs())?;
+        line(output, format_args!("{{\"resumed\": {}}}", start.runs()))?;
     }
     let table = match &request.run_table {
         Some(path) => Some((
@@ -48,8 +48,10 @@ pub(super) fn simulate<L: ClosedLoop>(
         None => Ok(()),
     };
     let mut keeper = Keeper::new();
+    let runs = request.shard.runs(campaign);
     let tick = |flight: &Flight<'_>| {
-        line(output, "progress", flight.runs())?;
+        let done = flight.runs();
+        line(output, format_args!("{{\"progress\": [{done}, {runs}]}}"))?;
         match &request.checkpoint {
             Some(path) if keeper.is_due() => {
                 keeper.keep(|| keep::<L>(path, request, table.as_ref(), &mut flight.snapshot()))
@@ -128,8 +130,8 @@ impl Keeper {
     }
 }
 
-fn line(output: &mut impl Write, name: &str, runs: u64) -> Result<(), Failure> {
-    writeln!(output, "{{\"{name}\": {runs}}}")
+fn line(output: &mut impl Write, text: std::fmt::Arguments<'_>) -> Result<(), Failure> {
+    writeln!(output, "{text}")
         .and_then(|()| output.flush())
         .map_err(Failure::Output)
 }

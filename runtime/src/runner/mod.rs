@@ -1,6 +1,6 @@
 //! The whole program of a simulator binary: arguments in, JSON lines and binary tables out.
 //!
-//! Standard output carries lines `{"resumed": runs_done}` if a checkpoint is gone on from, `{"progress": runs_done}`, at most 20 a second, and at the
+//! Standard output carries lines `{"resumed": runs_done}` if a checkpoint is gone on from, `{"progress": [runs_done, runs]}`, at most 20 a second, and at the
 //! end one line `{"result": {..}}`, or `{"refused": REASON}` if a checkpoint does not fit; numbers that are not finite are `null`. A reader that
 //! goes away ends the campaign quietly. Files appear under their names only when they are complete, but for that of `--run-table`.
 //! Exit codes: 0 done, 1 a file or the output could not be written, 2 wrong arguments or a checkpoint that does not fit.

@@ -76,7 +76,7 @@ fn the_last_line_is_the_result() {
             .lines()
             .rev()
             .skip(1)
-            .all(|line| line.starts_with(r#"{"progress": "#))
+            .all(|line| line.starts_with(r#"{"progress": ["#))
     );
 }
 
