@@ -47,15 +47,15 @@ pub(super) fn simulate<L: ClosedLoop>(
             .map_err(|error| Failure::File(path.to_path_buf(), error)),
         None => Ok(()),
     };
-    let mut keeper = Keeper::new();
+    let mut keeper = Keeper::new(start.runs());
     let runs = request.shard.runs(campaign);
     let tick = |flight: &Flight<'_>| {
         let done = flight.runs();
         line(output, format_args!("{{\"progress\": [{done}, {runs}]}}"))?;
         match &request.checkpoint {
-            Some(path) if keeper.is_due() => {
-                keeper.keep(|| keep::<L>(path, request, table.as_ref(), &mut flight.snapshot()))
-            }
+            Some(path) if keeper.is_due() => keeper.keep(flight.snapshot(), |state| {
+                keep::<L>(path, request, table.as_ref(), state)
+            }),
             _ => Ok(()),
         }
     };
@@ -103,15 +103,18 @@ struct Keeper {
     started: Instant,
     last: Instant,
     took: Duration,
+    /// Runs in the last one.
+    runs: u64,
 }
 
 impl Keeper {
-    fn new() -> Self {
+    fn new(runs: u64) -> Self {
         let now = Instant::now();
         Self {
             started: now,
             last: now,
             took: Duration::ZERO,
+            runs,
         }
     }
 
@@ -121,9 +124,18 @@ impl Keeper {
         self.last.elapsed() >= patience.max(self.took * SHARE)
     }
 
-    fn keep(&mut self, write: impl FnOnce() -> Result<(), Failure>) -> Result<(), Failure> {
+    /// Writes the state if it is ahead of the last one.
+    fn keep(
+        &mut self,
+        mut state: State,
+        write: impl FnOnce(&mut State) -> Result<(), Failure>,
+    ) -> Result<(), Failure> {
+        if state.runs() == self.runs {
+            return Ok(());
+        }
+        self.runs = state.runs();
         let begun = Instant::now();
-        let written = write();
+        let written = write(&mut state);
         self.last = Instant::now();
         self.took = self.last - begun;
         written
