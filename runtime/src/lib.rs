@@ -23,6 +23,7 @@ pub mod closed_loop;
 pub mod kernel;
 pub mod linear;
 pub mod noise;
+pub mod polynomial;
 pub mod sde;
 pub mod status;
 

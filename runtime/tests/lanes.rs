@@ -62,7 +62,7 @@ fn check<X: Text>(cases: &[Vec<f64>]) {
 /// Cases of rounded random numbers, so that lanes meet ties, zeros and different pivots.
 fn cases(count: usize, length: usize) -> Vec<Vec<f64>> {
     let case = |k: usize| {
-        let noise = Noise::process(k as u64, 1);
+        let noise = Noise::<f64>::process(k as u64, 1);
         (0..length)
             .map(|i| (noise.normal(0, i as u32) * 3.0).round())
             .collect()

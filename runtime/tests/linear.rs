@@ -5,7 +5,7 @@ use nsv_runtime::noise::Noise;
 
 /// Numbers without structure, each a function of the place.
 fn matrix<const R: usize, const C: usize>(seed: u64) -> Matrix<f64, R, C> {
-    let noise = Noise::process(seed, 0);
+    let noise = Noise::<f64>::process(seed, 0);
     Matrix(std::array::from_fn(|i| {
         std::array::from_fn(|j| noise.normal(i as u64, j as u32))
     }))

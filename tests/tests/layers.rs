@@ -121,6 +121,7 @@ fn flight_code_stands_alone() {
     for (name, dependencies) in packages() {
         let external: Vec<&str> = dependencies
             .iter()
+            .filter(|(_, kind)| kind != "dev")
             .map(|(dependency, _)| dependency.as_str())
             .collect();
         match name.as_str() {

@@ -2,10 +2,11 @@
 //!
 //! Comparisons give masks and choices are selects, so the same text runs lane by lane without a branch.
 
+use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Truth value of each lane.
-pub trait Mask: Copy {
+pub trait Mask: Copy + Debug {
     /// The same truth value in every lane.
     fn splat(value: bool) -> Self;
     /// Both.
@@ -33,9 +34,11 @@ pub trait Mask: Copy {
 }
 
 /// The representation of each lane as an unsigned integer of the lane's size, for range reduction and random numbers. Arithmetic wraps.
-pub trait Bits: Copy {
+pub trait Bits: Copy + Debug {
     /// The low bits of `value` in every lane.
     fn splat(value: u64) -> Self;
+    /// The low bits of `value(i)` in each lane i.
+    fn from_lanes(value: impl FnMut(usize) -> u64) -> Self;
     /// Bitwise and.
     fn and(self, other: Self) -> Self;
     /// Bitwise or.
@@ -57,6 +60,7 @@ pub trait Bits: Copy {
 /// Real numbers in floating point. Arithmetic is IEEE 754, rounded to nearest, never fused.
 pub trait Real:
     Copy
+    + Debug
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
@@ -70,6 +74,8 @@ pub trait Real:
 
     /// Number of lanes; 1 for a scalar.
     const LANES: usize;
+    /// Binary digits of the significand: 53 in double precision, 24 in single.
+    const MANTISSA_DIGITS: u32;
 
     /// The nearest value to `value`, in every lane.
     fn from_f64(value: f64) -> Self;

@@ -44,6 +44,11 @@ macro_rules! bits {
             }
 
             #[inline(always)]
+            fn from_lanes(mut value: impl FnMut(usize) -> u64) -> Self {
+                value(0) as $integer
+            }
+
+            #[inline(always)]
             fn and(self, other: Self) -> Self {
                 self & other
             }
@@ -182,6 +187,7 @@ macro_rules! scalar {
             type Bits = $bits;
 
             const LANES: usize = 1;
+            const MANTISSA_DIGITS: u32 = $float::MANTISSA_DIGITS;
 
             #[inline(always)]
             fn from_f64(value: f64) -> Self {

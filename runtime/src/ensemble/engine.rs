@@ -14,9 +14,7 @@ use super::shard::Shard;
 use super::state::State;
 use super::tally::Tally;
 use crate::closed_loop::ClosedLoop;
-
-/// Runs simulated together, at most.
-const BATCH: u64 = 8;
+use crate::lanes::Width;
 
 /// Time between calls of `tick`.
 const TICK: Duration = Duration::from_millis(50);
@@ -91,16 +89,16 @@ impl Flight<'_> {
     /// The runs of a block; `None` if the campaign is broken off.
     fn simulate<L: ClosedLoop>(&self, block: u64) -> Option<Vec<Record>> {
         let runs = self.shard.runs_of(block, self.campaign);
+        let width = self.campaign.width.unwrap_or_else(Width::widest);
         let mut records = Vec::with_capacity((runs.end - runs.start) as usize);
-        let mut first = runs.start;
-        while first < runs.end {
+        for first in runs.clone().step_by(width.lanes()) {
             if self.stopped.load(Ordering::Relaxed) {
                 return None;
             }
-            let count = BATCH.min(runs.end - first);
-            records.extend(Record::of_batch::<L>(self.campaign, first, count));
+            let count = (runs.end - first).min(width.lanes() as u64);
+            let batch = Record::of_batch::<L>(self.campaign, width, first, count as usize);
+            records.extend(batch);
             self.runs.fetch_add(count, Ordering::Relaxed);
-            first += count;
         }
         Some(records)
     }

@@ -18,6 +18,7 @@ use std::vec::Vec;
 
 use crate::band::Band;
 use crate::closed_loop::ClosedLoop;
+use crate::lanes::Width;
 
 pub(crate) use engine::{Flight, fly};
 pub(crate) use row::Rows;
@@ -41,6 +42,8 @@ pub struct Campaign {
     pub noise: bool,
     /// Whether the plant's parameters are dispersed.
     pub dispersion: bool,
+    /// Lanes to simulate runs in, the widest of the processor if `None`; no result depends on it.
+    pub width: Option<Width>,
     /// Threads to use, at least 1.
     pub threads: usize,
     /// Whether to keep the signals' spread over time for [`Summary::band`].

@@ -8,10 +8,11 @@ use std::vec::Vec;
 use super::record::Record;
 use super::tally::Tally;
 use super::{Campaign, Flight, Shard, State, Summary, fly, run};
-use crate::closed_loop::{ClosedLoop, Options};
+use crate::closed_loop::{Options, Runs};
+use crate::lanes::Width;
 use crate::mock::MockLoop;
 use crate::noise::Noise;
-use crate::simulation::Simulation;
+use crate::simulation::simulate;
 
 pub(super) fn campaign() -> Campaign {
     Campaign {
@@ -22,6 +23,7 @@ pub(super) fn campaign() -> Campaign {
         settle: 0.3,
         noise: true,
         dispersion: true,
+        width: None,
         threads: 1,
         band: true,
     }
@@ -38,7 +40,7 @@ fn outcome(campaign: &Campaign) -> Summary {
 
 /// Largest constraint ratio of a run simulated by hand; infinite if it diverges.
 fn largest_ratio(run: u64) -> f64 {
-    let mut plant = MockLoop::<true>::new(&Options {
+    let mut plant = MockLoop::<true, f64>::new(&Options {
         seed: 5,
         run,
         noise: true,
@@ -49,7 +51,7 @@ fn largest_ratio(run: u64) -> f64 {
         if sample > 0 {
             plant.advance();
         }
-        plant.control();
+        plant.control(false);
         if !plant.is_finite() {
             return f64::INFINITY;
         }
@@ -70,6 +72,25 @@ fn threads_do_not_change_the_result() {
             one,
             "{threads} threads"
         );
+    }
+}
+
+#[test]
+fn lanes_do_not_change_the_result() {
+    let scalar = outcome(&Campaign {
+        width: Some(Width::Scalar),
+        ..campaign()
+    });
+    for width in Width::ALL.into_iter().filter(|width| width.is_available()) {
+        // 59 runs leave lanes of the last batch without one.
+        for (runs, alike) in [(60, true), (59, false)] {
+            let lanes = outcome(&Campaign {
+                width: Some(width),
+                runs,
+                ..campaign()
+            });
+            assert_eq!(lanes == scalar, alike, "{width:?}");
+        }
     }
 }
 
@@ -126,23 +147,21 @@ fn tracking_error_counts_from_the_settling_time() {
         runs: 1,
         ..campaign()
     };
-    let mut simulation = Simulation::<MockLoop<true>>::new(
-        &Options {
-            seed: 5,
-            run: 0,
-            noise: false,
-            dispersion: false,
-        },
-        100,
-    );
+    let options = Options {
+        seed: 5,
+        run: 0,
+        noise: false,
+        dispersion: false,
+    };
     let mut sum = 0.0;
-    while let Some((sample, plant)) = simulation.next_sample() {
+    let never = |_| false;
+    simulate::<f64, MockLoop<true>>(&options, 100, never, |sample, run, _| {
         let mut error = [0.0];
-        plant.tracking_error(&mut error);
+        run.tracking_error(&mut error);
         if sample >= 30 {
             sum += error[0] * error[0];
         }
-    }
+    });
     assert_eq!(
         outcome(&quiet).rms_tracking,
         [("x", (sum / 71.0_f64).sqrt())]
@@ -257,6 +276,12 @@ fn many() -> Campaign {
     }
 }
 
+/// The records of a campaign's runs.
+fn records(campaign: &Campaign) -> Vec<Record> {
+    let one = |run| Record::of_batch::<MockLoop<true>>(campaign, Width::Scalar, run, 1);
+    (0..campaign.runs).flat_map(one).collect()
+}
+
 fn statistics(state: State) -> Summary {
     Summary {
         wall_s: 0.0,
@@ -279,7 +304,7 @@ fn parts_merge_to_the_whole_in_any_order() {
 #[test]
 fn random_splits_of_the_records_merge_to_the_whole() {
     let campaign = many();
-    let records = Record::of_batch::<MockLoop<true>>(&campaign, 0, 500);
+    let records = records(&campaign);
     let empty = || Tally::new::<MockLoop<true>>(&campaign);
     let mut whole = empty();
     for (run, record) in (0..).zip(&records) {
@@ -287,7 +312,7 @@ fn random_splits_of_the_records_merge_to_the_whole() {
     }
     let whole = whole.summary::<MockLoop<true>>(0.0);
     for split in 0..20 {
-        let noise = Noise::process(split, 0);
+        let noise = Noise::<f64>::process(split, 0);
         let mut order: Vec<usize> = (0..500).collect();
         order.sort_by(|&a, &b| {
             noise
@@ -383,7 +408,7 @@ fn damaged_bytes_are_refused_or_change_the_state() {
 #[test]
 fn memory_does_not_grow_with_the_runs() {
     let campaign = many();
-    let records = Record::of_batch::<MockLoop<true>>(&campaign, 0, 500);
+    let records = records(&campaign);
     let mut state = State::new::<MockLoop<true>>(&campaign);
     let mut size_after = |runs: u64| {
         for run in state.runs()..runs {

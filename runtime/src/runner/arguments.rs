@@ -152,6 +152,7 @@ impl Request {
                 settle: 0.0,
                 noise: true,
                 dispersion: true,
+                width: None,
                 threads: thread::available_parallelism().map_or(1, usize::from),
                 band: false,
             },

@@ -265,7 +265,7 @@ mod tests {
 
     #[test]
     fn a_single_number_is_itself() {
-        let noise = Noise::process(1, 0);
+        let noise = Noise::<f64>::process(1, 0);
         for draw in 0..2000 {
             let scale = 2.0_f64.powi(((noise.uniform(draw, 0) - 0.5) * 2000.0) as i32);
             check(
@@ -286,7 +286,7 @@ mod tests {
 
     #[test]
     fn order_and_parts_do_not_matter() {
-        let noise = Noise::process(7, 0);
+        let noise = Noise::<f64>::process(7, 0);
         let values: Vec<f64> = (0..1000)
             .map(|k| noise.normal(k, 0) * 10.0_f64.powi((40.0 * noise.uniform(k, 1)) as i32 - 20))
             .collect();

@@ -153,6 +153,9 @@ impl Sketch {
         if place == count - self.infinite[1] {
             return largest;
         }
+        if place == before + 1 {
+            return least;
+        }
         for &(bin, inside) in &self.bins {
             if place <= before + inside {
                 let within = (place - before) as f64 - 0.5;
@@ -317,7 +320,7 @@ mod tests {
 
     /// Values of both signs over many magnitudes, some of them infinite or equal.
     fn values(count: u64) -> Vec<f64> {
-        let noise = Noise::process(3, 0);
+        let noise = Noise::<f64>::process(3, 0);
         let value = |k| match k % 50 {
             7 => f64::INFINITY,
             8 => 0.25,
@@ -359,7 +362,7 @@ mod tests {
 
     #[test]
     fn a_narrow_spread_is_resolved_in_spite_of_outliers() {
-        let noise = Noise::process(4, 0);
+        let noise = Noise::<f64>::process(4, 0);
         let narrow = (0..50_000).map(|k| 1e6 + noise.uniform(k, 0));
         let sketch = sketch(256, narrow.chain([1e300, -1e-300, 0.0]));
         let median = sketch.percentile(50).expect("there are values");

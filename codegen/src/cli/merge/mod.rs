@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use nsv_codegen::interrupt::Scratch;
 
-use super::compile::{Partials, compile, load};
+use super::compile::{Math, Partials, compile, load};
 use super::failure::{Exit, Failure};
 use super::files;
 use super::runner::{self, Cache, Campaign, Job, Package, Program, Recordings, Replay, Work};
@@ -58,13 +58,14 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         return Err(Failure::new(Exit::Usage, words).with_help("name its file with `--spec`"));
     }
     let shown = shown(args.run, &header.campaign)?;
-    let (plant, program) = simulator(specification, header)?;
+    let (plant, math, program) = simulator(specification, header)?;
     let replay = merge(args, specification, header, &program, shown)?;
     let flown = Flown {
         specification,
         plant: &plant,
         campaign: &header.campaign,
         part: None,
+        math,
         shown,
         replay: &replay,
     };
@@ -91,21 +92,24 @@ fn shown(wanted: Option<u64>, campaign: &Campaign) -> Result<u64, Failure> {
     }
 }
 
-/// The simulator that flew the parts.
-fn simulator(specification: &Path, header: &Header) -> Result<(Plant, Program), Failure> {
+/// The simulator that flew the parts, and the arithmetic that it was compiled with.
+fn simulator(specification: &Path, header: &Header) -> Result<(Plant, Math, Program), Failure> {
     let model = load(specification)?;
-    let compiled = compile(specification, &model, Partials::Cached)?;
-    let (cache, package) = (Cache::open()?, Package::new(&compiled.files));
-    if runner::key(&cache, &package)? != header.simulator {
-        let words = format!(
-            "`{}` is not what the parts were flown with",
-            specification.display()
-        );
-        return Err(Failure::new(Exit::Usage, words)
-            .with_help("the specification, nsv or the Rust compiler has changed since"));
+    let cache = Cache::open()?;
+    for math in [Math::Strict, Math::Fast] {
+        let compiled = compile(specification, &model, Partials::Cached, math)?;
+        let package = Package::new(&compiled.files);
+        if runner::key(&cache, &package)? == header.simulator {
+            let program = runner::prepare(&cache, &package, || {})?;
+            return Ok((Plant::from(&model), math, program));
+        }
     }
-    let program = runner::prepare(&cache, &package, || {})?;
-    Ok((Plant::from(&model), program))
+    let words = format!(
+        "`{}` is not what the parts were flown with",
+        specification.display()
+    );
+    Err(Failure::new(Exit::Usage, words)
+        .with_help("the specification, nsv or the Rust compiler has changed since"))
 }
 
 fn merge(

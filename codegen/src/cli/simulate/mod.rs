@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use nsv_codegen::interrupt::Scratch;
 use nsv_spec::model::{MAX_STEPS, Model};
 
-use super::compile::{Partials, compile, load};
+use super::compile::{Math, Partials, compile, load};
 use super::failure::{Exit, Failure};
 use super::files;
 use super::output::note;
@@ -69,6 +69,9 @@ pub(crate) struct Args {
     /// Worker threads; default: one for each core. Results do not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
+    /// What optimisation may change
+    #[arg(long, value_enum, default_value_t)]
+    math: Math,
     /// The run whose signals are written, counted from 0; without --runs it is the only one simulated
     #[arg(long, value_name = "K")]
     run: Option<u64>,
@@ -106,7 +109,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         path.as_deref().map_or(Ok(()), files::expect_folder)?;
     }
     let (campaign, shown) = campaign(args, &model)?;
-    let compiled = compile(&args.spec, &model, Partials::Cached)?;
+    let compiled = compile(&args.spec, &model, Partials::Cached, args.math)?;
     let plant = Plant::from(&model);
     let package = Package::new(&compiled.files);
     let replay = fly(&Cache::open()?, &package, &plant, &campaign, shown, args)?;
@@ -115,6 +118,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         plant: &plant,
         campaign: &campaign,
         part: args.shard,
+        math: args.math,
         shown,
         replay: &replay,
     };
@@ -355,6 +359,7 @@ mod tests {
             plant: &plant(),
             campaign: &campaign,
             part: None,
+            math: Math::Strict,
             shown: 2,
             replay: &replay,
         };

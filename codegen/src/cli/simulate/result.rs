@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::{origin, summary, trajectory};
+use crate::cli::compile::Math;
 use crate::cli::failure::Failure;
 use crate::cli::runner::{Campaign, Part, Replay};
 use crate::cli::{files, output};
@@ -28,6 +29,8 @@ pub(crate) struct Flown<'a> {
     pub campaign: &'a Campaign,
     /// The part of it that was, if not all.
     pub part: Option<Part>,
+    /// The arithmetic of the code.
+    pub math: Math,
     /// The run whose signals were recorded.
     pub shown: u64,
     /// Statistics and recordings.
@@ -95,6 +98,9 @@ impl Flown<'_> {
         ];
         let given = switches.iter().filter(|(_, on)| !on);
         words.extend(given.map(|(name, _)| (*name).to_owned()));
+        if self.math == Math::Fast {
+            words.extend(["--math".to_owned(), "fast".to_owned()]);
+        }
         words.extend(["--run".to_owned(), run.to_string()]);
         command(words.into_iter())
     }

@@ -265,6 +265,7 @@ mod tests {
     use std::path::Path;
 
     use super::*;
+    use crate::cli::compile::Math;
     use crate::cli::runner::Replay;
     use crate::report::sample::Sample;
 
@@ -302,6 +303,7 @@ mod tests {
             plant: &sample.plant,
             campaign,
             part,
+            math: Math::Strict,
             shown: 0,
             replay: &replay,
         })

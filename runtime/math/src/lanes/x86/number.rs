@@ -28,7 +28,7 @@ macro_rules! lanes {
     ($lanes:ident($register:ty), $mask:ident, $bits:ident, [$element:ty; $count:literal], $feature:literal, $algorithms:path,
      $add:ident, $sub:ident, $mul:ident, $div:ident, $sqrt:ident, $splat:ident, $load:ident, $store:ident,
      $xor:ident, $andnot:ident, $lt:ident, $le:ident, $eq:ident, $ne:ident, $select:ident, $to_bits:ident, $from_bits:ident) => {
-        #[derive(Clone, Copy)]
+        #[derive(Clone, Copy, Debug)]
         pub struct $lanes($register);
 
         operator!($lanes: Add add $add, Sub sub $sub, Mul mul $mul, Div div $div);
@@ -47,6 +47,7 @@ macro_rules! lanes {
             type Bits = $bits;
 
             const LANES: usize = $count;
+            const MANTISSA_DIGITS: u32 = <$element>::MANTISSA_DIGITS;
 
             #[inline(always)]
             fn from_f64(value: f64) -> Self {

@@ -1,0 +1,715 @@
+// SHA-256 of the text below: 54fc1a02198f8b3ca6eec28ba73ec82914ee16c1cabea875f7bf9ca38a95667c
+// nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
+// specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
+// plant: 552 additions, 642 multiplications, 10 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
+
+//! `underwater_vehicle`: plant and disturbances.
+#![allow(non_snake_case, reason = "names are those of the equations")]
+#![allow(clippy::too_many_arguments, reason = "as in the equations")]
+#![allow(clippy::approx_constant, reason = "numbers are as specified")]
+#![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
+
+use super::params::Params;
+use nsv_runtime::linear::{Matrix, Vector};
+use nsv_runtime::real::Real;
+use nsv_runtime::sde::Sde;
+
+/// Number of plant states: `north` (m), `east` (m), `down` (m), `phi` (dimensionless), `theta`
+/// (dimensionless), `psi` (dimensionless), `surge` (m/s), `sway` (m/s), `heave` (m/s), `p`
+/// (1/s), `q` (1/s), `r` (1/s), then 12 states of the exosystems of block 2.
+pub const STATES: usize = 24;
+
+/// Number of noise channels.
+pub const NOISE_CHANNELS: usize = 12;
+
+/// Initial state, SI.
+pub const INITIAL_STATE: [f64; STATES] = [
+    0.1,
+    -0.1,
+    0.1,
+    0.05235987755982989,
+    -0.05235987755982989,
+    0.08726646259971647,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+];
+
+/// The plant under a control that is held between samples.
+#[derive(Clone, Copy, Debug)]
+pub struct Plant<T> {
+    /// Parameters.
+    pub params: Params<T>,
+    /// Control, held between samples.
+    pub u_sat: Vector<T, 6>,
+}
+
+impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
+    #[inline(always)]
+    fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+        T::outlined(|| plant(t, *x, self.u_sat, &self.params).drift)
+    }
+
+    #[inline(always)]
+    fn diffusion(
+        &self,
+        t: T,
+        x: &Vector<T, STATES>,
+    ) -> Matrix<T, STATES, NOISE_CHANNELS> {
+        T::outlined(|| plant(t, *x, self.u_sat, &self.params).diffusion)
+    }
+
+    #[inline(always)]
+    fn drift_and_noise(
+        &self,
+        t: T,
+        x: &Vector<T, STATES>,
+        dw: &Vector<T, NOISE_CHANNELS>,
+    ) -> (Vector<T, STATES>, Vector<T, STATES>) {
+        T::outlined(|| {
+            let rate = plant(t, *x, self.u_sat, &self.params);
+            (rate.drift, diffuse(&rate.diffusion, dw))
+        })
+    }
+}
+
+/// Diffusion times noise, without the entries that are always 0.
+#[inline(always)]
+fn diffuse<T: Real>(
+    diffusion: &Matrix<T, STATES, NOISE_CHANNELS>,
+    noise: &Vector<T, NOISE_CHANNELS>,
+) -> Vector<T, STATES> {
+    Vector([
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        diffusion[(6, 0)] * noise[0] + diffusion[(6, 1)] * noise[1]
+            + diffusion[(6, 2)] * noise[2] + diffusion[(6, 3)] * noise[3]
+            + diffusion[(6, 4)] * noise[4] + diffusion[(6, 5)] * noise[5],
+        diffusion[(7, 0)] * noise[0] + diffusion[(7, 1)] * noise[1]
+            + diffusion[(7, 2)] * noise[2] + diffusion[(7, 3)] * noise[3]
+            + diffusion[(7, 4)] * noise[4] + diffusion[(7, 5)] * noise[5],
+        diffusion[(8, 0)] * noise[0] + diffusion[(8, 1)] * noise[1]
+            + diffusion[(8, 2)] * noise[2] + diffusion[(8, 3)] * noise[3]
+            + diffusion[(8, 4)] * noise[4] + diffusion[(8, 5)] * noise[5],
+        diffusion[(9, 0)] * noise[0] + diffusion[(9, 1)] * noise[1]
+            + diffusion[(9, 2)] * noise[2] + diffusion[(9, 3)] * noise[3]
+            + diffusion[(9, 4)] * noise[4] + diffusion[(9, 5)] * noise[5],
+        diffusion[(10, 0)] * noise[0] + diffusion[(10, 1)] * noise[1]
+            + diffusion[(10, 2)] * noise[2] + diffusion[(10, 3)] * noise[3]
+            + diffusion[(10, 4)] * noise[4] + diffusion[(10, 5)] * noise[5],
+        diffusion[(11, 0)] * noise[0] + diffusion[(11, 1)] * noise[1]
+            + diffusion[(11, 2)] * noise[2] + diffusion[(11, 3)] * noise[3]
+            + diffusion[(11, 4)] * noise[4] + diffusion[(11, 5)] * noise[5],
+        T::zero(),
+        diffusion[(13, 6)] * noise[6],
+        T::zero(),
+        diffusion[(15, 7)] * noise[7],
+        T::zero(),
+        diffusion[(17, 8)] * noise[8],
+        T::zero(),
+        diffusion[(19, 9)] * noise[9],
+        T::zero(),
+        diffusion[(21, 10)] * noise[10],
+        T::zero(),
+        diffusion[(23, 11)] * noise[11],
+    ])
+}
+
+/// Results of [`plant`].
+#[derive(Clone, Copy, Debug)]
+pub struct PlantOutputs<T: Real> {
+    /// `dx/dt without noise`
+    pub drift: Vector<T, 24>,
+    /// `columns: one per Wiener process`
+    pub diffusion: Matrix<T, 24, 12>,
+    /// `d_1(t)`
+    pub d1: Vector<T, 6>,
+    /// `d_2 = L_2 w_2 (12)`
+    pub d2: Vector<T, 6>,
+}
+
+/// Drift and diffusion of the plant and its disturbances.
+///
+/// Operations: 552 additions, 642 multiplications, 10 divisions, 0 square roots, 10 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn plant<T: Real>(
+    t: T,
+    x: Vector<T, 24>,
+    u_sat: Vector<T, 6>,
+    params: &Params<T>,
+) -> PlantOutputs<T> {
+    let real = T::from_f64;
+
+    // -- disturbance observer of block 2 (20) (49) --
+    // L_2
+    let L2: Matrix<T, 6, 12> = Matrix::from_f64([
+        [0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+    ]);
+
+    // -- true dynamics of block 1 (pose) (11) --
+    // F_1 with the plant's parameters
+    let F1_plant: Vector<T, 6> = Vector::zero();
+    let t1 = real(0.2) * t;
+    // d_1(t)
+    let d1 = Vector([
+        real(0.2) + real(0.1) * t1.sin(),
+        real(-0.1) + real(0.1) * t1.cos(),
+        real(0.05) * (real(0.1) * t).sin(),
+        real(0.0),
+        real(0.0),
+        real(0.0),
+    ]);
+
+    // -- plant model --
+    let phi = x[3];
+    let theta = x[4];
+    let psi = x[5];
+    let t2 = psi.cos();
+    let t3 = theta.cos();
+    let t4 = theta.sin();
+    let t5 = t2 * t4;
+    let t6 = phi.sin();
+    let t7 = psi.sin();
+    let t8 = phi.cos();
+    let t9 = t7 * t4;
+    let t10 = -t4;
+    let t11 = t3 * t6;
+    let t12 = t3 * t8;
+    let t13 = theta.tan();
+    let J = Matrix([
+        [t2 * t3, t5 * t6 - t7 * t8, t5 * t8 + t7 * t6, real(0.0), real(0.0), real(0.0)],
+        [t7 * t3, t9 * t6 + t2 * t8, t9 * t8 - t2 * t6, real(0.0), real(0.0), real(0.0)],
+        [t10, t11, t12, real(0.0), real(0.0), real(0.0)],
+        [real(0.0), real(0.0), real(0.0), real(1.0), t6 * t13, t8 * t13],
+        [real(0.0), real(0.0), real(0.0), real(0.0), t8, -t6],
+        [real(0.0), real(0.0), real(0.0), real(0.0), t6 / t3, t8 / t3],
+    ]);
+    let surge = x[6];
+    let sway = x[7];
+    let heave = x[8];
+    let p = x[9];
+    let q = x[10];
+    let r = x[11];
+    let I = real(0.16) + params.added_scale * real(0.12);
+    let m_x = real(11.5) + params.added_scale * real(5.5);
+    let det_xq = m_x * I - real(0.0529);
+    let m_y = real(11.5) + params.added_scale * real(12.7);
+    let det_yp = m_y * I - real(0.0529);
+    let m_z = real(11.5) + params.added_scale * real(14.57);
+    let t14 = real(-0.23) / det_xq;
+    let t15 = real(0.23) / det_yp;
+    let inverse_M = Matrix([
+        [I / det_xq, real(0.0), real(0.0), real(0.0), t14, real(0.0)],
+        [real(0.0), I / det_yp, real(0.0), t15, real(0.0), real(0.0)],
+        [real(0.0), real(0.0), real(1.0) / m_z, real(0.0), real(0.0), real(0.0)],
+        [real(0.0), t15, real(0.0), m_y / det_yp, real(0.0), real(0.0)],
+        [t14, real(0.0), real(0.0), real(0.0), m_x / det_xq, real(0.0)],
+        [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(1.0) / I],
+    ]);
+    let down_axis = Vector([t10, t11, t12]);
+    let added_momentum = Vector([
+        real(5.5) * surge,
+        real(12.7) * sway,
+        real(14.57) * heave,
+    ]) * params.added_scale;
+    let t16 = Vector([
+        (real(4.03) + real(18.18) * surge.abs()) * surge,
+        (real(6.22) + real(21.66) * sway.abs()) * sway,
+        (real(5.18) + real(36.99) * heave.abs()) * heave,
+    ]);
+    let drag = t16 * params.drag_scale;
+    let t17 = q * heave - r * sway;
+    let t18 = r * surge - p * heave;
+    let t19 = p * sway - q * surge;
+    let t20 = r * real(0.0);
+    let t21 = q * real(0.02) - t20;
+    let t22 = t20 - p * real(0.02);
+    let t23 = p * real(0.0) - q * real(0.0);
+    let t24 = Vector([q * t23 - r * t22, r * t21 - p * t23, p * t22 - q * t21]);
+    let t25 = Vector([
+        q * added_momentum[2] - r * added_momentum[1],
+        r * added_momentum[0] - p * added_momentum[2],
+        p * added_momentum[1] - q * added_momentum[0],
+    ]);
+    let force = down_axis * real(-1.9849999999999852)
+        - (Vector([t17, t18, t19]) + t24) * real(11.5) - t25 - drag;
+    let t26 = Vector([
+        (real(0.07) + real(1.55) * p.abs()) * p,
+        (real(0.07) + real(1.55) * q.abs()) * q,
+        (real(0.07) + real(1.55) * r.abs()) * r,
+    ]);
+    let drag_torque = t26 * params.torque_scale;
+    let t27 = real(0.0) * t12;
+    let t28 = Vector([
+        t27 - real(0.02) * t11,
+        real(0.02) * t10 - t27,
+        real(0.0) * t11 - real(0.0) * t10,
+    ]);
+    let t29 = real(0.0) * t19;
+    let t30 = Vector([
+        t29 - real(0.02) * t18,
+        real(0.02) * t17 - t29,
+        real(0.0) * t18 - real(0.0) * t17,
+    ]);
+    let t31 = Vector([
+        sway * added_momentum[2] - heave * added_momentum[1],
+        heave * added_momentum[0] - surge * added_momentum[2],
+        surge * added_momentum[1] - sway * added_momentum[0],
+    ]);
+    let moment = t28 * real(112.81500000000001) - t30 * real(11.5) - t31 - drag_torque;
+    let shaking: Matrix<T, 6, 6> = Matrix::from_f64([
+        [0.1, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.1, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.1, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.01, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.01, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 0.01],
+    ]);
+
+    // -- given --
+    let x2 = Vector([surge, sway, heave, p, q, r]);
+    let w2 = Vector([
+        x[12],
+        x[13],
+        x[14],
+        x[15],
+        x[16],
+        x[17],
+        x[18],
+        x[19],
+        x[20],
+        x[21],
+        x[22],
+        x[23],
+    ]);
+
+    // -- true dynamics of block 1 (pose) (11) --
+    // F_1 + G_1 x_2 + d_1
+    let x1_flow = F1_plant + J * x2 + d1;
+
+    // -- true dynamics of block 2 (velocity) (11) --
+    // F_2 with the plant's parameters
+    let F2_plant = inverse_M
+        * Vector([force[0], force[1], force[2], moment[0], moment[1], moment[2]]);
+    // d_2 = L_2 w_2 (12)
+    let d2 = L2 * w2;
+    let t32: Matrix<T, 12, 12> = Matrix::from_f64([
+        [0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [-1.0, -0.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, -1.0, -0.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, -1.0, -0.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, -0.2, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, -0.2, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, -0.2],
+    ]);
+    // w_2' = M_2 w_2 (12)
+    let w2_flow = t32 * w2;
+    // F_2 + G_2 x_3 + d_2
+    let x2_flow = F2_plant + inverse_M * u_sat + d2;
+    // H_2 Sigma_2
+    let HSigma2 = inverse_M * shaking;
+
+    // -- packed plant state: x_1 .. x_n, then the exosystems --
+    // dx/dt without noise
+    let drift = Vector([
+        x1_flow[0],
+        x1_flow[1],
+        x1_flow[2],
+        x1_flow[3],
+        x1_flow[4],
+        x1_flow[5],
+        x2_flow[0],
+        x2_flow[1],
+        x2_flow[2],
+        x2_flow[3],
+        x2_flow[4],
+        x2_flow[5],
+        w2_flow[0],
+        w2_flow[1],
+        w2_flow[2],
+        w2_flow[3],
+        w2_flow[4],
+        w2_flow[5],
+        w2_flow[6],
+        w2_flow[7],
+        w2_flow[8],
+        w2_flow[9],
+        w2_flow[10],
+        w2_flow[11],
+    ]);
+    // columns: one per Wiener process
+    let diffusion = Matrix([
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            HSigma2[(0, 0)],
+            HSigma2[(0, 1)],
+            HSigma2[(0, 2)],
+            HSigma2[(0, 3)],
+            HSigma2[(0, 4)],
+            HSigma2[(0, 5)],
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            HSigma2[(1, 0)],
+            HSigma2[(1, 1)],
+            HSigma2[(1, 2)],
+            HSigma2[(1, 3)],
+            HSigma2[(1, 4)],
+            HSigma2[(1, 5)],
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            HSigma2[(2, 0)],
+            HSigma2[(2, 1)],
+            HSigma2[(2, 2)],
+            HSigma2[(2, 3)],
+            HSigma2[(2, 4)],
+            HSigma2[(2, 5)],
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            HSigma2[(3, 0)],
+            HSigma2[(3, 1)],
+            HSigma2[(3, 2)],
+            HSigma2[(3, 3)],
+            HSigma2[(3, 4)],
+            HSigma2[(3, 5)],
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            HSigma2[(4, 0)],
+            HSigma2[(4, 1)],
+            HSigma2[(4, 2)],
+            HSigma2[(4, 3)],
+            HSigma2[(4, 4)],
+            HSigma2[(4, 5)],
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            HSigma2[(5, 0)],
+            HSigma2[(5, 1)],
+            HSigma2[(5, 2)],
+            HSigma2[(5, 3)],
+            HSigma2[(5, 4)],
+            HSigma2[(5, 5)],
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.1),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.1),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.1),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.2),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.2),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.2),
+        ],
+    ]);
+    PlantOutputs {
+        drift,
+        diffusion,
+        d1,
+        d2,
+    }
+}
