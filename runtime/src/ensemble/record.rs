@@ -5,7 +5,7 @@ use std::vec;
 use std::vec::Vec;
 
 use super::Campaign;
-use crate::band::{self, Grid};
+use crate::band::Grid;
 use crate::closed_loop::{ClosedLoop, Options, Runs};
 use crate::lanes::{self, Kernel, Width};
 use crate::real::{Mask, Part, Real};
@@ -70,7 +70,7 @@ impl<L: ClosedLoop> Kernel for Batch<'_, L> {
             dispersion: campaign.dispersion,
         };
         let last = samples_in::<L>(campaign.horizon);
-        let grid = (campaign.band && self.first < band::RUNS).then(|| Grid::new::<L>(last));
+        let grid = campaign.band.then(|| Grid::new::<L>(last));
         let mut watch = Watch::<T> {
             settle: samples_in::<L>(campaign.settle),
             sums: Sums::new::<L>(),
@@ -81,9 +81,9 @@ impl<L: ClosedLoop> Kernel for Batch<'_, L> {
         let alive = simulate::<T, L>(&options, last, &mut watch).to_bits();
         let mut records = Vec::with_capacity(self.count);
         for (lane, values) in watch.bands.into_iter().enumerate() {
-            let banded = watch.grid.is_some() && self.first + (lane as u64) < band::RUNS;
             let diverged = alive >> lane & 1 == 0;
-            records.push(watch.sums.record(lane, diverged, banded.then_some(values)));
+            let band = watch.grid.is_some().then_some(values);
+            records.push(watch.sums.record(lane, diverged, band));
         }
         records
     }

@@ -222,6 +222,7 @@ fn dot<T: Real>(a: &[T], b: &[T]) -> T {
 }
 
 /// Whether every number is finite. `x - x` is 0 for a finite number and NaN else; four sums at a time do not wait for each other.
+#[expect(clippy::eq_op, reason = "x - x is not 0 for every x")]
 #[inline(always)]
 fn all_finite<T: Real>(numbers: &[T]) -> T::Mask {
     let mut sums = [T::zero(); 4];
