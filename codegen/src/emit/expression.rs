@@ -7,7 +7,7 @@ use crate::emit::family::FamilyNames;
 use crate::emit::methods::{comparison_name, function_name, kernel_name, operator_name};
 use crate::emit::names::ident;
 use crate::emit::types::{constant, index};
-use crate::ir::{Function, Kernel, Op, Operator, Program, Shape, Type, ValueId};
+use crate::ir::{Function, Op, Operator, Program, Shape, Type, ValueId};
 
 /// How tightly the outermost operator of an expression binds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -96,7 +96,10 @@ impl Names<'_> {
                 };
             }
             Op::Apply(function, a) => self.method(*a, function_name(*function), &[]),
-            Op::Kernel(kernel, a) => self.kernel(ty, *kernel, *a),
+            Op::Kernel(kernel, a) => {
+                let name = ident(kernel_name(*kernel));
+                self.call(&quote!(kernel::#name), &[*a])
+            }
             Op::Binary(operator, a, b) => return self.binary(*operator, *a, *b),
             Op::PowInt(a, n) => {
                 let (base, n) = (self.at(*a, Level::Postfix), Literal::u32_unsuffixed(*n));
@@ -109,7 +112,12 @@ impl Names<'_> {
             Op::Select(condition, a, b) => self.select(ty, *condition, *a, *b),
             Op::Array(items) => self.array(ty, items),
             Op::Element(a, row, column) => self.element(*a, *row, *column),
-            Op::MatMul(a, b) => return self.infix(Level::Product, *a, &quote!(*), *b),
+            Op::MatMul(a, b) => match self.transposed(*a) {
+                Some(a) if matches!(self.program.shape(*b), Shape::Vector(_)) => {
+                    self.method(a, "transpose_mul", &[*b])
+                }
+                _ => return self.infix(Level::Product, *a, &quote!(*), *b),
+            },
             Op::Transpose(a) => self.method(*a, "transpose", &[]),
             Op::Dot(a, b) => self.method(*a, "dot", &[*b]),
             Op::Outer(a, b) => self.method(*a, "outer", &[*b]),
@@ -160,6 +168,17 @@ impl Names<'_> {
         }
     }
 
+    /// A, for A^T that has no variable.
+    fn transposed(&self, id: ValueId) -> Option<ValueId> {
+        match (
+            &self.variables[id.0 as usize],
+            &self.program.instruction(id).op,
+        ) {
+            (None, Op::Transpose(a)) => Some(*a),
+            _ => None,
+        }
+    }
+
     fn at(&self, id: ValueId, level: Level) -> TokenStream {
         self.operand(id).at(level)
     }
@@ -188,15 +207,6 @@ impl Names<'_> {
         }
     }
 
-    fn kernel(&self, ty: Type, kernel: Kernel, a: ValueId) -> TokenStream {
-        let name = ident(kernel_name(kernel));
-        if is_scalar(ty) {
-            return self.call(&quote!(kernel::#name), &[a]);
-        }
-        let array = self.at(a, Level::Postfix);
-        quote!(#array.map(kernel::#name))
-    }
-
     fn select(&self, ty: Type, condition: ValueId, a: ValueId, b: ValueId) -> TokenStream {
         match ty {
             Type::Bool => {
@@ -215,7 +225,7 @@ impl Names<'_> {
         match ty {
             Type::Real(Shape::Matrix(_, columns)) => {
                 let rows = items.chunks(columns).map(|row| quote!([#(#row),*]));
-                quote!(Matrix([#(#rows),*]))
+                quote!(Matrix::rows([#(#rows),*]))
             }
             _ => quote!(Vector([#(#items),*])),
         }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: e87ace07f448519e44a1625491e18df088d2894fefaff51c2ee6938c34430fe3
+// SHA-256 of the text below: e495d6b27d4c290652462ae191e21fc9c129d7ec550f5192ee45443a9eb2549a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
 // initial: 36 additions, 61 multiplications, 12 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
@@ -351,7 +351,7 @@ pub fn initial<T: Real>(
     // F_2(x_1 .. x_2)
     let F2 = Vector([-(params.weight * t1 + params.stiffness * q1) / real(0.031)]);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix([[params.stiffness / real(0.031)]]);
+    let G2 = Matrix::rows([[params.stiffness / real(0.031)]]);
 
     // -- reference and constraints --
     let t2 = real(1.0471975511965979) * t.sin();
@@ -590,7 +590,7 @@ pub fn control<T: Real>(
     // F_2(x_1 .. x_2)
     let F2 = Vector([-(params.weight * t1 + params.stiffness * q1) / real(0.031)]);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix([[params.stiffness / real(0.031)]]);
+    let G2 = Matrix::rows([[params.stiffness / real(0.031)]]);
 
     // -- known dynamics of block 4 (motor_rate) (11) --
     // F_4(x_1 .. x_4)
@@ -676,7 +676,7 @@ pub fn control<T: Real>(
     // P_2 = P_m(z_2), 6 nodes
     let P2 = polynomials::basis2(z2);
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = state.W2.transpose() * P2;
+    let A_hat2 = state.W2.transpose_mul(P2);
 
     // -- disturbance observer of block 2 (20) (49) --
     // D_hat_2 = th_2 + S_2 x_2

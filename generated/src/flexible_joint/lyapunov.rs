@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 89587ec96498acd9a65d8fbeabdd0315334facace782e4d018ec52b562eca01c
+// SHA-256 of the text below: 30e881d9f490972db38bc7172de2065ee2bd61c107f7441446c1777a246e7684
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
 // lyapunov: 263 additions, 317 multiplications, 37 divisions, 0 square roots, 13 elementary functions, 11 comparisons and selections
@@ -62,7 +62,7 @@ pub fn lyapunov<T: Real>(
     // F_2(x_1 .. x_2)
     let F2 = Vector([-(params.weight * t1 + params.stiffness * q1) / real(0.031)]);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix([[params.stiffness / real(0.031)]]);
+    let G2 = Matrix::rows([[params.stiffness / real(0.031)]]);
 
     // -- known dynamics of block 4 (motor_rate) (11) --
     let t2 = real(0.007) * v2;
@@ -310,7 +310,7 @@ pub fn lyapunov<T: Real>(
     // F_2 with the plant's parameters
     let F2_plant = Vector([-(plant.weight * t1 + plant.stiffness * q1) / real(0.031)]);
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[plant.stiffness / real(0.031)]]);
+    let G2_plant = Matrix::rows([[plant.stiffness / real(0.031)]]);
     let t34 = real(3.0) * t;
     // d_2(t)
     let d2 = Vector([real(0.1) * (real(1.0) + t34.sin()) / real(0.031)]);

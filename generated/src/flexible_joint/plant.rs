@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0d75b16ce5e12c710732ad2b6c209e10fbc2a93b0e4123294f367352c115f2a9
+// SHA-256 of the text below: d650d15835edc52d4675d775a42c45b4880c64ed6af4d662c8313e183d1dc8dd
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
 // plant: 18 additions, 22 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -111,7 +111,7 @@ pub fn plant<T: Real>(
         -(params.weight * q1.sin() + params.stiffness * q1) / real(0.031),
     ]);
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[params.stiffness / real(0.031)]]);
+    let G2_plant = Matrix::rows([[params.stiffness / real(0.031)]]);
     // d_2(t)
     let d2 = Vector([real(0.1) * (real(1.0) + (real(3.0) * t).sin()) / real(0.031)]);
 

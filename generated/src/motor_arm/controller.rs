@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 8f0cd96612c2a4711ea81c9e17de4c820cfe92147d09fb848bf86a87a8c5aee6
+// SHA-256 of the text below: 91d4ecf9d522bce7b1c1e39a408938b54768f0a81975355b30001fec1311d48e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // initial: 38 additions, 70 multiplications, 13 divisions, 1 square roots, 9 elementary functions, 3 comparisons and selections
@@ -336,9 +336,9 @@ pub fn initial<T: Real>(
     // F_2(x_1 .. x_2)
     let F2 = Vector([-(real(0.01625) * rate + weight * t1) / inertia]);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix([[real(0.9) / inertia]]);
+    let G2 = Matrix::rows([[real(0.9) / inertia]]);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix([[real(0.01) / inertia]]);
+    let H2 = Matrix::rows([[real(0.01) / inertia]]);
 
     // -- reference and constraints --
     let t2 = real(FRAC_PI_2) * t.sin();
@@ -563,9 +563,9 @@ pub fn control<T: Real>(
     // F_2(x_1 .. x_2)
     let F2 = Vector([-(real(0.01625) * rate + weight * t1) / inertia]);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix([[real(0.9) / inertia]]);
+    let G2 = Matrix::rows([[real(0.9) / inertia]]);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix([[real(0.01) / inertia]]);
+    let H2 = Matrix::rows([[real(0.01) / inertia]]);
 
     // -- known dynamics of block 3 (current) (11) --
     // F_3(x_1 .. x_3)
@@ -650,7 +650,7 @@ pub fn control<T: Real>(
     // P_2 = P_m(z_2), 6 nodes
     let P2 = polynomials::basis2(z2);
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = state.W2.transpose() * P2;
+    let A_hat2 = state.W2.transpose_mul(P2);
 
     // -- disturbance observer of block 2 (20) (49) --
     // w_hat_2 = th_2 + S_2 e_2

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: f265fe57574dd5ba247eb8c2ac286cc351c156ebbf1d666724621d90a8fd0df3
+// SHA-256 of the text below: b2117c4230ad73489d537b0185ae0d052ba0b8ed3b1867ff14d24a7512e8a281
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // lyapunov: 299 additions, 401 multiplications, 57 divisions, 2 square roots, 15 elementary functions, 13 comparisons and selections
@@ -64,9 +64,9 @@ pub fn lyapunov<T: Real>(
     // F_2(x_1 .. x_2)
     let F2 = Vector([-(t1 + weight * t2) / inertia]);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix([[real(0.9) / inertia]]);
+    let G2 = Matrix::rows([[real(0.9) / inertia]]);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix([[real(0.01) / inertia]]);
+    let H2 = Matrix::rows([[real(0.01) / inertia]]);
 
     // -- known dynamics of block 3 (current) (11) --
     // F_3(x_1 .. x_3)
@@ -325,7 +325,7 @@ pub fn lyapunov<T: Real>(
         -(t1 + (real(0.253) + plant.load_mass) * real(0.305) * real(9.81) * t2) / t38,
     ]);
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[real(0.9) / t38]]);
+    let G2_plant = Matrix::rows([[real(0.9) / t38]]);
     // d_2 = L_2 w_2 (12)
     let d2 = L2 * w2;
     // w_2' = M_2 w_2 (12)

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: cb7ddc19a9d1c78d5a3310872a3a6e72dfe16692f13e4e507b7de2f2b00bfb8c
+// SHA-256 of the text below: 21452903a82d7e602a3d1fe9b99f9d5580e2f5ccc3efb35dee49368083b18c1c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // plant: 10 additions, 16 multiplications, 6 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -171,7 +171,7 @@ pub fn plant<T: Real>(
     // F_2 with the plant's parameters
     let F2_plant = Vector([-(real(0.01625) * rate + weight * angle.sin()) / inertia]);
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[real(0.9) / inertia]]);
+    let G2_plant = Matrix::rows([[real(0.9) / inertia]]);
     // d_2 = L_2 w_2 (12)
     let d2 = L2 * w2;
     // w_2' = M_2 w_2 (12)
@@ -193,7 +193,7 @@ pub fn plant<T: Real>(
     // dx/dt without noise
     let drift = Vector([x1_flow[0], x2_flow[0], x3_flow[0], w2_flow[0]]);
     // columns: one per Wiener process
-    let diffusion = Matrix([
+    let diffusion = Matrix::rows([
         [real(0.0), real(0.0)],
         [real(0.01) / inertia, real(0.0)],
         [real(0.0), real(0.0)],

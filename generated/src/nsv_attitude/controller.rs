@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 6c800583eaa77b42f8a09f0e84d2c8b1d8c2c13105b47735488bce5e07617714
+// SHA-256 of the text below: b3b8b42770e929733c0d9adee9b622619bd110810c4f0fabce86520c7db925d1
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // initial: 162 additions, 225 multiplications, 15 divisions, 0 square roots, 19 elementary functions, 6 comparisons and selections
@@ -332,7 +332,7 @@ pub fn initial<T: Real>(
     ]);
     let t11 = -t8;
     // G_1(x_1 .. x_1)
-    let G1 = Matrix([
+    let G1 = Matrix::rows([
         [t11 * t5, real(1.0), t11 * t1],
         [t1, real(0.0), -t5],
         [t5 / t4, real(0.0), t1 / t4],
@@ -583,7 +583,7 @@ pub fn control<T: Real>(
     ]);
     let t17 = -t13;
     // G_1(x_1 .. x_1)
-    let G1 = Matrix([
+    let G1 = Matrix::rows([
         [t17 * t6, real(1.0), t17 * t5],
         [t5, real(0.0), -t6],
         [t6 / t10, real(0.0), t5 / t10],
@@ -604,7 +604,7 @@ pub fn control<T: Real>(
         [0.0, 0.0, 7.375621211696555e-8],
     ]);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix([
+    let H2 = Matrix::rows([
         [
             roll_delta[0] / real(1355818.0),
             roll_delta[1] / real(1355818.0),
@@ -678,7 +678,7 @@ pub fn control<T: Real>(
     // P_1 = P_m(z_1), 19 nodes
     let P1 = polynomials::basis1(x1);
     // A_hat_1 = iota_1 W_1^T P_1
-    let A_hat1 = state.W1.transpose() * P1 * real(0.1);
+    let A_hat1 = state.W1.transpose_mul(P1) * real(0.1);
 
     // -- disturbance observer of block 1 (20) (49) --
     // D_hat_1 = th_1 + S_1 x_1
@@ -751,7 +751,7 @@ pub fn control<T: Real>(
     // P_2 = P_m(z_2), 19 nodes
     let P2 = polynomials::basis2(x2);
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = state.W2.transpose() * P2 * real(0.1);
+    let A_hat2 = state.W2.transpose_mul(P2) * real(0.1);
 
     // -- disturbance observer of block 2 (20) (49) --
     // S_2, observer gain

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 8ea472f26fb008b7fe673fa8720fcdd126f21d510ac378d92346efa6840f2b33
+// SHA-256 of the text below: 1afa8fccf82a1a7061042db59f53a5da90fd027574cb9f6960192191e22a54eb
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // lyapunov: 2302 additions, 2746 multiplications, 127 divisions, 3 square roots, 32 elementary functions, 32 comparisons and selections
@@ -135,7 +135,7 @@ pub fn lyapunov<T: Real>(
     let t35 = t13 / t18;
     let t36 = t12 / t18;
     // G_1(x_1 .. x_1)
-    let G1 = Matrix([
+    let G1 = Matrix::rows([
         [t32, real(1.0), t33],
         [t12, real(0.0), t34],
         [t35, real(0.0), t36],
@@ -158,7 +158,7 @@ pub fn lyapunov<T: Real>(
         [0.0, 0.0, 7.375621211696555e-8],
     ]);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix([
+    let H2 = Matrix::rows([
         [
             roll_delta[0] / real(1355818.0),
             roll_delta[1] / real(1355818.0),
@@ -493,7 +493,7 @@ pub fn lyapunov<T: Real>(
     let t98 = (dCm * (real(24.384) * plant.Cm_scale) + t97) * real(97170193.3485195);
     let t99 = (dCn * (real(18.288) * plant.Cn_scale)
         + dCY * (real(0.0) * plant.CY_scale)) * real(97170193.3485195);
-    let t100 = Matrix([
+    let t100 = Matrix::rows([
         [t96[0] / real(1355818.0), t96[1] / real(1355818.0), t96[2] / real(1355818.0)],
         [
             t98[0] / real(13558180.0),
@@ -652,7 +652,7 @@ pub fn lyapunov<T: Real>(
     let t148 = t35 / t18 * t115 - t130 / t18;
     let t149 = t124 / t18 + t36 / t18 * t115;
     // G1' along the flow
-    let G1_flow = Matrix([
+    let G1_flow = Matrix::rows([
         [t146, real(0.0), t147],
         [t124, real(0.0), t130],
         [t148, real(0.0), t149],

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 9c081a9820807b128571408c3caded5c84c7c250bcd186b2d498bab34180d635
+// SHA-256 of the text below: 6f4e23a82539b95bb0c9b99eb7e70b26e1cfb4c79109fa0d8ca5376d525eff07
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // plant: 227 additions, 287 multiplications, 23 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
@@ -212,7 +212,7 @@ pub fn plant<T: Real>(
     ]);
     let t17 = -t13;
     // G_1 with the plant's parameters
-    let G1_plant = Matrix([
+    let G1_plant = Matrix::rows([
         [t17 * t6, real(1.0), t17 * t5],
         [t5, real(0.0), -t6],
         [t6 / t10, real(0.0), t5 / t10],
@@ -258,7 +258,7 @@ pub fn plant<T: Real>(
     let w2_flow = t21 * w2;
     // F_2 + G_2 x_3 + d_2
     let x2_flow = F2_plant + G2_plant * u_sat + d2;
-    let t22 = Matrix([
+    let t22 = Matrix::rows([
         [
             roll_delta[0] / real(1355818.0),
             roll_delta[1] / real(1355818.0),
@@ -302,7 +302,7 @@ pub fn plant<T: Real>(
         w2_flow[5],
     ]);
     // columns: one per Wiener process
-    let diffusion = Matrix([
+    let diffusion = Matrix::rows([
         [
             real(0.0),
             real(0.0),

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: bc51c826e0ac08879a567625949fcc8a734dea1fd86e309b254e8e8d81fffd56
+// SHA-256 of the text below: 702f8e8b422ffdd6ae54e081b9eecb44bf47d88a987e39991d8a41054b7c31ed
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // initial: 7 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
@@ -364,7 +364,7 @@ pub fn control<T: Real>(
     // F_2(x_1 .. x_2)
     let F2 = Vector([real(-19.62) * t1 - real(0.1) * omega / inertia]);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix([[real(1.0) / inertia]]);
+    let G2 = Matrix::rows([[real(1.0) / inertia]]);
 
     // -- reference and constraints --
     // y_r(t)
@@ -438,7 +438,7 @@ pub fn control<T: Real>(
     // P_2 = P_m(z_2), 6 nodes
     let P2 = polynomials::basis2(z2);
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = state.W2.transpose() * P2;
+    let A_hat2 = state.W2.transpose_mul(P2);
 
     // -- disturbance observer of block 2 (20) (49) --
     // D_hat_2 = th_2 + S_2 x_2

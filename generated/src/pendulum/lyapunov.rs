@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 55e68f7a190701689780cf9c882deb3bd1d97c2188764dacbfcb1b1325b19cec
+// SHA-256 of the text below: 0f5086c4f67cacdc73d4de42a42f34a9295cb841b932b411f8a38cb7fcb791dd
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // lyapunov: 147 additions, 191 multiplications, 25 divisions, 0 square roots, 12 elementary functions, 16 comparisons and selections
@@ -60,7 +60,7 @@ pub fn lyapunov<T: Real>(
     // F_2(x_1 .. x_2)
     let F2 = Vector([t2 - t3 / inertia]);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix([[real(1.0) / inertia]]);
+    let G2 = Matrix::rows([[real(1.0) / inertia]]);
 
     // -- reference and constraints --
     let t4 = t.sin();
@@ -190,7 +190,7 @@ pub fn lyapunov<T: Real>(
     // F_2 with the plant's parameters
     let F2_plant = Vector([t2 - t3 / t19]);
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[real(1.0) / t19]]);
+    let G2_plant = Matrix::rows([[real(1.0) / t19]]);
     let t20 = real(3.0) * t;
     // d_2(t)
     let d2 = Vector([real(1.0) + real(2.0) * t20.sin()]);

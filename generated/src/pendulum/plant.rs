@@ -1,4 +1,4 @@
-// SHA-256 of the text below: c86bdc06f9449876013b607bd0b999ccde97007ae83220ee3fb14f2521cf284a
+// SHA-256 of the text below: fcfd876f71b310b2dd15398b1490306400b30df02755f9ea7c983d4223c25d86
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // plant: 5 additions, 7 multiplications, 2 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -101,7 +101,7 @@ pub fn plant<T: Real>(
     // F_2 with the plant's parameters
     let F2_plant = Vector([real(-19.62) * theta.sin() - real(0.1) * omega / inertia]);
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[real(1.0) / inertia]]);
+    let G2_plant = Matrix::rows([[real(1.0) / inertia]]);
     // d_2(t)
     let d2 = Vector([real(1.0) + real(2.0) * (real(3.0) * t).sin()]);
     // F_2 + G_2 x_3 + d_2

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: af014c3321d461d2320f597a924077e096741e4ce3eb1bb61c87879bca79810d
+// SHA-256 of the text below: ba0e62c78044bb74d92069501d788f2ea9c346ea840f53e3af0fa17bc9f15112
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // initial: 25 additions, 42 multiplications, 7 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
@@ -402,7 +402,7 @@ pub fn control<T: Real>(
     let M_11 = a_1 + real(2.0) * a_3 * t3 + real(2.0) * a_4 * t4;
     let det_M = M_11 * a_2 - M_12 * M_12;
     let t5 = -M_12;
-    let inverse_M = Matrix([[a_2, t5], [t5, M_11]]) / det_M;
+    let inverse_M = Matrix::rows([[a_2, t5], [t5, M_11]]) / det_M;
     let coriolis = a_3 * t4 - a_4 * t3;
     let v2 = x2[1];
     let v1 = x2[0];
@@ -499,7 +499,7 @@ pub fn control<T: Real>(
     // P_2 = P_m(z_2), 20 nodes
     let P2 = polynomials::basis2(z2);
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = state.W2.transpose() * P2;
+    let A_hat2 = state.W2.transpose_mul(P2);
 
     // -- disturbance observer of block 2 (20) (49) --
     // S_2, observer gain

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 3c6eea7e6f2e9bd3606c58694a90440f0fd89913cffabccc91ec3d660f9166e3
+// SHA-256 of the text below: 4a39a894ac9dcd3ec53e848391dbdaa2c87d47746641c5469ebdf491b71e5a65
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // lyapunov: 602 additions, 733 multiplications, 48 divisions, 0 square roots, 16 elementary functions, 18 comparisons and selections
@@ -63,7 +63,7 @@ pub fn lyapunov<T: Real>(
     let M_11 = a_1 + real(2.0) * a_3 * t3 + real(2.0) * a_4 * t4;
     let det_M = M_11 * a_2 - M_12 * M_12;
     let t5 = -M_12;
-    let inverse_M = Matrix([[a_2, t5], [t5, M_11]]) / det_M;
+    let inverse_M = Matrix::rows([[a_2, t5], [t5, M_11]]) / det_M;
     let coriolis = a_3 * t4 - a_4 * t3;
     let v2 = x2[1];
     let v1 = x2[0];
@@ -263,7 +263,7 @@ pub fn lyapunov<T: Real>(
     let t36 = real(0.62) + t29 + plant.m_e + real(2.0) * t32 * t3 + real(2.0) * t33 * t4;
     let t37 = t36 * t30 - t34 * t34;
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[t30, t35], [t35, t36]]) / t37;
+    let G2_plant = Matrix::rows([[t30, t35], [t35, t36]]) / t37;
     // F_2 with the plant's parameters
     let F2_plant = -G2_plant * (t6 * (t32 * t4 - t33 * t3));
     // d_2 = L_2 w_2 (12)

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 03578940bb0ca3ec11c4c28cf0b840f6941e0b5e0859a850c0be8985d392a3a8
+// SHA-256 of the text below: 61ecb624f30f8ae2235a060bf24e7a4552e5d55f02d8ce443b291f96b5bd6c62
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // plant: 51 additions, 66 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -109,7 +109,7 @@ pub fn plant<T: Real>(
     let M_11 = a_1 + real(2.0) * a_3 * t3 + real(2.0) * a_4 * t4;
     let det_M = M_11 * a_2 - M_12 * M_12;
     let t5 = -M_12;
-    let inverse_M = Matrix([[a_2, t5], [t5, M_11]]) / det_M;
+    let inverse_M = Matrix::rows([[a_2, t5], [t5, M_11]]) / det_M;
     let coriolis = a_3 * t4 - a_4 * t3;
     let torque = Vector([-v2 * v1 - (v1 + v2) * v2, v1 * v1]) * coriolis;
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: af99a4f4320f95111577c7adf0b3bbc6d9de7ec30aa2881dbdcce076ceeed629
+// SHA-256 of the text below: a3f6b380ee504c394b27dab2dada7fb4abadb5ee4e4cf4fe1edd83933707aa5e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
 // initial: 259 additions, 296 multiplications, 32 divisions, 0 square roots, 18 elementary functions, 18 comparisons and selections
@@ -306,7 +306,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     let t7 = phi.cos();
     let t8 = t6 * t3;
     let t9 = theta.tan();
-    let J = Matrix([
+    let J = Matrix::rows([
         [t1 * t2, t4 * t5 - t6 * t7, t4 * t7 + t6 * t5, real(0.0), real(0.0), real(0.0)],
         [t6 * t2, t8 * t5 + t1 * t7, t8 * t7 - t1 * t5, real(0.0), real(0.0), real(0.0)],
         [-t3, t2 * t5, t2 * t7, real(0.0), real(0.0), real(0.0)],
@@ -499,7 +499,7 @@ pub fn control<T: Real>(
     let t10 = t2 * t5;
     let t11 = t2 * t7;
     let t12 = theta.tan();
-    let J = Matrix([
+    let J = Matrix::rows([
         [t1 * t2, t4 * t5 - t6 * t7, t4 * t7 + t6 * t5, real(0.0), real(0.0), real(0.0)],
         [t6 * t2, t8 * t5 + t1 * t7, t8 * t7 - t1 * t5, real(0.0), real(0.0), real(0.0)],
         [t9, t10, t11, real(0.0), real(0.0), real(0.0)],
@@ -515,7 +515,7 @@ pub fn control<T: Real>(
     let m_z = real(11.5) + params.added_scale * real(14.57);
     let t13 = real(-0.23) / det_xq;
     let t14 = real(0.23) / det_yp;
-    let inverse_M = Matrix([
+    let inverse_M = Matrix::rows([
         [I / det_xq, real(0.0), real(0.0), real(0.0), t13, real(0.0)],
         [real(0.0), I / det_yp, real(0.0), t14, real(0.0), real(0.0)],
         [real(0.0), real(0.0), real(1.0) / m_z, real(0.0), real(0.0), real(0.0)],
@@ -704,7 +704,7 @@ pub fn control<T: Real>(
     // P_2 = P_m(z_2), 28 nodes
     let P2 = polynomials::basis2(x2);
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = state.W2.transpose() * P2;
+    let A_hat2 = state.W2.transpose_mul(P2);
 
     // -- disturbance observer of block 2 (20) (49) --
     // S_2, observer gain

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: a40aefc453ebc138d4085442243ac509bedd25592be85a84a0a4a9b7629c1d52
+// SHA-256 of the text below: e98f73aaa39e0dcc12e33b07d9a087052c3580e25794623876967c38e9c30245
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
 // lyapunov: 6500 additions, 6987 multiplications, 135 divisions, 2 square roots, 28 elementary functions, 68 comparisons and selections
@@ -74,7 +74,7 @@ pub fn lyapunov<T: Real>(
     let t21 = -t6;
     let t22 = t6 / t2;
     let t23 = t8 / t2;
-    let J = Matrix([
+    let J = Matrix::rows([
         [t3, t9, t10, real(0.0), real(0.0), real(0.0)],
         [t11, t13, t14, real(0.0), real(0.0), real(0.0)],
         [t15, t16, t17, real(0.0), real(0.0), real(0.0)],
@@ -90,7 +90,7 @@ pub fn lyapunov<T: Real>(
     let m_z = real(11.5) + params.added_scale * real(14.57);
     let t24 = real(-0.23) / det_xq;
     let t25 = real(0.23) / det_yp;
-    let inverse_M = Matrix([
+    let inverse_M = Matrix::rows([
         [I / det_xq, real(0.0), real(0.0), real(0.0), t24, real(0.0)],
         [real(0.0), I / det_yp, real(0.0), t25, real(0.0), real(0.0)],
         [real(0.0), real(0.0), real(1.0) / m_z, real(0.0), real(0.0), real(0.0)],
@@ -447,7 +447,7 @@ pub fn lyapunov<T: Real>(
     let t102 = t101 * t97 - real(0.0529);
     let t103 = real(0.23) / t102;
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([
+    let G2_plant = Matrix::rows([
         [t97 / t99, real(0.0), real(0.0), real(0.0), t100, real(0.0)],
         [real(0.0), t97 / t102, real(0.0), t103, real(0.0), real(0.0)],
         [
@@ -667,7 +667,7 @@ pub fn lyapunov<T: Real>(
     let t142 = t125 / t2 + t22 / t2 * t121;
     let t143 = t23 / t2 * t121 - t127 / t2;
     // G1' along the flow
-    let G1_flow = Matrix([
+    let G1_flow = Matrix::rows([
         [t122, t128, t129, real(0.0), real(0.0), real(0.0)],
         [t130, t132, t133, real(0.0), real(0.0), real(0.0)],
         [t134, t135, t136, real(0.0), real(0.0), real(0.0)],

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: a5db0544eaad9145acfa189e6ee129a837153d43b14b54ac60d5cb6dcb27feb7
+// SHA-256 of the text below: a0746961f8f0f03b06a5a37649860619c172d667bf1e14965ed8f36da9af43f6
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
 // plant: 552 additions, 642 multiplications, 10 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
@@ -239,7 +239,7 @@ pub fn plant<T: Real>(
     let t11 = t3 * t6;
     let t12 = t3 * t8;
     let t13 = theta.tan();
-    let J = Matrix([
+    let J = Matrix::rows([
         [t2 * t3, t5 * t6 - t7 * t8, t5 * t8 + t7 * t6, real(0.0), real(0.0), real(0.0)],
         [t7 * t3, t9 * t6 + t2 * t8, t9 * t8 - t2 * t6, real(0.0), real(0.0), real(0.0)],
         [t10, t11, t12, real(0.0), real(0.0), real(0.0)],
@@ -261,7 +261,7 @@ pub fn plant<T: Real>(
     let m_z = real(11.5) + params.added_scale * real(14.57);
     let t14 = real(-0.23) / det_xq;
     let t15 = real(0.23) / det_yp;
-    let inverse_M = Matrix([
+    let inverse_M = Matrix::rows([
         [I / det_xq, real(0.0), real(0.0), real(0.0), t14, real(0.0)],
         [real(0.0), I / det_yp, real(0.0), t15, real(0.0), real(0.0)],
         [real(0.0), real(0.0), real(1.0) / m_z, real(0.0), real(0.0), real(0.0)],
@@ -406,7 +406,7 @@ pub fn plant<T: Real>(
         w2_flow[11],
     ]);
     // columns: one per Wiener process
-    let diffusion = Matrix([
+    let diffusion = Matrix::rows([
         [
             real(0.0),
             real(0.0),

@@ -1,5 +1,9 @@
 //! `f32` and `f64` as numbers of one lane.
 
+#[cfg(target_arch = "x86_64")]
+use crate::entries::{Each, Each2, packed};
+#[cfg(target_arch = "x86_64")]
+use crate::lanes::x86;
 use crate::real::{Bits, Mask, Part, Real};
 
 impl Mask for bool {
@@ -181,7 +185,8 @@ pub(crate) use elementary;
 
 /// Implements [`Real`] for a scalar.
 macro_rules! scalar {
-    ($float:ident, $bits:ty, $algorithms:path, $sqrt:path) => {
+    ($float:ident, $bits:ty, $algorithms:path, $sqrt:path,
+     $wide:ident[$w:literal], $middle:ident[$m:literal], $narrow:ident[$n:literal]) => {
         impl Real for $float {
             type Mask = bool;
             type Bits = $bits;
@@ -227,6 +232,22 @@ macro_rules! scalar {
             #[inline(never)]
             fn outlined<P: Part>(part: P) -> P::Output {
                 part.run()
+            }
+
+            #[cfg(target_arch = "x86_64")]
+            #[inline(always)]
+            fn each(f: impl Each, entries: &mut [Self]) {
+                packed::each::<Self, x86::$wide, x86::$middle, x86::$narrow, $w, $m, $n>(
+                    f, entries,
+                );
+            }
+
+            #[cfg(target_arch = "x86_64")]
+            #[inline(always)]
+            fn each2(f: impl Each2, entries: &mut [Self], others: &[Self]) {
+                packed::each2::<Self, x86::$wide, x86::$middle, x86::$narrow, $w, $m, $n>(
+                    f, entries, others,
+                );
             }
 
             #[inline(always)]
@@ -279,8 +300,24 @@ macro_rules! scalar {
     };
 }
 
-scalar!(f64, u64, crate::elementary::double, sqrt_f64);
-scalar!(f32, u32, crate::elementary::single, sqrt_f32);
+scalar!(
+    f64,
+    u64,
+    crate::elementary::double,
+    sqrt_f64,
+    F64x8[8],
+    F64x4[4],
+    F64x2[2]
+);
+scalar!(
+    f32,
+    u32,
+    crate::elementary::single,
+    sqrt_f32,
+    F32x16[16],
+    F32x8[8],
+    F32x4[4]
+);
 
 #[cfg(target_arch = "x86_64")]
 use crate::lanes::x86::{sqrt_f32, sqrt_f64};

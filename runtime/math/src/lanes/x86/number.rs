@@ -6,6 +6,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use super::bits::*;
 use super::choice::*;
 use super::mask::*;
+use crate::entries::packed::Register;
 use crate::real::{Part, Real};
 use crate::scalar::elementary;
 
@@ -39,6 +40,18 @@ macro_rules! lanes {
             #[inline(always)]
             fn neg(self) -> Self {
                 Self(unsafe { $xor(self.0, $splat(-0.0)) })
+            }
+        }
+
+        impl Register<$element, $count> for $lanes {
+            #[inline(always)]
+            fn load(entries: &[$element; $count]) -> Self {
+                Self(unsafe { $load(entries.as_ptr()) })
+            }
+
+            #[inline(always)]
+            fn store(self, entries: &mut [$element; $count]) {
+                unsafe { $store(entries.as_mut_ptr(), self.0) };
             }
         }
 
