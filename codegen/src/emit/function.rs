@@ -1,7 +1,7 @@
 //! A program as a Rust function over `T: Real`: arguments from its inputs, statements grouped by equation under comments that state
 //! them, and a struct of results.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -14,7 +14,7 @@ use crate::emit::polynomial::Library;
 use crate::emit::quantity;
 use crate::emit::source::prologue;
 use crate::emit::types::{literal_array, type_of, type_of_shape};
-use crate::ir::{Op, Origin, Program, Shape, Type, ValueId};
+use crate::ir::{Input, Op, Origin, Program, Shape, Type, ValueId};
 use crate::opt::cost;
 
 /// A struct that stands for all inputs `prefix.NAME`, or for all outputs `prefix.NAME`.
@@ -91,16 +91,18 @@ impl Function<'_> {
 
     /// The names of its arguments, in order: inputs, and records under their prefix.
     pub(crate) fn arguments(&self) -> Vec<String> {
-        let mut arguments: Vec<String> = Vec::new();
-        for input in &self.program.inputs {
-            let name = self
-                .record(&input.name)
-                .map_or(input.name.as_str(), |(record, _)| record.prefix);
-            if arguments.iter().all(|known| known != name) {
-                arguments.push(name.to_owned());
-            }
-        }
-        arguments
+        let names = self.program.inputs.iter().map(|input| self.argument(input));
+        let mut known = BTreeSet::new();
+        names
+            .filter(|name| known.insert(*name))
+            .map(str::to_owned)
+            .collect()
+    }
+
+    /// The argument that holds an input.
+    fn argument<'i>(&'i self, input: &'i Input) -> &'i str {
+        self.record(&input.name)
+            .map_or(input.name.as_str(), |(record, _)| record.prefix)
     }
 
     /// The record of a dotted name, and the name in it.
@@ -149,9 +151,14 @@ impl Function<'_> {
                 (name, claimed)
             })
             .collect();
-        let used: Vec<bool> = (0..program.inputs.len())
-            .map(|position| is_used(program, plan, position))
-            .collect();
+        let used = used_inputs(program, plan);
+        let mut holding: BTreeMap<&str, (&Input, bool)> = BTreeMap::new();
+        for (input, used) in program.inputs.iter().zip(used) {
+            let (_, any) = holding
+                .entry(self.argument(input))
+                .or_insert((input, false));
+            *any |= used;
+        }
         let inputs = program
             .inputs
             .iter()
@@ -169,7 +176,10 @@ impl Function<'_> {
         let parameters = self
             .arguments()
             .iter()
-            .map(|name| self.parameter(name, &arguments[name], &used))
+            .map(|name| {
+                let (input, used) = holding[name.as_str()];
+                self.parameter(input, used, &arguments[name])
+            })
             .collect();
         let mut variables = vec![None; program.instructions.len()];
         let labelled = plan
@@ -205,17 +215,9 @@ impl Function<'_> {
         )
     }
 
-    fn parameter(&self, name: &str, argument: &Ident, used: &[bool]) -> TokenStream {
-        let mut own = self.program.inputs.iter().zip(used).filter(|(input, _)| {
-            input.name == name
-                || self
-                    .record(&input.name)
-                    .is_some_and(|(record, _)| record.prefix == name)
-        });
-        let (input, first_used) = own
-            .next()
-            .expect("invariant: an argument stands for an input");
-        let argument = if *first_used || own.any(|(_, used)| *used) {
+    /// The parameter of an argument that holds `input` and perhaps others.
+    fn parameter(&self, input: &Input, used: bool, argument: &Ident) -> TokenStream {
+        let argument = if used {
             argument.clone()
         } else {
             format_ident!("_{argument}")
@@ -354,10 +356,13 @@ fn assigned(field: &Ident, value: &TokenStream) -> TokenStream {
     }
 }
 
-fn is_used(program: &Program, plan: &Plan, position: usize) -> bool {
-    program
-        .instructions
-        .iter()
-        .zip(&plan.live)
-        .any(|(instruction, live)| *live && matches!(instruction.op, Op::Input(p) if p == position))
+/// Whether each input is used.
+fn used_inputs(program: &Program, plan: &Plan) -> Vec<bool> {
+    let mut used = vec![false; program.inputs.len()];
+    for (instruction, live) in program.instructions.iter().zip(&plan.live) {
+        if let Op::Input(position) = instruction.op {
+            used[position] |= live;
+        }
+    }
+    used
 }

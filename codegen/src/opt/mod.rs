@@ -6,6 +6,7 @@ pub mod stage;
 
 mod arrays;
 mod dead_code;
+mod families;
 mod fold;
 mod identities;
 mod polynomials;
