@@ -37,6 +37,9 @@ pub(crate) enum Results<'a> {
     Existing(&'a str, &'a Fields),
 }
 
+/// Parameter of closures.
+const ENTRY: &str = "entry";
+
 /// What is needed to emit a program as a function.
 pub(crate) struct Function<'a> {
     /// The program.
@@ -54,12 +57,16 @@ pub(crate) struct Function<'a> {
 impl Function<'_> {
     /// The function, after the struct of its results if that is its own.
     pub(crate) fn items(&self, comments: &mut Comments) -> Vec<TokenStream> {
-        let mut items = Vec::new();
-        if let Results::Own = self.results {
-            items.push(self.outputs_struct());
+        let function = self.function(comments);
+        self.own_results().into_iter().chain([function]).collect()
+    }
+
+    /// The struct of its results, if that is its own.
+    pub(crate) fn own_results(&self) -> Option<TokenStream> {
+        match self.results {
+            Results::Own => Some(self.outputs_struct()),
+            Results::Existing(..) => None,
         }
-        items.push(self.function(comments));
-        items
     }
 
     /// The function's name.
@@ -114,13 +121,24 @@ impl Function<'_> {
         ))
     }
 
-    fn function(&self, comments: &mut Comments) -> TokenStream {
+    /// The function.
+    pub(crate) fn function(&self, comments: &mut Comments) -> TokenStream {
         let plan = Plan::new(self.program);
         let (names, parameters) = self.names(&plan);
         let statements = self.statements(&plan, &names, comments);
         let result = self.result(&names);
         let body = quote!(#(#statements)* #result);
         let prologue = prologue(&body);
+        self.with_body(&parameters, &quote!(#prologue #body))
+    }
+
+    /// The function with a body that calls others.
+    pub(crate) fn calling(&self, body: &TokenStream) -> TokenStream {
+        let (_, parameters) = self.names(&Plan::new(self.program));
+        self.with_body(&parameters, body)
+    }
+
+    fn with_body(&self, parameters: &[TokenStream], body: &TokenStream) -> TokenStream {
         let (name, ty) = (self.name(), self.results_type());
         let mut lines = self.docs.to_vec();
         lines.extend([
@@ -131,18 +149,28 @@ impl Function<'_> {
         quote! {
             #docs
             #[inline]
-            pub fn #name<T: Real>(#(#parameters),*) -> #ty<T> {
-                #prologue
-                #body
-            }
+            pub fn #name<T: Real>(#(#parameters),*) -> #ty<T> { #body }
         }
+    }
+
+    /// The arguments with their variables.
+    pub(crate) fn argument_names(&self) -> Vec<(String, Ident)> {
+        let mut scope = Scope::default();
+        scope.claim(ENTRY);
+        let arguments = self.arguments().into_iter();
+        arguments
+            .map(|name| {
+                let variable = scope.claim(&name);
+                (name, variable)
+            })
+            .collect()
     }
 
     /// Names of everything, and the parameters of the function.
     fn names(&self, plan: &Plan) -> (Names<'_>, Vec<TokenStream>) {
         let program = self.program;
         let mut scope = Scope::default();
-        let entry = scope.claim("entry");
+        let entry = scope.claim(ENTRY);
         let arguments: BTreeMap<String, Ident> = self
             .arguments()
             .into_iter()

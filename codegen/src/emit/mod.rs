@@ -17,6 +17,7 @@ mod methods;
 mod module;
 mod names;
 mod params;
+mod pieces;
 mod plan;
 mod plant;
 mod polynomial;

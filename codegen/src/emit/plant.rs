@@ -10,6 +10,7 @@ use crate::emit::function::{Function, Record, Results};
 use crate::emit::interface::Interface;
 use crate::emit::literal::row;
 use crate::emit::names::Fields;
+use crate::emit::pieces::Split;
 use crate::emit::polynomial::Library;
 use crate::emit::types::index;
 use crate::ir::{Program, Shape};
@@ -54,7 +55,7 @@ impl Plant<'_> {
         let mut items = self.constants();
         items.push(self.plant_struct());
         items.push(self.equation(&function));
-        items.extend(function.items(comments));
+        items.extend(Split::new(&function, "dynamics").items(comments));
         items
     }
 

@@ -1,7 +1,9 @@
 //! Optimisation: passes from program to program, one file each, every rewrite under its algebra.
 
 pub mod cost;
+pub mod dependence;
 pub mod explain;
+pub mod hoist;
 pub mod stage;
 
 mod arrays;

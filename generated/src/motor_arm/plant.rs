@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 4e74973ae3aee1a91df0e3d67f90c42f19740d007f7b448afafa847584b66738
+// SHA-256 of the text below: 76506397e5a522cfaf51a3b1d0c7418c2eeb535c3fe39328a18d6ef96b944084
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // plant: 10 additions, 16 multiplications, 6 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -49,6 +49,74 @@ impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
     }
 }
 
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// `weight`.
+    pub weight: T,
+    /// `inertia`.
+    pub inertia: T,
+    /// `G_2 with the plant's parameters`
+    pub G2_plant: Matrix<T, 1, 1>,
+    /// `columns: one per Wiener process`
+    pub diffusion: Matrix<T, 4, 2>,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 3 additions, 5 multiplications, 3 divisions, 0 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
+    let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
+        + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
+
+    // -- true dynamics of block 2 (speed) (11) --
+    // G_2 with the plant's parameters
+    let G2_plant = Matrix([[real(0.9) / inertia]]);
+
+    // -- packed plant state: x_1 .. x_n, then the exosystems --
+    // columns: one per Wiener process
+    let diffusion = Matrix([
+        [real(0.0), real(0.0)],
+        [real(0.01) / inertia, real(0.0)],
+        [real(0.0), real(0.0)],
+        [real(0.0), real(0.5)],
+    ]);
+    Prepared {
+        weight,
+        inertia,
+        G2_plant,
+        diffusion,
+    }
+}
+
+/// Values of [`clock`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock<T> {
+    /// `d_3(t)`
+    pub d3: Vector<T, 1>,
+}
+
+/// What depends on time and parameters alone: needed once for a sample of all runs with these
+/// parameters. See [`Clock`].
+///
+/// Operations: 0 additions, 2 multiplications, 1 divisions, 0 square roots, 1 elementary
+/// functions, 0 comparisons and selections.
+#[inline]
+pub fn clock<T: Real>(t: T) -> Clock<T> {
+    let real = T::from_f64;
+
+    // -- true dynamics of block 3 (current) (11) --
+    // d_3(t)
+    let d3 = Vector([real(0.5) * (real(20.0) * t).sin() / real(0.025)]);
+    Clock { d3 }
+}
+
 /// Results of [`plant`].
 #[derive(Clone, Copy, Debug)]
 pub struct PlantOutputs<T: Real> {
@@ -64,14 +132,14 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 10 additions, 16 multiplications, 6 divisions, 0 square roots, 2 elementary
+/// Operations: 7 additions, 9 multiplications, 2 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
 #[inline]
-pub fn plant<T: Real>(
-    t: T,
+pub fn dynamics<T: Real>(
     x: Vector<T, 4>,
     u_sat: Vector<T, 1>,
-    params: &Params<T>,
+    prepared: &Prepared<T>,
+    clock: &Clock<T>,
 ) -> PlantOutputs<T> {
     let real = T::from_f64;
 
@@ -87,10 +155,7 @@ pub fn plant<T: Real>(
 
     // -- plant model --
     let rate = x[1];
-    let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
     let angle = x[0];
-    let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
-        + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
     let amps = x[2];
 
     // -- given --
@@ -104,40 +169,47 @@ pub fn plant<T: Real>(
 
     // -- true dynamics of block 2 (speed) (11) --
     // F_2 with the plant's parameters
-    let F2_plant = Vector([-(real(0.01625) * rate + weight * angle.sin()) / inertia]);
-    // G_2 with the plant's parameters
-    let G2_plant = Matrix([[real(0.9) / inertia]]);
+    let F2_plant = Vector([
+        -(real(0.01625) * rate + prepared.weight * angle.sin()) / prepared.inertia,
+    ]);
     // d_2 = L_2 w_2 (12)
     let d2 = L2 * w2;
     // w_2' = M_2 w_2 (12)
     let w2_flow = Matrix::<T, 1, 1>::from_f64([[-2.0]]) * w2;
     // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + G2_plant * x3 + d2;
+    let x2_flow = F2_plant + prepared.G2_plant * x3 + d2;
 
     // -- true dynamics of block 3 (current) (11) --
     // F_3 with the plant's parameters
     let F3_plant = Vector([-(real(5.0) * amps + real(0.9) * rate) / real(0.025)]);
     // G_3 with the plant's parameters
     let G3_plant: Matrix<T, 1, 1> = Matrix::from_f64([[40.0]]);
-    // d_3(t)
-    let d3 = Vector([real(0.5) * (real(20.0) * t).sin() / real(0.025)]);
     // F_3 + G_3 x_4 + d_3
-    let x3_flow = F3_plant + G3_plant * u_sat + d3;
+    let x3_flow = F3_plant + G3_plant * u_sat + clock.d3;
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // dx/dt without noise
     let drift = Vector([x1_flow[0], x2_flow[0], x3_flow[0], w2_flow[0]]);
-    // columns: one per Wiener process
-    let diffusion = Matrix([
-        [real(0.0), real(0.0)],
-        [real(0.01) / inertia, real(0.0)],
-        [real(0.0), real(0.0)],
-        [real(0.0), real(0.5)],
-    ]);
     PlantOutputs {
         drift,
-        diffusion,
+        diffusion: prepared.diffusion,
         d2,
-        d3,
+        d3: clock.d3,
     }
+}
+
+/// Drift and diffusion of the plant and its disturbances.
+///
+/// Operations: 10 additions, 16 multiplications, 6 divisions, 0 square roots, 2 elementary
+/// functions, 0 comparisons and selections.
+#[inline]
+pub fn plant<T: Real>(
+    t: T,
+    x: Vector<T, 4>,
+    u_sat: Vector<T, 1>,
+    params: &Params<T>,
+) -> PlantOutputs<T> {
+    let prepared = prepare(params);
+    let clock = clock(t);
+    dynamics(x, u_sat, &prepared, &clock)
 }

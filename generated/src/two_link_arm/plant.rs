@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 4700293c1b1bde50ac92999c65acf7cdc8db3b7b0bff20cc6a5ecd59ed45cd7c
+// SHA-256 of the text below: 07b57be9e8579b75e75aadf444a32bc24fffab78c6a68c7bf21af0fef367b265
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // plant: 51 additions, 66 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -45,6 +45,50 @@ impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
     }
 }
 
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// `a_2`.
+    pub a_2: T,
+    /// `a_3`.
+    pub a_3: T,
+    /// `a_4`.
+    pub a_4: T,
+    /// `a_1`.
+    pub a_1: T,
+    /// Part of `M_11`.
+    pub M_11_1: T,
+    /// Part of `M_11`.
+    pub M_11_2: T,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 3 additions, 6 multiplications, 0 divisions, 0 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let t1 = params.m_e * real(0.36);
+    let a_2 = real(0.25) + t1;
+    let t2 = params.m_e * real(0.6);
+    let a_3 = t2 * real(0.8660254037844386);
+    let a_4 = t2 * real(0.5);
+    let a_1 = real(0.62) + t1 + params.m_e;
+    let M_11_1 = real(2.0) * a_3;
+    let M_11_2 = real(2.0) * a_4;
+    Prepared {
+        a_2,
+        a_3,
+        a_4,
+        a_1,
+        M_11_1,
+        M_11_2,
+    }
+}
+
 /// Results of [`plant`].
 #[derive(Clone, Copy, Debug)]
 pub struct PlantOutputs<T: Real> {
@@ -56,17 +100,14 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 51 additions, 66 multiplications, 4 divisions, 0 square roots, 2 elementary
+/// Operations: 48 additions, 60 multiplications, 4 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline]
-pub fn plant<T: Real>(
-    _t: T,
+pub fn dynamics<T: Real>(
     x: Vector<T, 9>,
     u_sat: Vector<T, 2>,
-    params: &Params<T>,
+    prepared: &Prepared<T>,
 ) -> PlantOutputs<T> {
-    let real = T::from_f64;
-
     // -- disturbance observer of block 2 (20) (49) --
     // L_2
     let L2: Matrix<T, 2, 5> = Matrix::from_f64([
@@ -83,21 +124,15 @@ pub fn plant<T: Real>(
     // -- plant model --
     let v1 = x[2];
     let v2 = x[3];
-    let t1 = params.m_e * real(0.36);
-    let a_2 = real(0.25) + t1;
-    let t2 = params.m_e * real(0.6);
-    let a_3 = t2 * real(0.8660254037844386);
     let q2 = x[1];
-    let a_4 = t2 * real(0.5);
-    let t3 = q2.cos();
-    let t4 = q2.sin();
-    let M_12 = a_2 + a_3 * t3 + a_4 * t4;
-    let a_1 = real(0.62) + t1 + params.m_e;
-    let M_11 = a_1 + real(2.0) * a_3 * t3 + real(2.0) * a_4 * t4;
-    let det_M = M_11 * a_2 - M_12 * M_12;
-    let t5 = -M_12;
-    let inverse_M = Matrix([[a_2, t5], [t5, M_11]]) / det_M;
-    let coriolis = a_3 * t4 - a_4 * t3;
+    let t1 = q2.cos();
+    let t2 = q2.sin();
+    let M_12 = prepared.a_2 + prepared.a_3 * t1 + prepared.a_4 * t2;
+    let M_11 = prepared.a_1 + prepared.M_11_1 * t1 + prepared.M_11_2 * t2;
+    let det_M = M_11 * prepared.a_2 - M_12 * M_12;
+    let t3 = -M_12;
+    let inverse_M = Matrix([[prepared.a_2, t3], [t3, M_11]]) / det_M;
+    let coriolis = prepared.a_3 * t2 - prepared.a_4 * t1;
     let torque = Vector([-v2 * v1 - (v1 + v2) * v2, v1 * v1]) * coriolis;
 
     // -- given --
@@ -113,7 +148,7 @@ pub fn plant<T: Real>(
     let F2_plant = -inverse_M * torque;
     // d_2 = L_2 w_2 (12)
     let d2 = L2 * w2;
-    let t6: Matrix<T, 5, 5> = Matrix::from_f64([
+    let t4: Matrix<T, 5, 5> = Matrix::from_f64([
         [0.0, 1.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 0.0, 0.0, 0.0],
@@ -121,7 +156,7 @@ pub fn plant<T: Real>(
         [0.0, 0.0, 0.0, -3.0, 0.0],
     ]);
     // w_2' = M_2 w_2 (12)
-    let w2_flow = t6 * w2;
+    let w2_flow = t4 * w2;
     // F_2 + G_2 x_3 + d_2
     let x2_flow = F2_plant + inverse_M * u_sat + d2;
 
@@ -139,4 +174,19 @@ pub fn plant<T: Real>(
         w2_flow[4],
     ]);
     PlantOutputs { drift, d2 }
+}
+
+/// Drift and diffusion of the plant and its disturbances.
+///
+/// Operations: 51 additions, 66 multiplications, 4 divisions, 0 square roots, 2 elementary
+/// functions, 0 comparisons and selections.
+#[inline]
+pub fn plant<T: Real>(
+    _t: T,
+    x: Vector<T, 9>,
+    u_sat: Vector<T, 2>,
+    params: &Params<T>,
+) -> PlantOutputs<T> {
+    let prepared = prepare(params);
+    dynamics(x, u_sat, &prepared)
 }
