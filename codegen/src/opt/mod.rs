@@ -16,6 +16,7 @@ mod powers;
 mod reciprocals;
 mod rewrite;
 mod select;
+mod sparse;
 mod structural_zeros;
 mod transposes;
 mod value_numbering;
@@ -114,6 +115,28 @@ pub enum Arithmetic {
 /// Rounds are repeated while they change the program, but at most this often: a pass may enable an earlier one, and two or three rounds
 /// find nearly all.
 const ROUNDS: usize = 6;
+
+/// The program without what zeros, ones and absent entries of its literals make of it on paper: `0 x = 0`, `x + 0 = x`. Part of lowering:
+/// results are those of the program for all finite values, up to the sign of a zero.
+pub fn simplify(mut program: Program) -> Program {
+    for _ in 0..ROUNDS {
+        let before = program.clone();
+        let passes = [
+            fold::run,
+            identities::run,
+            structural_zeros::run,
+            arrays::run,
+            dead_code::run_for_names,
+        ];
+        program = passes
+            .into_iter()
+            .fold(program, |program, pass| pass(program));
+        if program == before {
+            break;
+        }
+    }
+    program
+}
 
 /// The program with the same outputs, bit for bit, in fewer operations.
 pub fn optimise(program: Program) -> Program {

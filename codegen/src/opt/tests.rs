@@ -1,5 +1,5 @@
 use super::*;
-use crate::ir::{Input, Op, Operator, Shape, Values, build, chain, eval, random};
+use crate::ir::{Input, Op, Operator, Shape, ValueId, Values, build, chain, eval, random};
 
 fn pass(name: &str) -> &'static Pass {
     PASSES
@@ -11,12 +11,17 @@ fn pass(name: &str) -> &'static Pass {
 /// Snapshots a program given by its statements before and after a pass, without what the pass left unused, under the name of the pass.
 /// Both must agree at ordinary inputs, to a few roundings even if the pass reassociates.
 fn check(name: &str, text: &str) {
+    check_as(name, name, text);
+}
+
+/// As [`check`], with a name for the snapshot.
+fn check_as(name: &str, snapshot: &str, text: &str) {
     let before: Program = format!("program small\n{text}").parse().unwrap();
     before.assert_sound();
     let after = (pass("dead_code").run)((pass(name).run)(before.clone()));
     after.assert_sound();
     insta::assert_snapshot!(
-        name,
+        snapshot,
         format!("-- before --\n{before}-- after {name} --\n{after}")
     );
 
@@ -224,6 +229,47 @@ fn structural_zeros() {
 %3: mat2x2 = const [2.0, 0.0, 0.0, 3.0]\n%4: vec2 = matmul %3, %0\n%5: vec2 = add %4, %2\n%6: mat2x2 = const [1.0, 0.0, 0.0, 1.0]
 %7: vec2 = matmul %6, %5\n%8: mat2x2 = const [0.0, 3.0, -3.0, 0.0]\n%9: vec2 = matmul %8, %0\noutput a = %7\noutput b = %9";
     check("structural_zeros", text);
+}
+
+#[test]
+fn sparse_matrices() {
+    let text = "input x: vec3\ninput M: mat3x2\ninput p: real\n%0: vec3 = input x\n%1: mat3x2 = input M\n%2: real = input p\n\
+                %3: mat2x3 = const [0.0, 2.0, 0.0, 3.0, 0.0, -1.0]\n%4: vec2 = matmul %3, %0\n%5: mat2x2 = matmul %3, %1\n\
+                %6: real = const 1.0\n%7: real = const 0.0\n%8: mat3x3 = array %2, %6, %2, %2, %7, %6, %6, %7, %2\n\
+                %9: vec3 = solve %8, %0\n%10: mat2x2 = array %2, %7, %7, %2\n%11: vec2 = solve %10, %4\n\
+                output a = %4\noutput b = %5\noutput c = %9\noutput d = %11";
+    check_as("structural_zeros", "sparse_matrices", text);
+}
+
+/// Whether every value of a run is a number.
+fn is_tame(program: &Program, inputs: &Values) -> bool {
+    let mut every = program.clone();
+    let count = u32::try_from(program.instructions.len()).unwrap();
+    every.outputs = (0..count)
+        .map(|id| (format!("o{id}"), ValueId(id)))
+        .collect();
+    let values = eval::eval(&every, inputs).unwrap();
+    values.values().flatten().all(|value| value.is_finite())
+}
+
+#[test]
+fn lowering_removes_zeros_without_changing_finite_results() {
+    let mut compared = 0;
+    for seed in 0..400 {
+        let program = (pass("dead_code").run)(random::program(seed, 40));
+        let simple = simplify(program.clone());
+        simple.assert_sound();
+        for draw in 0..8 {
+            let inputs = random::inputs(&program, draw);
+            if is_tame(&program, &inputs) && is_tame(&simple, &inputs) {
+                compared += 1;
+                let (expected, found) =
+                    (eval::eval(&program, &inputs), eval::eval(&simple, &inputs));
+                assert_eq!(found, expected, "program {seed}:\n{program}\n{simple}");
+            }
+        }
+    }
+    assert!(compared > 150, "{compared}");
 }
 
 #[test]

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 5fc4bb753474252d197edcacf90b74ea37a023a0d3944ee784c22dc7fd927897
+// SHA-256 of the text below: 55ae917dc1e6f988dc4e3509276f6f9fffa2df8556c72c23ac548101badd0fee
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// initial: 39 additions, 69 multiplications, 13 divisions, 1 square roots, 8 elementary functions, 3 comparisons and selections
-// control: 88 additions, 128 multiplications, 17 divisions, 3 square roots, 9 elementary functions, 9 comparisons and selections
+// initial: 27 additions, 56 multiplications, 12 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
+// control: 87 additions, 126 multiplications, 17 divisions, 3 square roots, 9 elementary functions, 9 comparisons and selections
 
 //! `motor_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -158,7 +158,7 @@ pub struct Output<T: Real> {
     pub e2: Vector<T, 1>,
     /// `alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]`
     pub alpha2: Vector<T, 1>,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `w_hat_2 = th_2 + S_2 e_2`
     pub D_hat2: Vector<T, 1>,
     /// `e_3 = x_3 - h_2 - zeta_3`
     pub e3: Vector<T, 1>,
@@ -274,7 +274,7 @@ impl<T: Real> Controller<T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 39 additions, 69 multiplications, 13 divisions, 1 square roots, 8 elementary
+/// Operations: 27 additions, 56 multiplications, 12 divisions, 0 square roots, 7 elementary
 /// functions, 3 comparisons and selections.
 #[inline]
 pub fn initial<T: Real>(
@@ -287,8 +287,6 @@ pub fn initial<T: Real>(
     let real = T::from_f64;
 
     // -- known dynamics of block 1 (position) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 1> = Vector::zero();
     // G_1(x_1 .. x_1)
     let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
 
@@ -300,24 +298,23 @@ pub fn initial<T: Real>(
         + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
 
     // -- known dynamics of block 2 (speed) (11) --
-    let t1 = angle.sin();
     // F_2(x_1 .. x_2)
-    let F2 = Vector([-(real(0.01625) * rate + weight * t1) / inertia]);
+    let F2 = Vector([-(real(0.01625) * rate + weight * angle.sin()) / inertia]);
     // G_2(x_1 .. x_2)
     let G2 = Matrix([[real(0.9) / inertia]]);
     // H_2(x_1 .. x_2)
     let H2 = Matrix([[real(0.01) / inertia]]);
 
     // -- reference and constraints --
-    let t2 = real(FRAC_PI_2) * t.sin();
-    let t3 = t * t;
-    let t4 = (real(-0.1) * (t3 * t)).exp();
-    let t5 = real(1.0) - t4;
+    let t1 = real(FRAC_PI_2) * t.sin();
+    let t2 = t * t;
+    let t3 = (real(-0.1) * (t2 * t)).exp();
+    let t4 = real(1.0) - t3;
     // y_r(t)
-    let y_r = Vector([t2 * t5]);
+    let y_r = Vector([t1 * t4]);
     // y_r'
     let y_r_dot = Vector([
-        t5 * (real(FRAC_PI_2) * t.cos()) - t2 * (t4 * (real(-0.1) * (real(3.0) * t3))),
+        t4 * (real(FRAC_PI_2) * t.cos()) - t1 * (t3 * (real(-0.1) * (real(3.0) * t2))),
     ]);
     // k_1(t)
     let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
@@ -339,16 +336,16 @@ pub fn initial<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t6 = s1 / (k1 * k1);
+    let t5 = s1 / (k1 * k1);
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t6 * t6);
+    let E1_free = real(FRAC_PI_2) * (t5 * t5);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t7 = cosE1 * cosE1;
+    let t6 = cosE1 * cosE1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t7;
+    let c1 = e1 * s1 / t6;
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -363,20 +360,19 @@ pub fn initial<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t8: Vector<T, 1> = Vector::zero();
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + t8 + Lam1;
-    let t9 = G1.solve(bracket1);
+    let bracket1 = Lam1 - y_r_dot;
+    let t7 = G1.solve(bracket1);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t9;
+    let alpha1 = -t7;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (t9 - t9) / real(0.02);
+    let h1_dot = (t7 - t7) / real(0.02);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t9;
+    let e2 = x2 + t7;
 
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
@@ -384,25 +380,13 @@ pub fn initial<T: Real>(
     // c_2 = s_2 e_2^T / cos^2 E_2
     let c2 = e2 * s2;
 
-    // -- MTPN of block 2 (4) (16) --
-    // z_2, network inputs
-    let z2 = Vector([t1, rate]);
-    // P_2 = P_m(z_2), 6 nodes
-    let P2 = polynomials::basis2(z2);
-    // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = Matrix::<T, 1, 6>::zero() * P2;
-
     // -- given --
-    let t10 = e2 * real(10.0);
-    let th2 = -t10;
+    let t8 = e2 * real(10.0);
+    let th2 = -t8;
 
     // -- disturbance observer of block 2 (20) (49) --
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = t10 - t10;
-    // L_2
-    let L2: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-    // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = L2 * w_hat2;
+    let w_hat2 = t8 - t8;
 
     // -- norms of block 2 --
     // ||G_2||^2
@@ -419,9 +403,9 @@ pub fn initial<T: Real>(
     let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t11 = H_norm2_2 * Ybar_norm2;
+    let t9 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t11 * t11 * real(0.5) + real(0.5) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
+    let Psi2 = t9 * t9 * real(0.5) + real(0.5) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -432,23 +416,17 @@ pub fn initial<T: Real>(
     let Lam2_filter = c2 * (real(0.05) * G_norm2_2);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = e2.map(T::tanh) * eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
     let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
-    let t12 = s2 * s2;
-    let t13 = (t12 + real(1.0)).sqrt();
-    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t11 * sigma2) / t13;
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * (Psi2 / (real(100.0) + t12));
+    let Lam2_diffusion = e2 * (Psi2 / (real(100.0) + s2 * s2));
     // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_network + Lam2_error_bound
-        + Lam2_coupling + Lam2_noise + Lam2_diffusion;
+    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_network + Lam2_coupling
+        + Lam2_diffusion;
 
     // -- virtual control (31) of block 2 --
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 + A_hat2 - h1_dot + t8 + D_hat2 + Lam2;
+    let bracket2 = F2 - h1_dot + w_hat2 + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -G2.solve(bracket2);
     State {
@@ -549,26 +527,22 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 pub struct Clock<T> {
     /// `y_r(t)`
     pub y_r: Vector<T, 1>,
+    /// `y_r'`
+    pub y_r_dot: Vector<T, 1>,
     /// `k_1(t)`
     pub k1: T,
     /// Part of `E1_free`.
     pub E1_free_1: T,
-    /// Part of `bracket1`.
-    pub bracket1_1: Vector<T, 1>,
 }
 
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 4 additions, 14 multiplications, 0 divisions, 0 square roots, 4 elementary
+/// Operations: 3 additions, 14 multiplications, 0 divisions, 0 square roots, 4 elementary
 /// functions, 0 comparisons and selections.
 #[inline]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
     let real = T::from_f64;
-
-    // -- known dynamics of block 1 (position) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 1> = Vector::zero();
 
     // -- reference and constraints --
     let t1 = real(FRAC_PI_2) * t.sin();
@@ -584,12 +558,11 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     // k_1(t)
     let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
     let E1_free_1 = k1 * k1;
-    let bracket1_1 = F1 - y_r_dot;
     Clock {
         y_r,
+        y_r_dot,
         k1,
         E1_free_1,
-        bracket1_1,
     }
 }
 
@@ -614,7 +587,7 @@ pub struct ControlOutputs<T: Real> {
     pub e2: Vector<T, 1>,
     /// `alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]`
     pub alpha2: Vector<T, 1>,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `w_hat_2 = th_2 + S_2 e_2`
     pub D_hat2: Vector<T, 1>,
     /// `e_3 = x_3 - h_2 - zeta_3`
     pub e3: Vector<T, 1>,
@@ -626,7 +599,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 79 additions, 98 multiplications, 14 divisions, 2 square roots, 5 elementary
+/// Operations: 79 additions, 96 multiplications, 14 divisions, 2 square roots, 5 elementary
 /// functions, 9 comparisons and selections.
 #[inline]
 pub fn law<T: Real>(
@@ -694,13 +667,13 @@ pub fn law<T: Real>(
     // -- virtual control (31) of block 1 --
     let t4 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = clock.bracket1_1 + t4 + Lam1;
+    let bracket1 = t4 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -G1.solve(bracket1);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t4;
+    let zeta1_dot = state.zeta2 - t4;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -727,10 +700,6 @@ pub fn law<T: Real>(
     // -- disturbance observer of block 2 (20) (49) --
     // w_hat_2 = th_2 + S_2 e_2
     let w_hat2 = state.th2 + e2 * real(10.0);
-    // L_2
-    let L2: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-    // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = L2 * w_hat2;
 
     // -- robust feedback of block 2 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -763,7 +732,7 @@ pub fn law<T: Real>(
     let t9 = F2 + A_hat2;
     let t10 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t9 - h1_dot + t10 + D_hat2 + Lam2;
+    let bracket2 = t9 - h1_dot + t10 + w_hat2 + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -prepared.G2.solve(bracket2);
 
@@ -776,10 +745,8 @@ pub fn law<T: Real>(
     let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
-    // M_2 - S_2 L_2
-    let w2_closed: Matrix<T, 1, 1> = Matrix::from_f64([[-12.0]]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = w2_closed * w_hat2
+    let th2_dot = w_hat2 * real(-12.0)
         - (t9 + prepared.G2 * (x3 - state.zeta3) - h1_dot + t10) * real(10.0);
 
     // -- network error bound of block 2 (66) --
@@ -832,17 +799,15 @@ pub fn law<T: Real>(
     // u = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
     let u = -t13;
     // sat(u), each component limited to +-u_max (8)
-    let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-40.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([40.0]), T::min);
+    let u_sat = u.map(|entry| entry.max(real(-40.0))).map(|entry| entry.min(real(40.0)));
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
-    let zeta3_dot = G3 * (u_sat + t13) - t12;
+    let zeta3_dot = (u_sat + t13) * real(40.0) - t12;
 
     // -- observer dynamics of block 3 (21) (50) --
     // th_3' = -S_3 (D_hat_3 + F_3 + G_3 x_4 + A_hat_3)
-    let th3_dot = -((D_hat3 + F3 + G3 * u_sat) * real(50.0));
+    let th3_dot = -((D_hat3 + F3 + u_sat * real(40.0)) * real(50.0));
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'
@@ -886,7 +851,7 @@ pub fn law<T: Real>(
         alpha1,
         e2,
         alpha2,
-        D_hat2,
+        D_hat2: w_hat2,
         e3,
         D_hat3,
         next: State {
@@ -907,7 +872,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 88 additions, 128 multiplications, 17 divisions, 3 square roots, 9 elementary
+/// Operations: 87 additions, 126 multiplications, 17 divisions, 3 square roots, 9 elementary
 /// functions, 9 comparisons and selections.
 #[inline]
 pub fn control<T: Real>(

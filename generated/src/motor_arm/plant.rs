@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 76506397e5a522cfaf51a3b1d0c7418c2eeb535c3fe39328a18d6ef96b944084
+// SHA-256 of the text below: 6e72963780c3b87e27bf693dc11fa291c0db9fd5df04714b80a83b6dc10a5479
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// plant: 10 additions, 16 multiplications, 6 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 9 additions, 14 multiplications, 6 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `motor_arm`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -124,7 +124,7 @@ pub struct PlantOutputs<T: Real> {
     pub drift: Vector<T, 4>,
     /// `columns: one per Wiener process`
     pub diffusion: Matrix<T, 4, 2>,
-    /// `d_2 = L_2 w_2 (12)`
+    /// `d2`.
     pub d2: Vector<T, 1>,
     /// `d_3(t)`
     pub d3: Vector<T, 1>,
@@ -132,7 +132,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 7 additions, 9 multiplications, 2 divisions, 0 square roots, 1 elementary
+/// Operations: 6 additions, 7 multiplications, 2 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
 #[inline]
 pub fn dynamics<T: Real>(
@@ -143,64 +143,47 @@ pub fn dynamics<T: Real>(
 ) -> PlantOutputs<T> {
     let real = T::from_f64;
 
-    // -- disturbance observer of block 2 (20) (49) --
-    // L_2
-    let L2: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
-    // -- true dynamics of block 1 (position) (11) --
-    // F_1 with the plant's parameters
-    let F1_plant: Vector<T, 1> = Vector::zero();
-    // G_1 with the plant's parameters
-    let G1_plant: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
     // -- plant model --
     let rate = x[1];
     let angle = x[0];
     let amps = x[2];
-
-    // -- given --
-    let x2 = Vector([rate]);
-    let w2 = Vector([x[3]]);
-    let x3 = Vector([amps]);
-
-    // -- true dynamics of block 1 (position) (11) --
-    // F_1 + G_1 x_2 + d_1
-    let x1_flow = F1_plant + G1_plant * x2;
 
     // -- true dynamics of block 2 (speed) (11) --
     // F_2 with the plant's parameters
     let F2_plant = Vector([
         -(real(0.01625) * rate + prepared.weight * angle.sin()) / prepared.inertia,
     ]);
-    // d_2 = L_2 w_2 (12)
-    let d2 = L2 * w2;
+
+    // -- given --
+    let w2 = Vector([x[3]]);
+    let x3 = Vector([amps]);
+
+    // -- true dynamics of block 2 (speed) (11) --
     // w_2' = M_2 w_2 (12)
-    let w2_flow = Matrix::<T, 1, 1>::from_f64([[-2.0]]) * w2;
+    let w2_flow = w2 * real(-2.0);
     // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + prepared.G2_plant * x3 + d2;
+    let x2_flow = F2_plant + prepared.G2_plant * x3 + w2;
 
     // -- true dynamics of block 3 (current) (11) --
     // F_3 with the plant's parameters
     let F3_plant = Vector([-(real(5.0) * amps + real(0.9) * rate) / real(0.025)]);
-    // G_3 with the plant's parameters
-    let G3_plant: Matrix<T, 1, 1> = Matrix::from_f64([[40.0]]);
     // F_3 + G_3 x_4 + d_3
-    let x3_flow = F3_plant + G3_plant * u_sat + clock.d3;
+    let x3_flow = F3_plant + u_sat * real(40.0) + clock.d3;
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // dx/dt without noise
-    let drift = Vector([x1_flow[0], x2_flow[0], x3_flow[0], w2_flow[0]]);
+    let drift = Vector([rate, x2_flow[0], x3_flow[0], w2_flow[0]]);
     PlantOutputs {
         drift,
         diffusion: prepared.diffusion,
-        d2,
+        d2: w2,
         d3: clock.d3,
     }
 }
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 10 additions, 16 multiplications, 6 divisions, 0 square roots, 2 elementary
+/// Operations: 9 additions, 14 multiplications, 6 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline]
 pub fn plant<T: Real>(

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: b5e80b9a7441222ef6db31294755df57291e1d1cdff2da3e0b0d7eafec357bb8
+// SHA-256 of the text below: f1dc90e502e3016e6a33202846981683e050f7aad6d4e57813cc262f13b18ff4
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// initial: 163 additions, 224 multiplications, 15 divisions, 0 square roots, 18 elementary functions, 6 comparisons and selections
-// control: 878 additions, 1161 multiplications, 56 divisions, 4 square roots, 25 elementary functions, 21 comparisons and selections
+// initial: 75 additions, 108 multiplications, 15 divisions, 0 square roots, 17 elementary functions, 6 comparisons and selections
+// control: 669 additions, 910 multiplications, 56 divisions, 4 square roots, 24 elementary functions, 21 comparisons and selections
 
 //! `nsv_attitude`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -256,7 +256,7 @@ impl<T: Real> Controller<T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 163 additions, 224 multiplications, 15 divisions, 0 square roots, 18 elementary
+/// Operations: 75 additions, 108 multiplications, 15 divisions, 0 square roots, 17 elementary
 /// functions, 6 comparisons and selections.
 #[inline]
 pub fn initial<T: Real>(
@@ -270,7 +270,7 @@ pub fn initial<T: Real>(
     // -- plant model --
     let alpha = x1[0];
     let alpha_deg = alpha / real(0.017453292519943295);
-    let at_alpha_deg = polynomials::at_alpha_deg_2(alpha_deg);
+    let at_alpha_deg = polynomials::at_alpha_deg(alpha_deg);
     let lift = real(97170193.3485195) * params.CL_scale
         * (at_alpha_deg.CL_alpha + at_alpha_deg.CL_LE + at_alpha_deg.CL_RE);
     let mu = x1[2];
@@ -280,29 +280,25 @@ pub fn initial<T: Real>(
             + at_alpha_deg.CY_RUD);
 
     // -- known dynamics of block 1 (attitude) (11) --
-    let t1 = alpha.sin();
-    let t2 = mu.cos();
-    let t3 = real(1332506.5352200002) * t2;
-    let t4 = beta.cos();
-    let t5 = alpha.cos();
-    let t6 = beta.sin();
-    let t7 = mu.sin();
-    let t8 = beta.tan();
-    let t9 = t8 + real(0.0) * t7;
-    let t10 = real(0.0) * (t1 * t9 - t5 * t6 * real(0.0) * t2);
+    let t1 = real(1332506.5352200002) * mu.cos();
+    let t2 = beta.cos();
+    let t3 = beta.tan();
     // F_1(x_1 .. x_1)
     let F1 = Vector([
-        (-lift - real(0.0) * t1 + t3) / (real(410460000.0) * t4),
-        (side - real(0.0) * t5 * t6 + real(1332506.5352200002) * t7) / real(410460000.0),
-        (lift * t9 + side * real(0.0) * t2 - t3 * t8 + t10) / real(410460000.0),
+        (t1 - lift) / (real(410460000.0) * t2),
+        (side + real(1332506.5352200002) * mu.sin()) / real(410460000.0),
+        (lift * t3 - t1 * t3) / real(410460000.0),
     ]);
-    let t11 = -t8;
+    let t4 = alpha.sin();
+    let t5 = alpha.cos();
+    let t6 = -t3;
+    let t7 = t6 * t5;
+    let t8 = t6 * t4;
+    let t9 = -t5;
+    let t10 = t5 / t2;
+    let t11 = t4 / t2;
     // G_1(x_1 .. x_1)
-    let G1 = Matrix([
-        [t11 * t5, real(1.0), t11 * t1],
-        [t1, real(0.0), -t5],
-        [t5 / t4, real(0.0), t1 / t4],
-    ]);
+    let G1 = Matrix([[t7, real(1.0), t8], [t4, real(0.0), t9], [t10, real(0.0), t11]]);
 
     // -- reference and constraints --
     let t12 = t.le(real(4.0));
@@ -363,13 +359,6 @@ pub fn initial<T: Real>(
     // c_1 = s_1 e_1^T / cos^2 E_1
     let c1 = e1 * s1 / t18;
 
-    // -- MTPN of block 1 (4) (16) --
-    // P_1 = P_m(z_1), 19 nodes
-    let P1 = polynomials::basis1(x1);
-    let t19: Matrix<T, 3, 19> = Matrix::zero();
-    // A_hat_1 = iota_1 W_1^T P_1
-    let A_hat1 = t19 * P1 * real(0.1);
-
     // -- disturbance observer of block 1 (20) (49) --
     // D_hat_1 = th_1 + S_1 x_1
     let D_hat1 = t16 - t16;
@@ -392,28 +381,30 @@ pub fn initial<T: Real>(
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 + A_hat1 - y_r_dot + Vector::<T, 3>::zero() + D_hat1 + Lam1;
-    let t20 = G1.solve(bracket1);
+    let bracket1 = F1 - y_r_dot + D_hat1 + Lam1;
+    let t19 = t9 * t10 - t4 * t11;
+    let t20 = t19 * bracket1[0] + (t11 * t7 - t10 * t8) * bracket1[1];
+    let t21 = Vector([
+        (-t11 * bracket1[1] + t9 * bracket1[2]) / t19,
+        (t20 + (t8 * t4 - t7 * t9) * bracket1[2]) / t19,
+        (t10 * bracket1[1] + -t4 * bracket1[2]) / t19,
+    ]);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t20;
+    let alpha1 = -t21;
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t20;
-
-    // -- disturbance observer of block 2 (20) (49) --
-    // S_2, observer gain
-    let S2: Matrix<T, 6, 3> = Matrix::from_f64([
-        [-1.5, 0.0, 0.0],
-        [1.5, 0.0, 0.0],
-        [0.0, 1.5, 0.0],
-        [0.0, 1.0, 0.0],
-        [0.0, 0.0, -2.0],
-        [0.0, 0.0, 4.0],
-    ]);
+    let e2 = x2 + t21;
 
     // -- given --
-    let th2 = -(S2 * e2);
+    let th2 = -Vector([
+        real(-1.5) * e2[0],
+        real(1.5) * e2[0],
+        real(1.5) * e2[1],
+        e2[1],
+        real(-2.0) * e2[2],
+        real(4.0) * e2[2],
+    ]);
     State {
         zeta1,
         zeta2,
@@ -439,21 +430,17 @@ pub struct Prepared<T> {
     pub roll_1: T,
     /// Part of `pitch`.
     pub pitch_1: T,
-    /// Part of `drag`.
-    pub drag_1: T,
     /// Part of `yaw`.
     pub yaw_1: T,
     /// Part of `pitch_delta`.
     pub pitch_delta_1: T,
     /// Part of `yaw_delta`.
     pub yaw_delta_1: T,
-    /// Part of `yaw_delta`.
-    pub yaw_delta_2: T,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 0 additions, 9 multiplications, 0 divisions, 0 square roots, 0 elementary
+/// Operations: 0 additions, 7 multiplications, 0 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -462,21 +449,17 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let side_1 = real(97170193.3485195) * params.CY_scale;
     let roll_1 = real(1777048495.9577248) * params.Cl_scale;
     let pitch_1 = real(2369397994.6102996) * params.Cm_scale;
-    let drag_1 = real(97170193.3485195) * params.CD_scale;
     let yaw_1 = real(1777048495.9577248) * params.Cn_scale;
     let pitch_delta_1 = real(24.384) * params.Cm_scale;
     let yaw_delta_1 = real(18.288) * params.Cn_scale;
-    let yaw_delta_2 = real(0.0) * params.CY_scale;
     Prepared {
         lift_1,
         side_1,
         roll_1,
         pitch_1,
-        drag_1,
         yaw_1,
         pitch_delta_1,
         yaw_delta_1,
-        yaw_delta_2,
     }
 }
 
@@ -579,14 +562,13 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 873 additions, 1128 multiplications, 56 divisions, 4 square roots, 16 elementary
+/// Operations: 664 additions, 879 multiplications, 56 divisions, 4 square roots, 15 elementary
 /// functions, 18 comparisons and selections.
 #[inline]
 pub fn law<T: Real>(
     x1: Vector<T, 3>,
     x2: Vector<T, 3>,
     state: &State<T>,
-    params: &Params<T>,
     prepared: &Prepared<T>,
     clock: &Clock<T>,
 ) -> ControlOutputs<T> {
@@ -595,119 +577,83 @@ pub fn law<T: Real>(
     // -- plant model --
     let alpha = x1[0];
     let alpha_deg = alpha / real(0.017453292519943295);
-    let at_alpha_deg = polynomials::at_alpha_deg(alpha_deg);
+    let at_alpha_deg_2 = polynomials::at_alpha_deg_2(alpha_deg);
     let lift = prepared.lift_1
-        * (at_alpha_deg.CL_alpha + at_alpha_deg.CL_LE + at_alpha_deg.CL_RE);
+        * (at_alpha_deg_2.CL_alpha + at_alpha_deg_2.CL_LE + at_alpha_deg_2.CL_RE);
     let mu = x1[2];
     let beta = x1[1];
     let side = prepared.side_1
-        * (at_alpha_deg.CY_beta * beta + at_alpha_deg.CY_LE + at_alpha_deg.CY_RE
-            + at_alpha_deg.CY_RUD);
+        * (at_alpha_deg_2.CY_beta * beta + at_alpha_deg_2.CY_LE + at_alpha_deg_2.CY_RE
+            + at_alpha_deg_2.CY_RUD);
     let q = x2[1];
     let r = x2[2];
     let p = x2[0];
-    let t1 = at_alpha_deg.Cl_beta * beta + at_alpha_deg.Cl_LE + at_alpha_deg.Cl_RE
-        + at_alpha_deg.Cl_RUD + at_alpha_deg.Cl_p * p * real(18.288) / real(6000.0);
+    let t1 = at_alpha_deg_2.Cl_beta * beta + at_alpha_deg_2.Cl_LE + at_alpha_deg_2.Cl_RE
+        + at_alpha_deg_2.Cl_RUD + at_alpha_deg_2.Cl_p * p * real(18.288) / real(6000.0);
     let roll = prepared.roll_1
-        * (t1 + at_alpha_deg.Cl_r * r * real(18.288) / real(6000.0));
+        * (t1 + at_alpha_deg_2.Cl_r * r * real(18.288) / real(6000.0));
     let pitch = prepared.pitch_1
-        * (at_alpha_deg.Cm_alpha + at_alpha_deg.Cm_LE + at_alpha_deg.Cm_RE
-            + at_alpha_deg.Cm_RUD + at_alpha_deg.Cm_q * q * real(24.384) / real(6000.0));
-    let drag = prepared.drag_1
-        * (at_alpha_deg.CD_alpha + at_alpha_deg.CD_LE + at_alpha_deg.CD_RE
-            + at_alpha_deg.CD_RUD);
-    let t2 = at_alpha_deg.Cn_beta * beta + at_alpha_deg.Cn_LE + at_alpha_deg.Cn_RE
-        + at_alpha_deg.Cn_RUD + at_alpha_deg.Cn_p * p * real(18.288) / real(6000.0);
+        * (at_alpha_deg_2.Cm_alpha + at_alpha_deg_2.Cm_LE + at_alpha_deg_2.Cm_RE
+            + at_alpha_deg_2.Cm_RUD
+            + at_alpha_deg_2.Cm_q * q * real(24.384) / real(6000.0));
+    let t2 = at_alpha_deg_2.Cn_beta * beta + at_alpha_deg_2.Cn_LE + at_alpha_deg_2.Cn_RE
+        + at_alpha_deg_2.Cn_RUD + at_alpha_deg_2.Cn_p * p * real(18.288) / real(6000.0);
     let yaw = prepared.yaw_1
-        * (t2 + at_alpha_deg.Cn_r * r * real(18.288) / real(6000.0));
+        * (t2 + at_alpha_deg_2.Cn_r * r * real(18.288) / real(6000.0));
     let dCl = Vector([
-        at_alpha_deg.Cl_LE_d3,
-        at_alpha_deg.Cl_RE_d3,
-        at_alpha_deg.Cl_RUD_d3,
+        at_alpha_deg_2.Cl_LE_d3,
+        at_alpha_deg_2.Cl_RE_d3,
+        at_alpha_deg_2.Cl_RUD_d3,
     ]);
     let roll_delta = dCl * prepared.roll_1;
-    let dCm = Vector([at_alpha_deg.Cm_LE_d3, at_alpha_deg.Cm_RE_d3, real(0.0)]);
-    let dCD = Vector([
-        at_alpha_deg.CD_LE_d3,
-        at_alpha_deg.CD_RE_d3,
-        at_alpha_deg.CD_RUD_d3,
-    ]);
-    let dCL = Vector([at_alpha_deg.CL_LE_d3, at_alpha_deg.CL_RE_d3, real(0.0)]);
-    let t3 = alpha.sin();
-    let t4 = alpha.cos();
-    let t5 = dCm * prepared.pitch_delta_1
-        + (dCD * params.CD_scale * t3 + dCL * params.CL_scale * t4) * real(0.0);
-    let pitch_delta = t5 * real(97170193.3485195);
+    let dCm = Vector([at_alpha_deg_2.Cm_LE_d3, at_alpha_deg_2.Cm_RE_d3, real(0.0)]);
+    let pitch_delta = dCm * prepared.pitch_delta_1 * real(97170193.3485195);
     let dCn = Vector([
-        at_alpha_deg.Cn_LE_d3,
-        at_alpha_deg.Cn_RE_d3,
-        at_alpha_deg.Cn_RUD_d3,
+        at_alpha_deg_2.Cn_LE_d3,
+        at_alpha_deg_2.Cn_RE_d3,
+        at_alpha_deg_2.Cn_RUD_d3,
     ]);
-    let dCY = Vector([
-        at_alpha_deg.CY_LE_d3,
-        at_alpha_deg.CY_RE_d3,
-        at_alpha_deg.CY_RUD_d3,
-    ]);
-    let yaw_delta = (dCn * prepared.yaw_delta_1 + dCY * prepared.yaw_delta_2)
-        * real(97170193.3485195);
+    let yaw_delta = dCn * prepared.yaw_delta_1 * real(97170193.3485195);
 
     // -- known dynamics of block 1 (attitude) (11) --
-    let t6 = mu.cos();
-    let t7 = real(1332506.5352200002) * t6;
-    let t8 = beta.cos();
-    let t9 = beta.sin();
-    let t10 = mu.sin();
-    let t11 = beta.tan();
-    let t12 = t11 + real(0.0) * t10;
-    let t13 = side * real(0.0);
-    let t14 = real(0.0) * (t3 * t12 - t4 * t9 * real(0.0) * t6);
+    let t3 = real(1332506.5352200002) * mu.cos();
+    let t4 = beta.cos();
+    let t5 = beta.tan();
     // F_1(x_1 .. x_1)
     let F1 = Vector([
-        (-lift - real(0.0) * t3 + t7) / (real(410460000.0) * t8),
-        (side - real(0.0) * t4 * t9 + real(1332506.5352200002) * t10)
-            / real(410460000.0),
-        (lift * t12 + t13 * t6 - t7 * t11 + t14) / real(410460000.0),
+        (t3 - lift) / (real(410460000.0) * t4),
+        (side + real(1332506.5352200002) * mu.sin()) / real(410460000.0),
+        (lift * t5 - t3 * t5) / real(410460000.0),
     ]);
-    let t15 = -t11;
+    let t6 = alpha.sin();
+    let t7 = alpha.cos();
+    let t8 = -t5;
+    let t9 = t8 * t7;
+    let t10 = t8 * t6;
+    let t11 = -t7;
+    let t12 = t7 / t4;
+    let t13 = t6 / t4;
     // G_1(x_1 .. x_1)
-    let G1 = Matrix([
-        [t15 * t4, real(1.0), t15 * t3],
-        [t3, real(0.0), -t4],
-        [t4 / t8, real(0.0), t3 / t8],
-    ]);
+    let G1 = Matrix([[t9, real(1.0), t10], [t6, real(0.0), t11], [t12, real(0.0), t13]]);
 
     // -- known dynamics of block 2 (rates) (11) --
-    let t16 = real(12202362.0) * p * r + pitch + real(0.0) * (drag * t3 + lift * t4);
     // F_2(x_1 .. x_2)
     let F2 = Vector([
-        (real(0.0) * q * r + roll) / real(1355818.0),
-        t16 / real(13558180.0),
-        (real(-12202362.0) * p * q + yaw + t13) / real(13558180.0),
+        roll / real(1355818.0),
+        (real(12202362.0) * p * r + pitch) / real(13558180.0),
+        (real(-12202362.0) * p * q + yaw) / real(13558180.0),
     ]);
-    // G_2(x_1 .. x_2)
-    let G2: Matrix<T, 3, 3> = Matrix::from_f64([
-        [7.375621211696555e-7, 0.0, 0.0],
-        [0.0, 7.375621211696555e-8, 0.0],
-        [0.0, 0.0, 7.375621211696555e-8],
-    ]);
+    let t14 = roll_delta[0] / real(1355818.0);
+    let t15 = roll_delta[1] / real(1355818.0);
+    let t16 = roll_delta[2] / real(1355818.0);
+    let t17 = pitch_delta[0] / real(13558180.0);
+    let t18 = pitch_delta[1] / real(13558180.0);
+    let t19 = pitch_delta[2] / real(13558180.0);
+    let t20 = yaw_delta[0] / real(13558180.0);
+    let t21 = yaw_delta[1] / real(13558180.0);
+    let t22 = yaw_delta[2] / real(13558180.0);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix([
-        [
-            roll_delta[0] / real(1355818.0),
-            roll_delta[1] / real(1355818.0),
-            roll_delta[2] / real(1355818.0),
-        ],
-        [
-            pitch_delta[0] / real(13558180.0),
-            pitch_delta[1] / real(13558180.0),
-            pitch_delta[2] / real(13558180.0),
-        ],
-        [
-            yaw_delta[0] / real(13558180.0),
-            yaw_delta[1] / real(13558180.0),
-            yaw_delta[2] / real(13558180.0),
-        ],
-    ]);
+    let H2 = Matrix([[t14, t15, t16], [t17, t18, t19], [t20, t21, t22]]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -716,18 +662,18 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t17 = s1 / clock.E1_free_1;
+    let t23 = s1 / clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t17 * t17);
+    let E1_free = real(FRAC_PI_2) * (t23 * t23);
     // E_1 >= pi/2 - delta
     let violated1 = E1_free.ge(real(1.5697963267948967));
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t18 = cosE1 * cosE1;
+    let t24 = cosE1 * cosE1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t18;
+    let c1 = e1 * s1 / t24;
 
     // -- MTPN of block 1 (4) (16) --
     // P_1 = P_m(z_1), 19 nodes
@@ -758,25 +704,31 @@ pub fn law<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t19 = F1 + A_hat1;
-    let t20 = state.zeta1 * real(20.0);
+    let t25 = F1 + A_hat1;
+    let t26 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t19 - clock.y_r_dot + t20 + D_hat1 + Lam1;
+    let bracket1 = t25 - clock.y_r_dot + t26 + D_hat1 + Lam1;
+    let t27 = t11 * t12 - t6 * t13;
+    let t28 = t27 * bracket1[0] + (t13 * t9 - t12 * t10) * bracket1[1];
+    let t29 = Vector([
+        (-t13 * bracket1[1] + t11 * bracket1[2]) / t27,
+        (t28 + (t10 * t6 - t9 * t11) * bracket1[2]) / t27,
+        (t12 * bracket1[1] + -t6 * bracket1[2]) / t27,
+    ]);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -G1.solve(bracket1);
+    let alpha1 = -t29;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t20;
+    let zeta1_dot = G1 * state.zeta2 - t26;
 
     // -- weight law of block 1 (32) (65) --
-    let t21: Vector<T, 3> = Vector::from_f64([0.1, 0.1, 0.1]);
     // W_1' = Gamma_1 (P_1 c_1 I_1 - lambda_1 W_1)
-    let W1_dot = P1.outer(t21.hadamard(c1)) - state.W1 * real(0.1);
+    let W1_dot = P1.outer(c1 * real(0.1)) - state.W1 * real(0.1);
 
     // -- observer dynamics of block 1 (21) (50) --
     // th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)
-    let th1_dot = -((D_hat1 + t19 + G1 * x2) * real(10.0));
+    let th1_dot = -((D_hat1 + t25 + G1 * x2) * real(10.0));
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -789,18 +741,18 @@ pub fn law<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t22 = s2 / clock.E2_free_1;
+    let t30 = s2 / clock.E2_free_1;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t22 * t22);
+    let E2_free = real(FRAC_PI_2) * (t30 * t30);
     // E_2 >= pi/2 - delta
     let violated2 = E2_free.ge(real(1.5697963267948967));
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
     // cos E_2
     let cosE2 = E2.cos();
-    let t23 = cosE2 * cosE2;
+    let t31 = cosE2 * cosE2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * s2 / t23;
+    let c2 = e2 * s2 / t31;
 
     // -- MTPN of block 2 (4) (16) --
     // P_2 = P_m(z_2), 19 nodes
@@ -809,40 +761,44 @@ pub fn law<T: Real>(
     let A_hat2 = state.W2.transpose() * P2 * real(0.1);
 
     // -- disturbance observer of block 2 (20) (49) --
-    // S_2, observer gain
-    let S2: Matrix<T, 6, 3> = Matrix::from_f64([
-        [-1.5, 0.0, 0.0],
-        [1.5, 0.0, 0.0],
-        [0.0, 1.5, 0.0],
-        [0.0, 1.0, 0.0],
-        [0.0, 0.0, -2.0],
-        [0.0, 0.0, 4.0],
+    let t32 = Vector([
+        real(-1.5) * e2[0],
+        real(1.5) * e2[0],
+        real(1.5) * e2[1],
+        e2[1],
+        real(-2.0) * e2[2],
+        real(4.0) * e2[2],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + S2 * e2;
-    // L_2
-    let L2: Matrix<T, 3, 6> = Matrix::from_f64([
-        [0.0, 2.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 3.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 1.0, 1.0],
-    ]);
+    let w_hat2 = state.th2 + t32;
     // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = L2 * w_hat2;
+    let D_hat2 = Vector([
+        real(2.0) * w_hat2[1],
+        real(3.0) * w_hat2[2],
+        w_hat2[4] + w_hat2[5],
+    ]);
 
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
-    let t24 = real(3.0) / t23;
-    let t25 = real(8.0) * E2_free * E2.sin() / (t23 * cosE2) + t24;
+    let t33 = real(3.0) / t31;
+    let t34 = real(8.0) * E2_free * E2.sin() / (t31 * cosE2) + t33;
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = (t25 * t25 + real(2.0) * (t24 * t24)).sqrt();
+    let Ybar_norm2 = (t34 * t34 + real(2.0) * (t33 * t33)).sqrt();
     // S_2 H_2
-    let SH2 = S2 * H2;
+    let SH2 = Matrix([
+        [real(-1.5) * t14, real(-1.5) * t15, real(-1.5) * t16],
+        [real(1.5) * t14, real(1.5) * t15, real(1.5) * t16],
+        [real(1.5) * t17, real(1.5) * t18, real(1.5) * t19],
+        [t17, t18, t19],
+        [real(-2.0) * t20, real(-2.0) * t21, real(-2.0) * t22],
+        [real(4.0) * t20, real(4.0) * t21, real(4.0) * t22],
+    ]);
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t26 = H_norm2_2 * Ybar_norm2;
+    let t35 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t26 * t26 * real(0.5) + real(12.0)
+    let Psi2 = t35 * t35 * real(0.5) + real(12.0)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
@@ -852,34 +808,39 @@ pub fn law<T: Real>(
         + e2 * real(2.0);
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(75.0);
-    let t27 = e2 * real(0.5);
+    let t36 = e2 * real(0.5);
     // e / (2 cos^2 E) (63)
-    let Lam2_network = t27 / t23;
-    let t28 = t27.map(T::tanh);
+    let Lam2_network = t36 / t31;
+    let t37 = t36.map(T::tanh);
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t28 * state.eps2;
-    let t29 = G_norm2_1 * s_c1;
+    let Lam2_error_bound = t37 * state.eps2;
+    let t38 = G_norm2_1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t29 * t29) * real(0.25) * t23;
-    let t30 = s2 * s2;
-    let t31 = (t30 + real(1.0)).sqrt();
+    let Lam2_coupling = e2 * (t38 * t38) * real(0.25) * t31;
+    let t39 = s2 * s2;
+    let t40 = (t39 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t26 * state.sigma2) / t31;
-    let t32 = Psi2 / (state.phi2 * state.phi2 + t30);
+    let Lam2_noise = e2 * (t35 * state.sigma2) / t40;
+    let t41 = Psi2 / (state.phi2 * state.phi2 + t39);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t32 * t23;
+    let Lam2_diffusion = e2 * t41 * t31;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
 
     // -- control (64) of block 2 --
-    let t33 = F2 + A_hat2;
-    let t34 = state.zeta2 * real(50.0);
+    let t42 = F2 + A_hat2;
+    let t43 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t33 - h1_dot + t34 + D_hat2 + Lam2;
-    let t35 = G2.solve(bracket2);
+    let bracket2 = t42 - h1_dot + t43 + D_hat2 + Lam2;
+    let t44: Vector<T, 3> = Vector::from_f64([
+        7.375621211696555e-7,
+        7.375621211696555e-8,
+        7.375621211696555e-8,
+    ]);
+    let t45 = bracket2.quotient(t44);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t35;
+    let u = -t45;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .zip(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]), T::max)
@@ -887,37 +848,45 @@ pub fn law<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = G2 * (u_sat + t35) - t34;
+    let zeta2_dot = t44.hadamard(u_sat + t45) - t43;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
-    let W2_dot = P2.outer(t21.hadamard(c2)) - state.W2 * real(0.1);
+    let W2_dot = P2.outer(c2 * real(0.1)) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
-    // M_2 - S_2 L_2
-    let w2_closed: Matrix<T, 6, 6> = Matrix::from_f64([
-        [0.0, 6.0, 0.0, 0.0, 0.0, 0.0],
-        [-3.0, -3.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, -4.5, 3.0, 0.0, 0.0],
-        [0.0, 0.0, -6.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 2.0, 5.0],
-        [0.0, 0.0, 0.0, 0.0, -7.0, -4.0],
+    let t46 = Vector([
+        real(6.0) * w_hat2[1],
+        real(-3.0) * w_hat2[0] + real(-3.0) * w_hat2[1],
+        real(-4.5) * w_hat2[2] + real(3.0) * w_hat2[3],
+        real(-6.0) * w_hat2[2],
+        real(2.0) * w_hat2[4] + real(5.0) * w_hat2[5],
+        real(-7.0) * w_hat2[4] + real(-4.0) * w_hat2[5],
+    ]);
+    let t47 = t42 + t44.hadamard(u) - h1_dot + t43;
+    let t48 = Vector([
+        real(-1.5) * t47[0],
+        real(1.5) * t47[0],
+        real(1.5) * t47[1],
+        t47[1],
+        real(-2.0) * t47[2],
+        real(4.0) * t47[2],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = w2_closed * w_hat2 - S2 * (t33 + G2 * u - h1_dot + t34);
+    let th2_dot = t46 - t48;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 / t23 * e2.dot(t28) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 / t31 * e2.dot(t37) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t26 * t30 / t23 / t31 - real(0.1) * state.sigma2;
+    let sigma2_dot = t35 * t39 / t31 / t40 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t32 + real(2.0);
+    let phi2_decay = t41 + real(2.0);
 
     // -- status --
     // some E_i >= pi/2 - delta
@@ -936,17 +905,22 @@ pub fn law<T: Real>(
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
     let zeta2_next = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
-    // Gamma of th2
-    let th2_step: Matrix<T, 6, 6> = Matrix::from_f64([
-        [0.0019999760360430705, 1.1975964129556617e-5, 0.0, 0.0, 0.0, 0.0],
-        [-5.9879820647783075e-6, 0.0019939880539782922, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0019910030471541806, 5.982004556604176e-6, 0.0, 0.0],
-        [0.0, 0.0, -1.1964009113208353e-5, 0.0019999760539890867, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 0.0020039586722187678, 9.986590133519995e-6],
-        [0.0, 0.0, 0.0, 0.0, -1.3981226186927993e-5, 0.0019919747640585435],
+    let t49 = Vector([
+        real(0.0019999760360430705) * th2_dot[0]
+            + real(1.1975964129556617e-5) * th2_dot[1],
+        real(-5.9879820647783075e-6) * th2_dot[0]
+            + real(0.0019939880539782922) * th2_dot[1],
+        real(0.0019910030471541806) * th2_dot[2]
+            + real(5.982004556604176e-6) * th2_dot[3],
+        real(-1.1964009113208353e-5) * th2_dot[2]
+            + real(0.0019999760539890867) * th2_dot[3],
+        real(0.0020039586722187678) * th2_dot[4]
+            + real(9.986590133519995e-6) * th2_dot[5],
+        real(-1.3981226186927993e-5) * th2_dot[4]
+            + real(0.0019919747640585435) * th2_dot[5],
     ]);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + th2_step * th2_dot;
+    let th2_next = state.th2 + t49;
     // W2(t + dt) = W2 + Gamma W2'
     let W2_next = state.W2 + W2_dot * real(0.001999800013332667);
     // eps2(t + dt) = eps2 + Gamma eps2'
@@ -991,7 +965,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 878 additions, 1161 multiplications, 56 divisions, 4 square roots, 25 elementary
+/// Operations: 669 additions, 910 multiplications, 56 divisions, 4 square roots, 24 elementary
 /// functions, 21 comparisons and selections.
 #[inline]
 pub fn control<T: Real>(
@@ -1003,5 +977,5 @@ pub fn control<T: Real>(
 ) -> ControlOutputs<T> {
     let prepared = prepare(params);
     let clock = clock(t);
-    law(x1, x2, state, params, &prepared, &clock)
+    law(x1, x2, state, &prepared, &clock)
 }

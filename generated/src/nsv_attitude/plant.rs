@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 56c2ce5b23c2b3d5db8b39196bc83637fa82a21bc31c5efa3592cbc1f972fa70
+// SHA-256 of the text below: cd4a0606044c62e9b2f5d842f44e34cd773817fae7057dd97f515e7be46ad116
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// plant: 227 additions, 287 multiplications, 23 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
+// plant: 131 additions, 174 multiplications, 23 divisions, 0 square roots, 9 elementary functions, 0 comparisons and selections
 
 //! `nsv_attitude`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -73,21 +73,17 @@ pub struct Prepared<T> {
     pub roll_1: T,
     /// Part of `pitch`.
     pub pitch_1: T,
-    /// Part of `drag`.
-    pub drag_1: T,
     /// Part of `yaw`.
     pub yaw_1: T,
     /// Part of `pitch_delta`.
     pub pitch_delta_1: T,
     /// Part of `yaw_delta`.
     pub yaw_delta_1: T,
-    /// Part of `yaw_delta`.
-    pub yaw_delta_2: T,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 0 additions, 9 multiplications, 0 divisions, 0 square roots, 0 elementary
+/// Operations: 0 additions, 7 multiplications, 0 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -96,21 +92,17 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let side_1 = real(97170193.3485195) * params.CY_scale;
     let roll_1 = real(1777048495.9577248) * params.Cl_scale;
     let pitch_1 = real(2369397994.6102996) * params.Cm_scale;
-    let drag_1 = real(97170193.3485195) * params.CD_scale;
     let yaw_1 = real(1777048495.9577248) * params.Cn_scale;
     let pitch_delta_1 = real(24.384) * params.Cm_scale;
     let yaw_delta_1 = real(18.288) * params.Cn_scale;
-    let yaw_delta_2 = real(0.0) * params.CY_scale;
     Prepared {
         lift_1,
         side_1,
         roll_1,
         pitch_1,
-        drag_1,
         yaw_1,
         pitch_delta_1,
         yaw_delta_1,
-        yaw_delta_2,
     }
 }
 
@@ -153,147 +145,102 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 227 additions, 272 multiplications, 23 divisions, 0 square roots, 7 elementary
+/// Operations: 131 additions, 161 multiplications, 23 divisions, 0 square roots, 6 elementary
 /// functions, 0 comparisons and selections.
 #[inline]
 pub fn dynamics<T: Real>(
     x: Vector<T, 12>,
     u_sat: Vector<T, 3>,
-    params: &Params<T>,
     prepared: &Prepared<T>,
     clock: &Clock<T>,
 ) -> PlantOutputs<T> {
     let real = T::from_f64;
-
-    // -- disturbance observer of block 2 (20) (49) --
-    // L_2
-    let L2: Matrix<T, 3, 6> = Matrix::from_f64([
-        [0.0, 2.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 3.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 1.0, 1.0],
-    ]);
 
     // -- plant model --
     let alpha = x[0];
     let beta = x[1];
     let mu = x[2];
     let alpha_deg = alpha / real(0.017453292519943295);
-    let at_alpha_deg = polynomials::at_alpha_deg(alpha_deg);
+    let at_alpha_deg_2 = polynomials::at_alpha_deg_2(alpha_deg);
     let lift = prepared.lift_1
-        * (at_alpha_deg.CL_alpha + at_alpha_deg.CL_LE + at_alpha_deg.CL_RE);
+        * (at_alpha_deg_2.CL_alpha + at_alpha_deg_2.CL_LE + at_alpha_deg_2.CL_RE);
     let side = prepared.side_1
-        * (at_alpha_deg.CY_beta * beta + at_alpha_deg.CY_LE + at_alpha_deg.CY_RE
-            + at_alpha_deg.CY_RUD);
+        * (at_alpha_deg_2.CY_beta * beta + at_alpha_deg_2.CY_LE + at_alpha_deg_2.CY_RE
+            + at_alpha_deg_2.CY_RUD);
     let p = x[3];
     let q = x[4];
     let r = x[5];
-    let t1 = at_alpha_deg.Cl_beta * beta + at_alpha_deg.Cl_LE + at_alpha_deg.Cl_RE
-        + at_alpha_deg.Cl_RUD + at_alpha_deg.Cl_p * p * real(18.288) / real(6000.0);
+    let t1 = at_alpha_deg_2.Cl_beta * beta + at_alpha_deg_2.Cl_LE + at_alpha_deg_2.Cl_RE
+        + at_alpha_deg_2.Cl_RUD + at_alpha_deg_2.Cl_p * p * real(18.288) / real(6000.0);
     let roll = prepared.roll_1
-        * (t1 + at_alpha_deg.Cl_r * r * real(18.288) / real(6000.0));
+        * (t1 + at_alpha_deg_2.Cl_r * r * real(18.288) / real(6000.0));
     let pitch = prepared.pitch_1
-        * (at_alpha_deg.Cm_alpha + at_alpha_deg.Cm_LE + at_alpha_deg.Cm_RE
-            + at_alpha_deg.Cm_RUD + at_alpha_deg.Cm_q * q * real(24.384) / real(6000.0));
-    let drag = prepared.drag_1
-        * (at_alpha_deg.CD_alpha + at_alpha_deg.CD_LE + at_alpha_deg.CD_RE
-            + at_alpha_deg.CD_RUD);
-    let t2 = at_alpha_deg.Cn_beta * beta + at_alpha_deg.Cn_LE + at_alpha_deg.Cn_RE
-        + at_alpha_deg.Cn_RUD + at_alpha_deg.Cn_p * p * real(18.288) / real(6000.0);
+        * (at_alpha_deg_2.Cm_alpha + at_alpha_deg_2.Cm_LE + at_alpha_deg_2.Cm_RE
+            + at_alpha_deg_2.Cm_RUD
+            + at_alpha_deg_2.Cm_q * q * real(24.384) / real(6000.0));
+    let t2 = at_alpha_deg_2.Cn_beta * beta + at_alpha_deg_2.Cn_LE + at_alpha_deg_2.Cn_RE
+        + at_alpha_deg_2.Cn_RUD + at_alpha_deg_2.Cn_p * p * real(18.288) / real(6000.0);
     let yaw = prepared.yaw_1
-        * (t2 + at_alpha_deg.Cn_r * r * real(18.288) / real(6000.0));
+        * (t2 + at_alpha_deg_2.Cn_r * r * real(18.288) / real(6000.0));
     let dCl = Vector([
-        at_alpha_deg.Cl_LE_d3,
-        at_alpha_deg.Cl_RE_d3,
-        at_alpha_deg.Cl_RUD_d3,
+        at_alpha_deg_2.Cl_LE_d3,
+        at_alpha_deg_2.Cl_RE_d3,
+        at_alpha_deg_2.Cl_RUD_d3,
     ]);
     let roll_delta = dCl * prepared.roll_1;
-    let dCm = Vector([at_alpha_deg.Cm_LE_d3, at_alpha_deg.Cm_RE_d3, real(0.0)]);
-    let dCD = Vector([
-        at_alpha_deg.CD_LE_d3,
-        at_alpha_deg.CD_RE_d3,
-        at_alpha_deg.CD_RUD_d3,
-    ]);
-    let dCL = Vector([at_alpha_deg.CL_LE_d3, at_alpha_deg.CL_RE_d3, real(0.0)]);
-    let t3 = alpha.sin();
-    let t4 = alpha.cos();
-    let t5 = dCm * prepared.pitch_delta_1
-        + (dCD * params.CD_scale * t3 + dCL * params.CL_scale * t4) * real(0.0);
-    let pitch_delta = t5 * real(97170193.3485195);
+    let dCm = Vector([at_alpha_deg_2.Cm_LE_d3, at_alpha_deg_2.Cm_RE_d3, real(0.0)]);
+    let pitch_delta = dCm * prepared.pitch_delta_1 * real(97170193.3485195);
     let dCn = Vector([
-        at_alpha_deg.Cn_LE_d3,
-        at_alpha_deg.Cn_RE_d3,
-        at_alpha_deg.Cn_RUD_d3,
+        at_alpha_deg_2.Cn_LE_d3,
+        at_alpha_deg_2.Cn_RE_d3,
+        at_alpha_deg_2.Cn_RUD_d3,
     ]);
-    let dCY = Vector([
-        at_alpha_deg.CY_LE_d3,
-        at_alpha_deg.CY_RE_d3,
-        at_alpha_deg.CY_RUD_d3,
-    ]);
-    let yaw_delta = (dCn * prepared.yaw_delta_1 + dCY * prepared.yaw_delta_2)
-        * real(97170193.3485195);
+    let yaw_delta = dCn * prepared.yaw_delta_1 * real(97170193.3485195);
 
     // -- true dynamics of block 1 (attitude) (11) --
-    let t6 = mu.cos();
-    let t7 = real(1332506.5352200002) * t6;
-    let t8 = beta.cos();
-    let t9 = beta.sin();
-    let t10 = mu.sin();
-    let t11 = beta.tan();
-    let t12 = t11 + real(0.0) * t10;
-    let t13 = side * real(0.0);
-    let t14 = real(0.0) * (t3 * t12 - t4 * t9 * real(0.0) * t6);
+    let t3 = real(1332506.5352200002) * mu.cos();
+    let t4 = beta.cos();
+    let t5 = beta.tan();
     // F_1 with the plant's parameters
     let F1_plant = Vector([
-        (-lift - real(0.0) * t3 + t7) / (real(410460000.0) * t8),
-        (side - real(0.0) * t4 * t9 + real(1332506.5352200002) * t10)
-            / real(410460000.0),
-        (lift * t12 + t13 * t6 - t7 * t11 + t14) / real(410460000.0),
+        (t3 - lift) / (real(410460000.0) * t4),
+        (side + real(1332506.5352200002) * mu.sin()) / real(410460000.0),
+        (lift * t5 - t3 * t5) / real(410460000.0),
     ]);
-    let t15 = -t11;
+    let t6 = alpha.sin();
+    let t7 = alpha.cos();
+    let t8 = -t5;
     // G_1 with the plant's parameters
     let G1_plant = Matrix([
-        [t15 * t4, real(1.0), t15 * t3],
-        [t3, real(0.0), -t4],
-        [t4 / t8, real(0.0), t3 / t8],
+        [t8 * t7, real(1.0), t8 * t6],
+        [t6, real(0.0), -t7],
+        [t7 / t4, real(0.0), t6 / t4],
     ]);
 
     // -- given --
     let x2 = Vector([p, q, r]);
-    let w2 = Vector([x[6], x[7], x[8], x[9], x[10], x[11]]);
 
     // -- true dynamics of block 1 (attitude) (11) --
     // F_1 + G_1 x_2 + d_1
     let x1_flow = F1_plant + G1_plant * x2 + clock.d1;
 
     // -- true dynamics of block 2 (rates) (11) --
-    let t16 = real(12202362.0) * p * r + pitch + real(0.0) * (drag * t3 + lift * t4);
     // F_2 with the plant's parameters
     let F2_plant = Vector([
-        (real(0.0) * q * r + roll) / real(1355818.0),
-        t16 / real(13558180.0),
-        (real(-12202362.0) * p * q + yaw + t13) / real(13558180.0),
-    ]);
-    // G_2 with the plant's parameters
-    let G2_plant: Matrix<T, 3, 3> = Matrix::from_f64([
-        [7.375621211696555e-7, 0.0, 0.0],
-        [0.0, 7.375621211696555e-8, 0.0],
-        [0.0, 0.0, 7.375621211696555e-8],
+        roll / real(1355818.0),
+        (real(12202362.0) * p * r + pitch) / real(13558180.0),
+        (real(-12202362.0) * p * q + yaw) / real(13558180.0),
     ]);
     // d_2 = L_2 w_2 (12)
-    let d2 = L2 * w2;
-    let t17: Matrix<T, 6, 6> = Matrix::from_f64([
-        [0.0, 3.0, 0.0, 0.0, 0.0, 0.0],
-        [-3.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 3.0, 0.0, 0.0],
-        [0.0, 0.0, -3.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 0.0, 3.0],
-        [0.0, 0.0, 0.0, 0.0, -3.0, 0.0],
-    ]);
-    // w_2' = M_2 w_2 (12)
-    let w2_flow = t17 * w2;
+    let d2 = Vector([real(2.0) * x[7], real(3.0) * x[8], x[10] + x[11]]);
     // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + G2_plant * u_sat + d2;
-    let t18 = Matrix([
+    let x2_flow = F2_plant
+        + Vector::<
+            T,
+            3,
+        >::from_f64([7.375621211696555e-7, 7.375621211696555e-8, 7.375621211696555e-8])
+            .hadamard(u_sat) + d2;
+    let t9 = Matrix([
         [
             roll_delta[0] / real(1355818.0),
             roll_delta[1] / real(1355818.0),
@@ -311,14 +258,7 @@ pub fn dynamics<T: Real>(
         ],
     ]);
     // H_2 Sigma_2
-    let HSigma2 = t18
-        .hadamard(
-            Matrix::<
-                T,
-                3,
-                3,
-            >::from_f64([[0.05, 0.05, 0.05], [0.05, 0.05, 0.05], [0.05, 0.05, 0.05]]),
-        );
+    let HSigma2 = t9 * real(0.05);
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // dx/dt without noise
@@ -329,12 +269,12 @@ pub fn dynamics<T: Real>(
         x2_flow[0],
         x2_flow[1],
         x2_flow[2],
-        w2_flow[0],
-        w2_flow[1],
-        w2_flow[2],
-        w2_flow[3],
-        w2_flow[4],
-        w2_flow[5],
+        real(3.0) * x[7],
+        real(-3.0) * x[6],
+        real(3.0) * x[9],
+        real(-3.0) * x[8],
+        real(3.0) * x[11],
+        real(-3.0) * x[10],
     ]);
     // columns: one per Wiener process
     let diffusion = Matrix([
@@ -481,7 +421,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 227 additions, 287 multiplications, 23 divisions, 0 square roots, 10 elementary
+/// Operations: 131 additions, 174 multiplications, 23 divisions, 0 square roots, 9 elementary
 /// functions, 0 comparisons and selections.
 #[inline]
 pub fn plant<T: Real>(
@@ -492,5 +432,5 @@ pub fn plant<T: Real>(
 ) -> PlantOutputs<T> {
     let prepared = prepare(params);
     let clock = clock(t);
-    dynamics(x, u_sat, params, &prepared, &clock)
+    dynamics(x, u_sat, &prepared, &clock)
 }

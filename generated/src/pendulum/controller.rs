@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 2e05841bfa8bfc5e4addba25601f7ac518bd207bb80071d2d316cfde6514c407
+// SHA-256 of the text below: 5cd37b5b7fa3951ca11a39459fd822e5609adfc27ce004d2f5c8926f434bf293
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// initial: 8 additions, 17 multiplications, 5 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
-// control: 48 additions, 66 multiplications, 9 divisions, 0 square roots, 6 elementary functions, 6 comparisons and selections
+// initial: 6 additions, 17 multiplications, 5 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
+// control: 47 additions, 65 multiplications, 9 divisions, 0 square roots, 6 elementary functions, 6 comparisons and selections
 
 //! `pendulum`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -206,15 +206,13 @@ impl<T: Real> Controller<T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 8 additions, 17 multiplications, 5 divisions, 0 square roots, 5 elementary
+/// Operations: 6 additions, 17 multiplications, 5 divisions, 0 square roots, 5 elementary
 /// functions, 3 comparisons and selections.
 #[inline]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     let real = T::from_f64;
 
     // -- known dynamics of block 1 (position) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 1> = Vector::zero();
     // G_1(x_1 .. x_1)
     let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
 
@@ -263,7 +261,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + Vector::<T, 1>::zero() + Lam1;
+    let bracket1 = Lam1 - y_r_dot;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -G1.solve(bracket1);
     State {
@@ -306,26 +304,22 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 pub struct Clock<T> {
     /// `y_r(t)`
     pub y_r: Vector<T, 1>,
+    /// `y_r'`
+    pub y_r_dot: Vector<T, 1>,
     /// `k_1(t)`
     pub k1: T,
     /// Part of `E1_free`.
     pub E1_free_1: T,
-    /// Part of `bracket1`.
-    pub bracket1_1: Vector<T, 1>,
 }
 
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 2 additions, 6 multiplications, 0 divisions, 0 square roots, 3 elementary
+/// Operations: 1 additions, 6 multiplications, 0 divisions, 0 square roots, 3 elementary
 /// functions, 0 comparisons and selections.
 #[inline]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
     let real = T::from_f64;
-
-    // -- known dynamics of block 1 (position) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 1> = Vector::zero();
 
     // -- reference and constraints --
     // y_r(t)
@@ -336,12 +330,11 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     let k1 = (real(30.0) * (real(-2.0) * t).exp() + real(6.0))
         * real(0.017453292519943295);
     let E1_free_1 = k1 * k1;
-    let bracket1_1 = F1 - y_r_dot;
     Clock {
         y_r,
+        y_r_dot,
         k1,
         E1_free_1,
-        bracket1_1,
     }
 }
 
@@ -372,7 +365,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 46 additions, 59 multiplications, 8 divisions, 0 square roots, 3 elementary
+/// Operations: 46 additions, 58 multiplications, 8 divisions, 0 square roots, 3 elementary
 /// functions, 6 comparisons and selections.
 #[inline]
 pub fn law<T: Real>(
@@ -432,13 +425,13 @@ pub fn law<T: Real>(
     // -- virtual control (31) of block 1 --
     let t4 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = clock.bracket1_1 + t4 + Lam1;
+    let bracket1 = t4 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -G1.solve(bracket1);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t4;
+    let zeta1_dot = state.zeta2 - t4;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -485,9 +478,7 @@ pub fn law<T: Real>(
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let u = -t7;
     // sat(u), each component limited to +-u_max (8)
-    let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-8.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([8.0]), T::min);
+    let u_sat = u.map(|entry| entry.max(real(-8.0))).map(|entry| entry.min(real(8.0)));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
@@ -536,7 +527,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 48 additions, 66 multiplications, 9 divisions, 0 square roots, 6 elementary
+/// Operations: 47 additions, 65 multiplications, 9 divisions, 0 square roots, 6 elementary
 /// functions, 6 comparisons and selections.
 #[inline]
 pub fn control<T: Real>(

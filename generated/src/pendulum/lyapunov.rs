@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 12648e505624276fe8c3e929cd5e6b4a226d128c75bb6a95d32224aa80bb59b7
+// SHA-256 of the text below: 90d876fe667e08fc8cc64aa8c06d61d958351c80bb1f591a0a1aa061c79e324f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// lyapunov: 150 additions, 191 multiplications, 27 divisions, 0 square roots, 13 elementary functions, 17 comparisons and selections
+// lyapunov: 147 additions, 188 multiplications, 27 divisions, 0 square roots, 13 elementary functions, 17 comparisons and selections
 
 //! `pendulum`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,7 +29,7 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 150 additions, 191 multiplications, 27 divisions, 0 square roots, 13 elementary
+/// Operations: 147 additions, 188 multiplications, 27 divisions, 0 square roots, 13 elementary
 /// functions, 17 comparisons and selections.
 #[inline]
 pub fn lyapunov<T: Real>(
@@ -43,8 +43,6 @@ pub fn lyapunov<T: Real>(
     let real = T::from_f64;
 
     // -- known dynamics of block 1 (position) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 1> = Vector::zero();
     // G_1(x_1 .. x_1)
     let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
 
@@ -66,14 +64,13 @@ pub fn lyapunov<T: Real>(
     let t4 = t.sin();
     // y_r(t)
     let y_r = Vector([real(FRAC_PI_2) * t4]);
-    let t5 = t.cos();
     // y_r'
-    let y_r_dot = Vector([real(FRAC_PI_2) * t5]);
-    let t6 = (real(-2.0) * t).exp();
+    let y_r_dot = Vector([real(FRAC_PI_2) * t.cos()]);
+    let t5 = (real(-2.0) * t).exp();
     // k_1(t)
-    let k1 = (real(30.0) * t6 + real(6.0)) * real(0.017453292519943295);
+    let k1 = (real(30.0) * t5 + real(6.0)) * real(0.017453292519943295);
     // k1'
-    let k1_dot = real(0.017453292519943295) * (real(30.0) * (t6 * real(-2.0)));
+    let k1_dot = real(0.017453292519943295) * (real(30.0) * (t5 * real(-2.0)));
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -82,23 +79,23 @@ pub fn lyapunov<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t7 = k1 * k1;
-    let t8 = s1 / t7;
+    let t6 = k1 * k1;
+    let t7 = s1 / t6;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t8 * t8);
+    let E1_free = real(FRAC_PI_2) * (t7 * t7);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t9 = cosE1 * cosE1;
+    let t8 = cosE1 * cosE1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t9;
+    let c1 = e1 * s1 / t8;
 
     // -- robust feedback of block 1 (31) (63) --
-    let t10 = kernel::sin_cos_over(E1);
-    let t11 = real(1.5697963267948967) / E1_free;
+    let t9 = kernel::sin_cos_over(E1);
+    let t10 = real(1.5697963267948967) / E1_free;
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0) * (t10 * real(1.0).min(t11)) + e1 * real(4.0);
+    let Lam0_1 = e1 * real(5.0) * (t9 * real(1.0).min(t10)) + e1 * real(4.0);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
     // Lam_1, sum of the terms above
@@ -107,16 +104,16 @@ pub fn lyapunov<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t12 = state.zeta1 * real(20.0);
+    let t11 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + t12 + Lam1;
-    let t13 = G1.solve(bracket1);
+    let bracket1 = t11 - y_r_dot + Lam1;
+    let t12 = G1.solve(bracket1);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t13;
+    let alpha1 = -t12;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t12;
+    let zeta1_dot = state.zeta2 - t11;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -137,9 +134,9 @@ pub fn lyapunov<T: Real>(
     let z2 = Vector([t1, omega]);
     // P_2 = P_m(z_2), 6 nodes
     let P2 = polynomials::basis2(z2);
-    let t14 = state.W2.transpose();
+    let t13 = state.W2.transpose();
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = t14 * P2;
+    let A_hat2 = t13 * P2;
 
     // -- disturbance observer of block 2 (20) (49) --
     // D_hat_2 = th_2 + S_2 x_2
@@ -150,74 +147,64 @@ pub fn lyapunov<T: Real>(
     let Lam0_2 = e2 * real(12.5) + e2 * real(10.0);
     // eta_1/2 c^T (36)
     let Lam2_disturbance = c2 * real(0.5);
-    let t15 = s_c1 * s_c1;
+    let t14 = s_c1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * t15 * real(0.25);
+    let Lam2_coupling = e2 * t14 * real(0.25);
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_coupling;
 
     // -- control (64) of block 2 --
-    let t16 = F2 + A_hat2;
-    let t17 = state.zeta2 * real(50.0);
+    let t15 = F2 + A_hat2;
+    let t16 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t16 - h1_dot + t17 + D_hat2 + Lam2;
-    let t18 = G2.solve(bracket2);
+    let bracket2 = t15 - h1_dot + t16 + D_hat2 + Lam2;
+    let t17 = G2.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t18;
+    let u = -t17;
     // sat(u), each component limited to +-u_max (8)
-    let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-8.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([8.0]), T::min);
+    let u_sat = u.map(|entry| entry.max(real(-8.0))).map(|entry| entry.min(real(8.0)));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = G2 * (u_sat + t18) - t17;
+    let zeta2_dot = G2 * (u_sat + t17) - t16;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
-    // -- true dynamics of block 1 (position) (11) --
-    // F_1 with the plant's parameters
-    let F1_plant: Vector<T, 1> = Vector::zero();
-    // G_1 with the plant's parameters
-    let G1_plant: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-    // F_1 + G_1 x_2 + d_1
-    let x1_flow = F1_plant + G1_plant * x2;
-
     // -- true dynamics of block 2 (speed) (11) --
-    let t19 = plant.mass * real(0.25);
+    let t18 = plant.mass * real(0.25);
     // F_2 with the plant's parameters
-    let F2_plant = Vector([t2 - t3 / t19]);
+    let F2_plant = Vector([t2 - t3 / t18]);
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[real(1.0) / t19]]);
-    let t20 = real(3.0) * t;
+    let G2_plant = Matrix([[real(1.0) / t18]]);
+    let t19 = real(3.0) * t;
     // d_2(t)
-    let d2 = Vector([real(1.0) + real(2.0) * t20.sin()]);
+    let d2 = Vector([real(1.0) + real(2.0) * t19.sin()]);
     // F_2 + G_2 x_3 + d_2
     let x2_flow = F2_plant + G2_plant * u_sat + d2;
 
     // -- Lyapunov function of block 1 (23) (52) --
-    let t21 = t7 * t7 / real(TAU);
-    let t22 = E1.tan();
+    let t20 = t6 * t6 / real(TAU);
+    let t21 = E1.tan();
     // k_1^4/(2 pi) tan E_1
-    let V_T1 = t21 * t22;
+    let V_T1 = t20 * t21;
     // 1/2 ||zeta_1||^2
     let V_zeta1 = state.zeta1.sum_squares() * real(0.5);
     // chi_1 = h_1 - alpha_1 (34)
-    let chi1 = state.h1 + t13;
+    let chi1 = state.h1 + t12;
     // 1/2 ||chi_1||^2
     let V_chi1 = chi1.sum_squares() * real(0.5);
 
     // -- Lyapunov function of block 2 (23) (52) --
     // k_2^4/(2 pi) tan E_2
     let V_T2 = s2 * s2 * real(0.25);
-    let t23 = t14 * state.W2;
+    let t22 = t13 * state.W2;
     // tr(W_2^T W_2)/(2 Gamma_2)
-    let V_W2 = t23[(0, 0)] * real(0.5);
-    let t24 = G2_plant - G2;
+    let V_W2 = t22[(0, 0)] * real(0.5);
+    let t23 = G2_plant - G2;
     // D_2 = d_2 + model error of block 2
-    let D2 = d2 + (F2_plant - F2) + t24 * u_sat;
+    let D2 = d2 + (F2_plant - F2) + t23 * u_sat;
     // D_2 - D_hat_2
     let D_error2 = D2 - D_hat2;
     // 1/2 ||theta_2 - th_2||^2
@@ -231,13 +218,13 @@ pub fn lyapunov<T: Real>(
 
     // -- Ito generator (2) --
     // e1' along the flow
-    let e1_flow = x1_flow - y_r_dot - zeta1_dot;
-    let t25 = e1_flow.dot(e1);
+    let e1_flow = x2 - y_r_dot - zeta1_dot;
+    let t24 = e1_flow.dot(e1);
     // s1' along the flow
-    let s1_flow = t25 + t25;
-    let t26 = (t8 + t8) * (s1_flow / t7 - t8 / t7 * ((k1 + k1) * k1_dot));
+    let s1_flow = t24 + t24;
+    let t25 = (t7 + t7) * (s1_flow / t6 - t7 / t6 * ((k1 + k1) * k1_dot));
     // E1_free' along the flow
-    let E1_free_flow = real(FRAC_PI_2) * t26;
+    let E1_free_flow = real(FRAC_PI_2) * t25;
     // E1' along the flow
     let E1_flow = T::select(
         E1_free.lt(real(1.5697963267948967)),
@@ -245,84 +232,84 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t22 * (real(4.0) * (t7 * k1) * k1_dot / real(TAU))
-        + t21 * (E1_flow / t9);
-    let t27 = zeta1_dot.dot(state.zeta1);
+    let V_T1_flow = t21 * (real(4.0) * (t6 * k1) * k1_dot / real(TAU))
+        + t20 * (E1_flow / t8);
+    let t26 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
-    let V_zeta1_flow = (t27 + t27) * real(0.5);
+    let V_zeta1_flow = (t26 + t26) * real(0.5);
     // y_r''
-    let y_r_dot2 = Vector([real(FRAC_PI_2) * (t5 * real(0.0) - t4)]);
-    let t28 = real(1.0).lt(t11);
-    let t29 = T::select(t28, real(1.0), t11);
-    let t30 = t29 * (kernel::sin_cos_over_d1(E1) * E1_flow)
-        + T::select(t28, real(0.0), -(t10 * (t11 / E1_free * E1_free_flow)));
+    let y_r_dot2 = Vector([real(FRAC_PI_2) * -t4]);
+    let t27 = real(1.0).lt(t10);
+    let t28 = T::select(t27, real(1.0), t10);
+    let t29 = t28 * (kernel::sin_cos_over_d1(E1) * E1_flow)
+        + T::select(t27, real(0.0), -(t9 * (t10 / E1_free * E1_free_flow)));
     // Lam0_1' along the flow
     let Lam0_1_flow = Vector([
-        real(5.0) * e1[0] * t30 + t10 * t29 * (real(5.0) * e1_flow[0])
+        real(5.0) * e1[0] * t29 + t9 * t28 * (real(5.0) * e1_flow[0])
             + real(4.0) * e1_flow[0],
     ]);
     // cosE1' along the flow
     let cosE1_flow = -(E1.sin() * E1_flow);
-    let t31 = s1 * e1[0] / t9 / t9 * ((cosE1 + cosE1) * cosE1_flow);
+    let t30 = s1 * e1[0] / t8 / t8 * ((cosE1 + cosE1) * cosE1_flow);
     // c1' along the flow
-    let c1_flow = Vector([(e1[0] * s1_flow + s1 * e1_flow[0]) / t9 - t31]);
+    let c1_flow = Vector([(e1[0] * s1_flow + s1 * e1_flow[0]) / t8 - t30]);
     // Lam1_filter' along the flow
     let Lam1_filter_flow = c1_flow * real(0.5);
     // Lam1' along the flow
     let Lam1_flow = Lam0_1_flow + Lam1_filter_flow;
     // bracket1' along the flow
     let bracket1_flow = zeta1_dot * real(20.0) - y_r_dot2 + Lam1_flow;
-    let t32 = G1.solve(bracket1_flow);
+    let t31 = G1.solve(bracket1_flow);
     // alpha1' along the flow
-    let alpha1_flow = -t32;
+    let alpha1_flow = -t31;
     // chi1' along the flow
-    let chi1_flow = h1_dot + t32;
-    let t33 = chi1_flow.dot(chi1);
+    let chi1_flow = h1_dot + t31;
+    let t32 = chi1_flow.dot(chi1);
     // V_chi1' along the flow
-    let V_chi1_flow = (t33 + t33) * real(0.5);
+    let V_chi1_flow = (t32 + t32) * real(0.5);
     // e2' along the flow
     let e2_flow = x2_flow - h1_dot - zeta2_dot;
-    let t34 = e2_flow.dot(e2);
+    let t33 = e2_flow.dot(e2);
     // s2' along the flow
-    let s2_flow = t34 + t34;
-    let t35 = s2_flow * s2;
+    let s2_flow = t33 + t33;
+    let t34 = s2_flow * s2;
     // V_T2' along the flow
-    let V_T2_flow = (t35 + t35) * real(0.25);
-    let t36 = W2_dot.transpose();
-    let t37 = t36 * state.W2 + t14 * W2_dot;
+    let V_T2_flow = (t34 + t34) * real(0.25);
+    let t35 = W2_dot.transpose();
+    let t36 = t35 * state.W2 + t13 * W2_dot;
     // V_W2' along the flow
-    let V_W2_flow = t37[(0, 0)] * real(0.5);
+    let V_W2_flow = t36[(0, 0)] * real(0.5);
     // d2'
-    let d2_dot = Vector([real(2.0) * (t20.cos() * real(3.0))]);
-    let t38 = theta.cos() * x1_flow[0];
-    let t39 = real(19.62) * t38;
-    let t40 = real(0.1) * x2_flow[0];
+    let d2_dot = Vector([real(2.0) * (t19.cos() * real(3.0))]);
+    let t37 = theta.cos() * x2[0];
+    let t38 = real(19.62) * t37;
+    let t39 = real(0.1) * x2_flow[0];
     // F2_plant' along the flow
-    let F2_plant_flow = Vector([-(t39 + t40 / t19)]);
+    let F2_plant_flow = Vector([-(t38 + t39 / t18)]);
     // F2' along the flow
-    let F2_flow = Vector([-(t39 + t40 / inertia)]);
+    let F2_flow = Vector([-(t38 + t39 / inertia)]);
     // z2' along the flow
-    let z2_flow = Vector([t38, x2_flow[0]]);
+    let z2_flow = Vector([t37, x2_flow[0]]);
     // P2' along the flow
     let P2_flow = polynomials::basis2_rate(z2, z2_flow);
     // A_hat2' along the flow
-    let A_hat2_flow = t36 * P2 + t14 * P2_flow;
+    let A_hat2_flow = t35 * P2 + t13 * P2_flow;
     // h1_dot' along the flow
     let h1_dot_flow = (alpha1_flow - h1_dot) / real(0.02);
     // D_hat2' along the flow
-    let D_hat2_flow = x2_flow * real(20.0) - (D_hat2 + t16 + G2 * u_sat) * real(20.0);
+    let D_hat2_flow = x2_flow * real(20.0) - (D_hat2 + t15 + G2 * u_sat) * real(20.0);
     // Lam0_2' along the flow
     let Lam0_2_flow = e2_flow * real(12.5) + e2_flow * real(10.0);
     // c2' along the flow
     let c2_flow = e2 * s2_flow + e2_flow * s2;
     // Lam2_disturbance' along the flow
     let Lam2_disturbance_flow = c2_flow * real(0.5);
-    let t41 = c1_flow.dot(c1);
+    let t40 = c1_flow.dot(c1);
     // s_c1' along the flow
-    let s_c1_flow = t41 + t41;
+    let s_c1_flow = t40 + t40;
     // Lam2_coupling' along the flow
     let Lam2_coupling_flow = Vector([
-        (e2[0] * ((s_c1 + s_c1) * s_c1_flow) + t15 * e2_flow[0]) * real(0.25),
+        (e2[0] * ((s_c1 + s_c1) * s_c1_flow) + t14 * e2_flow[0]) * real(0.25),
     ]);
     // Lam2' along the flow
     let Lam2_flow = Lam0_2_flow + Lam2_disturbance_flow + Lam2_coupling_flow;
@@ -331,25 +318,25 @@ pub fn lyapunov<T: Real>(
         + D_hat2_flow + Lam2_flow;
     // u' along the flow
     let u_flow = -G2.solve(bracket2_flow);
-    let t42 = real(-8.0).lt(u[0]);
+    let t41 = real(-8.0).lt(u[0]);
     // u_sat' along the flow
     let u_sat_flow = Vector([
         T::select(
-            T::select(t42, u[0], real(-8.0)).lt(real(8.0)),
-            T::select(t42, u_flow[0], real(0.0)),
+            T::select(t41, u[0], real(-8.0)).lt(real(8.0)),
+            T::select(t41, u_flow[0], real(0.0)),
             real(0.0),
         ),
     ]);
     // D2' along the flow
-    let D2_flow = d2_dot + (F2_plant_flow - F2_flow) + t24 * u_sat_flow;
+    let D2_flow = d2_dot + (F2_plant_flow - F2_flow) + t23 * u_sat_flow;
     // D_error2' along the flow
     let D_error2_flow = D2_flow - D_hat2_flow;
-    let t43 = D_error2_flow.dot(D_error2);
+    let t42 = D_error2_flow.dot(D_error2);
     // V_D2' along the flow
-    let V_D2_flow = (t43 + t43) * real(0.5);
-    let t44 = zeta2_dot.dot(state.zeta2);
+    let V_D2_flow = (t42 + t42) * real(0.5);
+    let t43 = zeta2_dot.dot(state.zeta2);
     // V_zeta2' along the flow
-    let V_zeta2_flow = (t44 + t44) * real(0.5);
+    let V_zeta2_flow = (t43 + t43) * real(0.5);
     // LV = V_t + V_x f + 1/2 sum_j g_j^T V_xx g_j
     let LV = V_T1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow + V_W2_flow + V_D2_flow
         + V_zeta2_flow;

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: cf63b8b40d5c482e8f23f85c887de980efe8ce1f62424ff8b8f2b500a7092072
+// SHA-256 of the text below: b4a865d3fd4407bb6ee1804fa215abf11da2c6ace22047c9d22de79a8527bf12
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// plant: 5 additions, 7 multiplications, 2 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 4 additions, 6 multiplications, 2 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `pendulum`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -103,7 +103,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 4 additions, 4 multiplications, 1 divisions, 0 square roots, 1 elementary
+/// Operations: 3 additions, 3 multiplications, 1 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
 #[inline]
 pub fn dynamics<T: Real>(
@@ -114,22 +114,9 @@ pub fn dynamics<T: Real>(
 ) -> PlantOutputs<T> {
     let real = T::from_f64;
 
-    // -- true dynamics of block 1 (position) (11) --
-    // F_1 with the plant's parameters
-    let F1_plant: Vector<T, 1> = Vector::zero();
-    // G_1 with the plant's parameters
-    let G1_plant: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
     // -- plant model --
     let omega = x[1];
     let theta = x[0];
-
-    // -- given --
-    let x2 = Vector([omega]);
-
-    // -- true dynamics of block 1 (position) (11) --
-    // F_1 + G_1 x_2 + d_1
-    let x1_flow = F1_plant + G1_plant * x2;
 
     // -- true dynamics of block 2 (speed) (11) --
     // F_2 with the plant's parameters
@@ -141,7 +128,7 @@ pub fn dynamics<T: Real>(
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // dx/dt without noise
-    let drift = Vector([x1_flow[0], x2_flow[0]]);
+    let drift = Vector([omega, x2_flow[0]]);
     PlantOutputs {
         drift,
         d2: clock.d2,
@@ -150,7 +137,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 5 additions, 7 multiplications, 2 divisions, 0 square roots, 2 elementary
+/// Operations: 4 additions, 6 multiplications, 2 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline]
 pub fn plant<T: Real>(

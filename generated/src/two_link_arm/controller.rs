@@ -1,8 +1,8 @@
-// SHA-256 of the text below: c51add5ab51c8478cb304f14725353af297a4ee3c5f7ada29c362312cb02ceee
+// SHA-256 of the text below: 385ecaccb521884fec65a443643637c5b52ab065d89dc2e179aa40bb64e022b5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// initial: 26 additions, 41 multiplications, 7 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
-// control: 285 additions, 374 multiplications, 23 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
+// initial: 14 additions, 30 multiplications, 5 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
+// control: 246 additions, 328 multiplications, 21 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
 
 //! `two_link_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -217,17 +217,11 @@ impl<T: Real> Controller<T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 26 additions, 41 multiplications, 7 divisions, 0 square roots, 5 elementary
+/// Operations: 14 additions, 30 multiplications, 5 divisions, 0 square roots, 5 elementary
 /// functions, 3 comparisons and selections.
 #[inline]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let real = T::from_f64;
-
-    // -- known dynamics of block 1 (joints) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 2> = Vector::zero();
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 2, 2> = Matrix::from_f64([[1.0, 0.0], [0.0, 1.0]]);
 
     // -- reference and constraints --
     let t1 = real(2.0) * t;
@@ -276,27 +270,22 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + Vector::<T, 2>::zero() + Lam1;
-    let t6 = G1.solve(bracket1);
+    let bracket1 = Lam1 - y_r_dot;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t6;
+    let alpha1 = -bracket1;
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t6;
-
-    // -- disturbance observer of block 2 (20) (49) --
-    // S_2, observer gain
-    let S2: Matrix<T, 5, 2> = Matrix::from_f64([
-        [12.0, 0.0],
-        [36.0, 0.0],
-        [0.0, 8.0],
-        [0.0, 2.0],
-        [0.0, 11.0],
-    ]);
+    let e2 = x2 + bracket1;
 
     // -- given --
-    let th2 = -(S2 * e2);
+    let th2 = -Vector([
+        real(12.0) * e2[0],
+        real(36.0) * e2[0],
+        real(8.0) * e2[1],
+        real(2.0) * e2[1],
+        real(11.0) * e2[1],
+    ]);
     State {
         zeta1,
         zeta2,
@@ -356,14 +345,14 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 pub struct Clock<T> {
     /// `y_r(t)`
     pub y_r: Vector<T, 2>,
+    /// `y_r'`
+    pub y_r_dot: Vector<T, 2>,
     /// `k_1(t)`
     pub k1: T,
     /// `k_2(t)`
     pub k2: T,
     /// Part of `E1_free`.
     pub E1_free_1: T,
-    /// Part of `bracket1`.
-    pub bracket1_1: Vector<T, 2>,
     /// Part of `E2_free`.
     pub E2_free_1: T,
 }
@@ -371,15 +360,11 @@ pub struct Clock<T> {
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 5 additions, 11 multiplications, 0 divisions, 0 square roots, 3 elementary
+/// Operations: 3 additions, 11 multiplications, 0 divisions, 0 square roots, 3 elementary
 /// functions, 0 comparisons and selections.
 #[inline]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
     let real = T::from_f64;
-
-    // -- known dynamics of block 1 (joints) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 2> = Vector::zero();
 
     // -- reference and constraints --
     let t1 = real(2.0) * t;
@@ -395,14 +380,13 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     // k_2(t)
     let k2 = real(4.0) * t4 + real(1.0);
     let E1_free_1 = k1 * k1;
-    let bracket1_1 = F1 - y_r_dot;
     let E2_free_1 = k2 * k2;
     Clock {
         y_r,
+        y_r_dot,
         k1,
         k2,
         E1_free_1,
-        bracket1_1,
         E2_free_1,
     }
 }
@@ -436,7 +420,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 277 additions, 357 multiplications, 23 divisions, 0 square roots, 8 elementary
+/// Operations: 240 additions, 311 multiplications, 21 divisions, 0 square roots, 8 elementary
 /// functions, 13 comparisons and selections.
 #[inline]
 pub fn law<T: Real>(
@@ -447,10 +431,6 @@ pub fn law<T: Real>(
     clock: &Clock<T>,
 ) -> ControlOutputs<T> {
     let real = T::from_f64;
-
-    // -- known dynamics of block 1 (joints) (11) --
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 2, 2> = Matrix::from_f64([[1.0, 0.0], [0.0, 1.0]]);
 
     // -- plant model --
     let q2 = x1[1];
@@ -505,13 +485,13 @@ pub fn law<T: Real>(
     // -- virtual control (31) of block 1 --
     let t6 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = clock.bracket1_1 + t6 + Lam1;
+    let bracket1 = t6 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -G1.solve(bracket1);
+    let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t6;
+    let zeta1_dot = state.zeta2 - t6;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -546,23 +526,17 @@ pub fn law<T: Real>(
     let A_hat2 = state.W2.transpose() * P2;
 
     // -- disturbance observer of block 2 (20) (49) --
-    // S_2, observer gain
-    let S2: Matrix<T, 5, 2> = Matrix::from_f64([
-        [12.0, 0.0],
-        [36.0, 0.0],
-        [0.0, 8.0],
-        [0.0, 2.0],
-        [0.0, 11.0],
-    ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + S2 * e2;
-    // L_2
-    let L2: Matrix<T, 2, 5> = Matrix::from_f64([
-        [1.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 1.0, 1.0, 0.0],
-    ]);
+    let w_hat2 = state.th2
+        + Vector([
+            real(12.0) * e2[0],
+            real(36.0) * e2[0],
+            real(8.0) * e2[1],
+            real(2.0) * e2[1],
+            real(11.0) * e2[1],
+        ]);
     // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = L2 * w_hat2;
+    let D_hat2 = Vector([w_hat2[0], w_hat2[2] + w_hat2[3]]);
 
     // -- robust feedback of block 2 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -604,16 +578,23 @@ pub fn law<T: Real>(
     let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
-    // M_2 - S_2 L_2
-    let w2_closed: Matrix<T, 5, 5> = Matrix::from_f64([
-        [-12.0, 1.0, 0.0, 0.0, 0.0],
-        [-36.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, -8.0, -8.0, 0.0],
-        [0.0, 0.0, -2.0, -2.0, 3.0],
-        [0.0, 0.0, -11.0, -14.0, 0.0],
+    let t13 = Vector([
+        real(-12.0) * w_hat2[0] + w_hat2[1],
+        real(-36.0) * w_hat2[0],
+        real(-8.0) * w_hat2[2] + real(-8.0) * w_hat2[3],
+        real(-2.0) * w_hat2[2] + real(-2.0) * w_hat2[3] + real(3.0) * w_hat2[4],
+        real(-11.0) * w_hat2[2] + real(-14.0) * w_hat2[3],
     ]);
+    let t14 = t10 + inverse_M * u - h1_dot + t11;
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = w2_closed * w_hat2 - S2 * (t10 + inverse_M * u - h1_dot + t11);
+    let th2_dot = t13
+        - Vector([
+            real(12.0) * t14[0],
+            real(36.0) * t14[0],
+            real(8.0) * t14[1],
+            real(2.0) * t14[1],
+            real(11.0) * t14[1],
+        ]);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
@@ -676,7 +657,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 285 additions, 374 multiplications, 23 divisions, 0 square roots, 11 elementary
+/// Operations: 246 additions, 328 multiplications, 21 divisions, 0 square roots, 11 elementary
 /// functions, 13 comparisons and selections.
 #[inline]
 pub fn control<T: Real>(

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 07b57be9e8579b75e75aadf444a32bc24fffab78c6a68c7bf21af0fef367b265
+// SHA-256 of the text below: 81e8b1df8dbca77d4301f480ac3a09fdaba8407658e2603f6dde2934febd2d03
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// plant: 51 additions, 66 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 20 additions, 29 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `two_link_arm`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -100,7 +100,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 48 additions, 60 multiplications, 4 divisions, 0 square roots, 2 elementary
+/// Operations: 17 additions, 23 multiplications, 4 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline]
 pub fn dynamics<T: Real>(
@@ -108,18 +108,7 @@ pub fn dynamics<T: Real>(
     u_sat: Vector<T, 2>,
     prepared: &Prepared<T>,
 ) -> PlantOutputs<T> {
-    // -- disturbance observer of block 2 (20) (49) --
-    // L_2
-    let L2: Matrix<T, 2, 5> = Matrix::from_f64([
-        [1.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 1.0, 1.0, 0.0],
-    ]);
-
-    // -- true dynamics of block 1 (joints) (11) --
-    // F_1 with the plant's parameters
-    let F1_plant: Vector<T, 2> = Vector::zero();
-    // G_1 with the plant's parameters
-    let G1_plant: Matrix<T, 2, 2> = Matrix::from_f64([[1.0, 0.0], [0.0, 1.0]]);
+    let real = T::from_f64;
 
     // -- plant model --
     let v1 = x[2];
@@ -135,50 +124,33 @@ pub fn dynamics<T: Real>(
     let coriolis = prepared.a_3 * t2 - prepared.a_4 * t1;
     let torque = Vector([-v2 * v1 - (v1 + v2) * v2, v1 * v1]) * coriolis;
 
-    // -- given --
-    let x2 = Vector([v1, v2]);
-    let w2 = Vector([x[4], x[5], x[6], x[7], x[8]]);
-
-    // -- true dynamics of block 1 (joints) (11) --
-    // F_1 + G_1 x_2 + d_1
-    let x1_flow = F1_plant + G1_plant * x2;
-
     // -- true dynamics of block 2 (rates) (11) --
     // F_2 with the plant's parameters
     let F2_plant = -inverse_M * torque;
     // d_2 = L_2 w_2 (12)
-    let d2 = L2 * w2;
-    let t4: Matrix<T, 5, 5> = Matrix::from_f64([
-        [0.0, 1.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 3.0],
-        [0.0, 0.0, 0.0, -3.0, 0.0],
-    ]);
-    // w_2' = M_2 w_2 (12)
-    let w2_flow = t4 * w2;
+    let d2 = Vector([x[4], x[6] + x[7]]);
     // F_2 + G_2 x_3 + d_2
     let x2_flow = F2_plant + inverse_M * u_sat + d2;
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // dx/dt without noise
     let drift = Vector([
-        x1_flow[0],
-        x1_flow[1],
+        v1,
+        v2,
         x2_flow[0],
         x2_flow[1],
-        w2_flow[0],
-        w2_flow[1],
-        w2_flow[2],
-        w2_flow[3],
-        w2_flow[4],
+        x[5],
+        real(0.0),
+        real(0.0),
+        real(3.0) * x[8],
+        real(-3.0) * x[7],
     ]);
     PlantOutputs { drift, d2 }
 }
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 51 additions, 66 multiplications, 4 divisions, 0 square roots, 2 elementary
+/// Operations: 20 additions, 29 multiplications, 4 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline]
 pub fn plant<T: Real>(
