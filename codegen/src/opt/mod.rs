@@ -8,6 +8,7 @@ pub mod stage;
 
 mod arrays;
 mod dead_code;
+mod elementary;
 mod families;
 mod fold;
 mod identities;
@@ -43,7 +44,7 @@ pub struct Pass {
 }
 
 /// All passes, in the order of a round.
-pub static PASSES: [Pass; 11] = [
+pub static PASSES: [Pass; 12] = [
     Pass {
         name: "fold",
         kind: Kind::Exact,
@@ -95,6 +96,11 @@ pub static PASSES: [Pass; 11] = [
             "a quotient a/d is off by at most 1.5 ulp instead of 0.5, while 1/d neither over- nor underflows",
         ),
         run: reciprocals::run,
+    },
+    Pass {
+        name: "elementary",
+        kind: Kind::Exact,
+        run: elementary::run,
     },
     Pass {
         name: "dead_code",
