@@ -6,6 +6,7 @@ use quote::quote;
 use crate::emit::family::FamilyNames;
 use crate::emit::methods::{comparison_name, function_name, kernel_name, operator_name};
 use crate::emit::names::ident;
+use crate::emit::pack::Packs;
 use crate::emit::types::{constant, index};
 use crate::ir::{Function, Op, Operator, Program, Shape, Type, ValueId};
 
@@ -59,6 +60,8 @@ pub(crate) struct Names<'a> {
     pub(crate) inputs: Vec<TokenStream>,
     /// Variable of each bound value.
     pub(crate) variables: Vec<Option<Ident>>,
+    /// Variables of values that are entries of a pack.
+    pub(crate) packs: Packs,
     /// Function of each polynomial, by position.
     pub(crate) polynomials: Vec<TokenStream>,
     /// Each family, by position.
@@ -158,6 +161,10 @@ impl Names<'_> {
         if let Some(family) = self.family(array) {
             let (values, field) = (&self.variables[array.0 as usize], &family.fields[row]);
             return quote!(#values.#field);
+        }
+        if let Some(entries) = self.packs.get(&array) {
+            let entry = &entries[row];
+            return quote!(#entry);
         }
         let matrix = matches!(self.program.shape(array), Shape::Matrix(..));
         let (array, row, column) = (self.at(array, Level::Postfix), index(row), index(column));

@@ -6,6 +6,7 @@
 
 pub mod basis;
 pub mod build;
+pub mod chain;
 pub mod eval;
 pub mod horner;
 pub(crate) mod mnemonic;
