@@ -6,4 +6,5 @@
 
 pub(crate) mod double;
 mod polynomial;
+mod sign;
 pub(crate) mod single;

@@ -45,11 +45,17 @@ impl<T: Real> Reduced<T> {
     /// Of |x| below 1000.
     #[inline(always)]
     pub(super) fn of(x: T) -> Self {
+        Self::of_sum(x, T::zero())
+    }
+
+    /// Of x + rest.
+    #[inline(always)]
+    pub(super) fn of_sum(x: T, rest: T) -> Self {
         let rounded = x * T::from_f64(core::f64::consts::LOG2_E) + T::from_f64(ROUND);
         let k = rounded - T::from_f64(ROUND);
         let [high, low] = LN_2.map(T::from_f64);
         let exact = x - k * high;
-        let product = k * low;
+        let product = k * low - rest;
         let r = exact - product;
         let z = r * r;
         Self {

@@ -1,10 +1,9 @@
 //! Hyperbolic functions.
 
 use super::exponential::{Reduced, power_of_two, scaled};
+use crate::elementary::sign::with_sign;
 use crate::real::{Bits, Real};
 
-/// The sign of a number.
-const SIGN: u64 = 1 << 63;
 /// Beyond it sinh and cosh are infinite.
 const HIGHEST: f64 = 711.0;
 /// Twice an argument up to which e^2a is below 2^53, so that `e^2a - 1` is exact; beyond it tanh is at least 1 - 2^-52.
@@ -13,13 +12,6 @@ const SATURATED: f64 = 36.7;
 const ONE: f64 = 37.43;
 /// Powers from which e^-x is below half of the last place of e^x.
 const NEGLIGIBLE: f64 = 64.0;
-
-/// The magnitude of `value` with the sign of `x`.
-#[inline(always)]
-fn with_sign<T: Real>(value: T, x: T) -> T {
-    let sign = x.to_bits().and(T::Bits::splat(SIGN));
-    T::from_bits(value.to_bits().or(sign))
-}
 
 /// `(e^2a - 1) / (e^2a + 1)` with a = |x|. The exponential, the numerator and the denominator are sums of two numbers; the quotient q of the
 /// leading ones is corrected by `(rest - q rest) / d`, and `1/d = (1 - q) / 2`.

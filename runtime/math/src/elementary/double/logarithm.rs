@@ -14,7 +14,7 @@ const SIGNIFICAND: u64 = 0x000f_ffff_ffff_ffff;
 /// 2^52, whose low bits take an integer.
 const INTEGER: u64 = 0x4330_0000_0000_0000;
 /// 2^54, which makes subnormal numbers normal, and its logarithm.
-const NORMALISING: (f64, f64) = (18014398509481984.0, 54.0);
+pub(super) const NORMALISING: (f64, f64) = (18014398509481984.0, 54.0);
 
 /// `ln((1 + s)/(1 - s)) = 2 s + s z P(z)`, z = s^2, relative error 2^-59.4 (coefficients/elementary.sollya).
 const SERIES: [f64; 7] = [
@@ -29,7 +29,7 @@ const SERIES: [f64; 7] = [
 
 /// A positive normal number as `2^k m`; `(k, m)`.
 #[inline(always)]
-fn split<T: Real>(x: T) -> (T, T) {
+pub(super) fn split<T: Real>(x: T) -> (T, T) {
     let shifted = x.to_bits().add(T::Bits::splat(ONE - LOWEST_SIGNIFICAND));
     let exponent = T::from_bits(shifted.shr(52).or(T::Bits::splat(INTEGER)));
     let k = exponent - T::from_f64(f64::from_bits(INTEGER) + 1023.0);
@@ -71,5 +71,7 @@ pub(crate) fn ln<T: Real>(x: T) -> T {
     let normal = x
         .ge(T::from_f64(f64::MIN_POSITIVE))
         .and(x.le(T::from_f64(f64::MAX)));
-    replaced(normal.not(), of_normal(x, T::zero()), x, of_unusual)
+    replaced(normal.not(), of_normal(x, T::zero()), [x], |[x]| {
+        of_unusual(x)
+    })
 }

@@ -161,17 +161,17 @@ fn is_large<T: Real>(x: T) -> T::Mask {
 #[inline(always)]
 pub(crate) fn sin<T: Real>(x: T) -> T {
     let usual = Angle::reduced(x).sin();
-    replaced(is_large(x), usual, x, |x| large_angle::reduced(x).sin())
+    replaced(is_large(x), usual, [x], |[x]| large_angle::reduced(x).sin())
 }
 
 #[inline(always)]
 pub(crate) fn cos<T: Real>(x: T) -> T {
     let usual = Angle::reduced(x).cos();
-    replaced(is_large(x), usual, x, |x| large_angle::reduced(x).cos())
+    replaced(is_large(x), usual, [x], |[x]| large_angle::reduced(x).cos())
 }
 
 #[inline(always)]
 pub(crate) fn tan<T: Real>(x: T) -> T {
     let usual = Angle::reduced(x).tan();
-    replaced(is_large(x), usual, x, |x| large_angle::reduced(x).tan())
+    replaced(is_large(x), usual, [x], |[x]| large_angle::reduced(x).tan())
 }
