@@ -17,7 +17,7 @@ from workload import Workload, workload
 
 CALLS, BATCHES, COLD = 400, 60, 61
 POINTER = ctypes.c_void_p
-BATCH = 256
+BATCH = 264
 
 
 def aligned(size: int) -> np.ndarray:
@@ -85,7 +85,7 @@ def measure_heyoka(loop: ctypes.CDLL, work: Workload, inputs: np.ndarray) -> tup
     from peers import heyoka
 
     function = heyoka.compiled(work)
-    given = np.ascontiguousarray(np.tile(inputs.T, BATCH // len(inputs)))
+    given = np.ascontiguousarray(np.resize(inputs, (BATCH, inputs.shape[1])).T)
     out = np.zeros((len(work.results), BATCH))
     times = measure_python(loop, lambda: function(given, outputs=out), BATCH, BATCHES)
     return np.ascontiguousarray(out[:, : len(inputs)].T), times

@@ -31,6 +31,6 @@ STEP = [
     Peer("Rust by hand, nalgebra", nalgebra.build, note="rustc -C target-cpu=native"),
     Peer("numba", partial(numba.build, fastmath=False), "module"),
     Peer("numba fastmath", partial(numba.build, fastmath=True), "module"),
-    Peer("heyoka batch", heyoka.build, "heyoka", "256 inputs per call, called from Python"),
+    Peer("heyoka batch", heyoka.build, "heyoka", "264 inputs per call, called from Python"),
     Peer("JAX jit", jax.build, "jax", "called from Python, which is most of its time"),
 ]
