@@ -36,13 +36,13 @@ def write(path: Path, text: str) -> bool:
     return True
 
 
-def compiled(folder: Path, source: str, name: str, command: list[str]) -> Path:
+def compiled(folder: Path, source: str, name: str, command: list[str], libraries: list[str] | None = None) -> Path:
     """A library from one file of C or C++."""
     library = folder / "step.so"
     changed = write(folder / name, source)
     changed |= write(folder / "command", " ".join(command))
     if changed or not library.exists():
-        run([*command, "-shared", "-fPIC", name, "-o", "step.so", "-lm"], folder)
+        run([*command, "-shared", "-fPIC", name, "-o", "step.so", *(libraries or []), "-lm"], folder)
     return library
 
 

@@ -7,6 +7,8 @@ import platform
 import random
 import subprocess
 import sys
+from collections.abc import Callable
+from dataclasses import dataclass, field
 from datetime import date
 from pathlib import Path
 from typing import Any
@@ -16,12 +18,13 @@ import numpy as np
 import reference
 import report
 from build import Missing, compiled
-from peers import STEP, Peer
-from workload import ROOT, Workload, exported, workload
+from peers import BASELINE, PEERS
+from workload import ROOT, Layout, Workload, exported, workload
 
 HERE = Path(__file__).resolve().parent
 BUILD = ROOT / "target/benches"
 INPUTS = 16
+RUNS, STEPS = 1056, 250
 # Results agree to this, relative to the largest entry of their vector, or to TINY where the whole vector is smaller.
 TOLERANCE, TINY = 1e-9, 1e-6
 
@@ -31,71 +34,134 @@ def say(text: str) -> None:
     print(text, file=sys.stderr, flush=True)
 
 
-def build(peers: list[Peer], work: Workload, folder: Path) -> tuple[dict[str, Path], dict[str, str]]:
-    """What each peer built, and why others are missing."""
-    paths, missing = {}, {}
-    for peer in peers:
-        say(f"{work.spec}: building {peer.name}")
+@dataclass
+class Subject:
+    """A specification with what its peers built."""
+
+    work: Workload
+    folder: Path
+    paths: dict[str, Path] = field(default_factory=dict)
+    missing: dict[str, str] = field(default_factory=dict)
+
+    def request(self, **more: Any) -> dict[str, Any]:
+        """What every measurement is told."""
+        shared = {"spec": self.work.spec, "programs": self.folder / "programs.txt", "inputs": self.folder / "inputs.npy"}
+        shared |= {"start": self.folder / "start.npy", "results": len(self.work.results), "states": self.work.inputs["x"][1][0]}
+        return shared | {"loop": BUILD / "loop/step.so", "harness": BUILD / "ensemble/step.so"} | more
+
+
+def prepared(spec: str) -> Subject:
+    """Exports the law and builds the peers."""
+    folder = BUILD / spec
+    folder.mkdir(parents=True, exist_ok=True)
+    text = exported(spec)
+    (folder / "programs.txt").write_text(text)
+    subject = Subject(workload(spec, text), folder)
+    for peer in PEERS:
+        say(f"{spec}: building {peer.name}")
         try:
-            paths[peer.name] = peer.build(work, folder / peer.name.replace(" ", "_").replace(",", "")).library
+            built = peer.build(subject.work, folder / peer.name.replace(" ", "_").replace(",", ""))
+            subject.paths[peer.name] = built.library
         except Missing as reason:
-            missing[peer.name] = str(reason)
+            subject.missing[peer.name] = str(reason)
             say(f"  skipped: {reason}")
-    return paths, missing
+    return subject
 
 
-def difference(work: Workload, values: np.ndarray, expected: np.ndarray) -> float:
+def difference(layout: Layout, values: np.ndarray, expected: np.ndarray) -> float:
     """The largest difference of results, relative to the largest entry of their vector."""
     worst = 0.0
-    for at, (rows, columns) in work.outputs.values():
+    for at, (rows, columns) in layout.values():
         part = slice(at, at + rows * columns)
         scale = max(np.abs(expected[:, part]).max(), TINY)
         worst = max(worst, float(np.abs(values - expected)[:, part].max() / scale))
     return worst
 
 
-def measured(request: dict[str, Any]) -> dict[str, float]:
+def measured(script: str, request: dict[str, Any]) -> dict[str, float]:
     """One measurement in a fresh process on the last core."""
     core = max(os.sched_getaffinity(0))
-    command = [sys.executable, HERE / "measure.py", json.dumps(request, default=str)]
+    command = [sys.executable, HERE / script, json.dumps(request, default=str)]
     done = subprocess.run(command, capture_output=True, text=True, preexec_fn=lambda: os.sched_setaffinity(0, {core}))
     if done.returncode:
         raise RuntimeError(f"{request}\n{done.stderr[-3000:]}")
     return json.loads(done.stdout.splitlines()[-1])
 
 
-def steps(spec: str, processes: int) -> dict[str, Any]:
-    """Single steps of a specification's closed loop."""
-    folder = BUILD / spec
-    folder.mkdir(parents=True, exist_ok=True)
-    text = exported(spec)
-    (folder / "programs.txt").write_text(text)
-    work = workload(spec, text)
-    paths, missing = build(STEP, work, folder)
-    inputs, expected = reference.record(work, paths["nsv"], INPUTS)
-    np.save(folder / "inputs.npy", inputs)
-    request = {"spec": spec, "inputs": folder / "inputs.npy", "values": folder / "values.npy", "results": len(work.results)}
-    request |= {"programs": folder / "programs.txt", "loop": BUILD / "loop/step.so"}
-    kinds = {peer.name: peer.loop for peer in STEP}
-    found: dict[str, list[dict[str, float]]] = {name: [] for name in paths}
-    worst: dict[str, float] = {}
+def trials(title: str, kinds: dict[str, str], processes: int, measure: Callable[[str], tuple[dict[str, float], float]]) -> dict[str, Any]:
+    """Figures and largest difference of each label, from several processes in shuffled order; JAX has three, since it compiles in each."""
+    found: dict[str, list[dict[str, float]]] = {label: [] for label in kinds}
+    worst = dict.fromkeys(kinds, 0.0)
     for trial in range(processes):
-        for name in random.sample(sorted(paths), len(paths)):
-            say(f"{spec}: process {trial + 1} of {processes}: {name}")
-            if kinds[name] == "jax" and trial > 2:
+        say(f"{title}: process {trial + 1} of {processes} of each peer")
+        for label in random.sample(sorted(kinds), len(kinds)):
+            if kinds[label] == "jax" and trial >= 3:
                 continue
-            figures = measured(request | {"kind": kinds[name], "path": paths[name]})
-            error = difference(work, np.load(folder / "values.npy"), expected)
-            assert error < TOLERANCE, f"{name} differs from the reference by {error}"
-            worst[name] = max(worst.get(name, 0.0), error)
-            found[name].append(figures)
+            figures, error = measure(label)
+            assert error < TOLERANCE, f"{label} differs from the reference by {error}"
+            worst[label] = max(worst[label], error)
+            found[label].append(figures)
+    return {label: report.summary(figures) | {"error": worst[label]} for label, figures in found.items()}
+
+
+def steps(subject: Subject, processes: int) -> dict[str, Any]:
+    """Single steps of a closed loop."""
+    work = subject.work
+    inputs, expected = reference.record(work, subject.paths["nsv"], INPUTS)
+    np.save(subject.folder / "inputs.npy", inputs)
+    kinds = {peer.name: peer.step for peer in PEERS if peer.step and peer.name in subject.paths}
+    values = subject.folder / "values.npy"
+
+    def measure(name: str) -> tuple[dict[str, float], float]:
+        figures = measured("measure.py", subject.request(kind=kinds[name], path=subject.paths[name], values=values))
+        return figures, difference(work.outputs, np.load(values), expected)
+
     return {
         "operations": work.graph.operations(work.results),
         "inputs": work.size,
         "results": len(work.results),
-        "missing": missing,
-        "peers": {name: report.summary(trials) | {"error": worst[name]} for name, trials in found.items()},
+        "missing": subject.missing,
+        "peers": trials(f"{work.spec}, steps", kinds, processes, measure),
     }
+
+
+def ensembles(subject: Subject, processes: int) -> dict[str, Any]:
+    """Ensembles of a closed loop with noise."""
+    work = subject.work
+    start = reference.start(work, subject.paths["nsv"])
+    np.save(subject.folder / "start.npy", start)
+    quiet = np.array([reference.simulate(work, start, STEPS)])
+    paths = {label: subject.paths[peer.name] for peer in PEERS if peer.name in subject.paths for label in peer.ensembles}
+    kinds = {label: kind for peer in PEERS for label, kind in peer.ensembles.items() if label in paths}
+    kinds = {label: kind for label, kind in kinds.items() if not kind.startswith("nsv") or int(kind.split()[1]) <= lanes()}
+    values, scale = subject.folder / "values.npz", reference.noise_scale(work)
+    shape = {"x": (0, work.inputs["x"][1])}
+    spread: dict[str, np.ndarray] = {}
+
+    def measure(label: str) -> tuple[dict[str, float], float]:
+        request = subject.request(kind=kinds[label], path=paths[label], values=values, runs=RUNS, steps=STEPS, scale=scale)
+        figures, found = measured("measure_ensemble.py", request), np.load(values)
+        spread[label] = np.array([found["noisy"].mean(axis=0), found["noisy"].std(axis=0)])
+        return figures, difference(shape, found["quiet"], np.broadcast_to(quiet, found["quiet"].shape))
+
+    peers = trials(f"{work.spec}, ensembles", kinds, processes, measure)
+    check_spread(spread)
+    return {"runs": RUNS, "steps": STEPS, "missing": subject.missing, "peers": peers}
+
+
+def check_spread(spread: dict[str, np.ndarray]) -> None:
+    """Means and deviations of the final states agree between peers to what chance allows: six standard errors."""
+    expected = spread[BASELINE]
+    for label, (mean, deviation) in spread.items():
+        error = 6.0 * expected[1] / np.sqrt(RUNS) + 1e-9
+        assert (np.abs(mean - expected[0]) < 1.5 * error).all(), f"{label}: means of final states"
+        assert (np.abs(deviation - expected[1]) < error).all(), f"{label}: deviations of final states"
+
+
+def lanes() -> int:
+    """Lanes of f64 of this processor."""
+    flags = Path("/proc/cpuinfo").read_text()
+    return 8 if "avx512dq" in flags else 4 if "avx2" in flags else 2
 
 
 def version(*command: str) -> str:
@@ -116,9 +182,13 @@ def machine() -> dict[str, str]:
 def run(chosen: argparse.Namespace) -> None:
     """Measures and reports."""
     compiled(BUILD / "loop", (HERE / "measure.c").read_text(), "step.c", ["gcc", "-O2"])
+    compiled(BUILD / "ensemble", (HERE / "ensemble.c").read_text(), "step.c", ["gcc", "-O3", "-march=native"])
+    subjects = {spec: prepared(spec) for spec in chosen.specs}
     result: dict[str, Any] = {"machine": machine()}
     if "step" in chosen.stages:
-        result["step"] = {spec: steps(spec, chosen.processes) for spec in chosen.specs}
+        result["step"] = {spec: steps(subject, chosen.processes) for spec, subject in subjects.items()}
+    if "ensemble" in chosen.stages:
+        result["ensemble"] = {spec: ensembles(subject, chosen.processes) for spec, subject in subjects.items()}
     chosen.out.mkdir(parents=True, exist_ok=True)
     report.write(result, chosen.out)
     say(f"written to {chosen.out}")

@@ -2,13 +2,14 @@
 
 import ctypes
 import math
+from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
 
 from graph import BINARY, UNARY, Graph
 from scalarise import scalarise
-from workload import Workload, place
+from workload import Workload
 
 INFIX = {
     "add": "+", "sub": "-", "mul": "*", "div": "/", "lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "==", "ne": "!=",
@@ -51,11 +52,10 @@ def start(work: Workload, library: Path) -> np.ndarray:
     """The flat input at time 0: nominal values of the emitted code, controller states by the program `initial`."""
     flat = np.zeros(work.size)
     ctypes.CDLL(str(library)).nominal(ctypes.c_void_p(flat.ctypes.data))
-    layout, _ = place(list(work.initial.inputs.items()))
     graph, x = Graph(), flat[work.slice("x")]
-    width = len(x) and work.initial.inputs["x1"][0]
+    width = work.initial.inputs["x1"][0]
     given = {}
-    for name, (rows, columns) in work.initial.inputs.items():
+    for name in work.initial.inputs:
         if name in work.inputs:
             values = flat[work.slice(name)]
         else:
@@ -67,20 +67,34 @@ def start(work: Workload, library: Path) -> np.ndarray:
     return flat
 
 
-def record(work: Workload, library: Path, count: int, steps: int = 4000, seed: int = 1) -> tuple[np.ndarray, np.ndarray]:
-    """Inputs and results at `count` samples spread over a closed loop with noise."""
-    step, draw, flat = law(work), np.random.default_rng(seed), start(work, library)
-    scale = work.dt if work.sampled_noise else math.sqrt(work.dt)
-    chosen = set(np.linspace(steps // 20, steps - 1, count).astype(int).tolist())
-    state_end, inputs, results = work.outputs["u_sat"][0], [], []
-    first = work.inputs["x"][0]
+def noise_scale(work: Workload) -> float:
+    """Deviation of the plant's increments: a draw that is held, or a Wiener process."""
+    return work.dt if work.sampled_noise else math.sqrt(work.dt)
+
+
+def samples(work: Workload, flat: np.ndarray, steps: int, scale: float, seed: int) -> Iterator[tuple[np.ndarray, list[float]]]:
+    """Inputs and results of the samples of a closed loop."""
+    step, draw, flat = law(work), np.random.default_rng(seed), flat.copy()
+    first, carried, (channels, _) = work.inputs["x"][0], work.outputs["u_sat"][0], work.inputs["dw"][1]
     for k in range(steps):
         flat[0] = k * work.dt
-        flat[work.slice("dw")] = scale * draw.standard_normal(work.inputs["dw"][1][0])
-        found = step(flat.tolist())
-        if k in chosen:
-            inputs.append(flat.copy())
-            results.append(found)
-        flat[first : first + state_end] = found[:state_end]
+        flat[work.slice("dw")] = scale * draw.standard_normal(channels)
+        results = step(flat.tolist())
+        yield flat, results
+        flat[first : first + carried] = results[:carried]
+
+
+def simulate(work: Workload, flat: np.ndarray, steps: int) -> list[float]:
+    """The plant's state after steps without noise."""
+    *_, (_, results) = samples(work, flat, steps, 0.0, 0)
+    return results[: work.inputs["x"][1][0]]
+
+
+def record(work: Workload, library: Path, count: int, steps: int = 4000, seed: int = 1) -> tuple[np.ndarray, np.ndarray]:
+    """Inputs and results at `count` samples spread over a closed loop with noise."""
+    chosen = set(np.linspace(steps // 20, steps - 1, count).astype(int).tolist())
+    loop = samples(work, start(work, library), steps, noise_scale(work), seed)
+    kept = [(flat.copy(), results) for k, (flat, results) in enumerate(loop) if k in chosen]
+    inputs, results = (np.array(part) for part in zip(*kept, strict=True))
     assert np.isfinite(results).all(), "the closed loop stays finite"
-    return np.array(inputs), np.array(results)
+    return inputs, results

@@ -5,9 +5,7 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
-from peers import BASELINE, STEP
-
-SUBJECT = "nsv"
+from peers import BASELINE, FASTEST, PEERS, SUBJECT
 
 
 def summary(trials: list[dict[str, float]]) -> dict[str, Any]:
@@ -45,6 +43,23 @@ def step_table(found: dict[str, Any]) -> list[str]:
     return lines + [""] + [f"{name} is skipped: {reason}." for name, reason in found["missing"].items()] + [""]
 
 
+def ensemble_table(found: dict[str, Any]) -> list[str]:
+    """One table of ensembles."""
+    peers = found["peers"]
+    base, best = (peers[label]["rate"]["median"] if label in peers else None for label in (BASELINE, FASTEST))
+    lines = [
+        f"| | million steps per second | range | speed against {BASELINE} | {FASTEST}, is faster by | largest difference |",
+        "|---|---|---|---|---|---|",
+    ]
+    for name, figures in sorted(peers.items(), key=lambda item: -item[1]["rate"]["median"]):
+        rate = figures["rate"]
+        speed = f"{rate['median'] / base:.2f}" if base else ""
+        factor = f"{best / rate['median']:.2f}" if best else ""
+        spread = f"{number(rate['least'] / 1e6)} to {number(rate['most'] / 1e6)}"
+        lines.append(f"| {name} | {number(rate['median'] / 1e6)} | {spread} | {speed} | {factor} | {figures['error']:.0e} |")
+    return lines + [""]
+
+
 def markdown(result: dict[str, Any]) -> str:
     """All tables."""
     lines = ["# nsv and its peers on the same law", "", ", ".join(f"{name} {value}" for name, value in result["machine"].items()), ""]
@@ -58,7 +73,17 @@ def markdown(result: dict[str, Any]) -> str:
         ]
         for spec, found in result["step"].items():
             lines += [f"### {spec}", "", *step_table(found)]
-        lines += [f"{peer.name}: {peer.note}.  " for peer in STEP if peer.note] + [""]
+    if "ensemble" in result:
+        lines += [
+            "## Ensembles of closed loops with noise, f64, one core",
+            "",
+            "Millions of steps (controller and plant) per second of the process's own time. Each peer draws its own normal noise. Differences",
+            "are those of runs without noise from the law in Python; with noise, means and deviations agree within chance.",
+            "",
+        ]
+        for spec, found in result["ensemble"].items():
+            lines += [f"### {spec}: {found['runs']} runs of {found['steps']} steps", "", *ensemble_table(found)]
+    lines += ["## Peers", ""] + [f"- {peer.name}: {peer.note}." for peer in PEERS if peer.note] + [""]
     return "\n".join(lines)
 
 
@@ -72,14 +97,17 @@ def plot(result: dict[str, Any], path: Path) -> None:
     matplotlib.rcParams["svg.hashsalt"] = "nsv"
     from matplotlib import pyplot
 
-    panels = [(spec, found["peers"], "warm", 1) for spec, found in result.get("step", {}).items()]
-    figure, axes = pyplot.subplots(1, len(panels), figsize=(5 * len(panels), 3.6), squeeze=False, layout="constrained")
-    for axis, (title, peers, key, sign) in zip(axes[0], panels, strict=True):
+    panels = [(f"{spec}: one step", found["peers"], "warm", 1) for spec, found in result.get("step", {}).items()]
+    panels += [(f"{spec}: ensemble", found["peers"], "rate", -1) for spec, found in result.get("ensemble", {}).items()]
+    columns = min(3, len(panels))
+    rows = -(-len(panels) // columns)
+    figure, axes = pyplot.subplots(rows, columns, figsize=(5 * columns, 3.4 * rows), squeeze=False, layout="constrained")
+    for axis, (title, peers, key, sign) in zip(axes.flat, panels):
         base = peers[BASELINE][key]["median"]
         bars = sorted((name, (base / figures[key]["median"]) ** sign) for name, figures in peers.items())
         bars.sort(key=lambda bar: bar[1])
         names, speeds = zip(*bars, strict=True)
-        axis.barh(names, speeds, color=["tab:red" if name == SUBJECT else "tab:gray" for name in names])
+        axis.barh(names, speeds, color=["tab:red" if name.startswith(SUBJECT) else "tab:gray" for name in names])
         axis.set_title(title)
         axis.set_xlabel(f"speed, {BASELINE} = 1")
     figure.savefig(path, metadata={"Date": None})

@@ -186,13 +186,13 @@ class Scalariser:
 
     def adjugate2(self, a: list[Array]) -> list[Array]:
         """The transposed cofactors of two rows."""
-        negative: Callable[[Node], Node] = lambda entry: self.graph.unary("neg", entry)  # noqa: E731
+        negative: Callable[[Node], Node] = lambda entry: self.graph.unary("neg", entry)
         return [[a[1][1], negative(a[0][1])], [negative(a[1][0]), a[0][0]]]
 
     def adjugate3(self, a: list[Array]) -> list[Array]:
         """The transposed cofactors of three rows, by cyclic indices."""
-        minor = lambda i, j, k, l: self.sub(self.mul(a[i][j], a[k][l]), self.mul(a[i][l], a[k][j]))  # noqa: E731, E741
-        cofactor = lambda i, j: minor((i + 1) % 3, (j + 1) % 3, (i + 2) % 3, (j + 2) % 3)  # noqa: E731
+        minor = lambda i, j, k, l: self.sub(self.mul(a[i][j], a[k][l]), self.mul(a[i][l], a[k][j]))
+        cofactor = lambda i, j: minor((i + 1) % 3, (j + 1) % 3, (i + 2) % 3, (j + 2) % 3)
         return [[cofactor(j, i) for j in range(3)] for i in range(3)]
 
     def eliminate(self, rows: list[Array]) -> Array:

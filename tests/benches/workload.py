@@ -18,21 +18,25 @@ from scalarise import scalarise
 
 ROOT = Path(__file__).resolve().parents[2]
 
+# Where values lie in a flat array.
+Layout = dict[str, tuple[int, Shape]]
+
 
 @dataclass
 class Workload:
-    """A closed loop's step as a graph, and where its parts lie in the flat arrays."""
+    """A closed loop's step as a graph, and where its parts lie in the flat arrays; `noisy` are the channels of each plant state."""
 
     spec: str
     graph: Graph
-    inputs: dict[str, tuple[int, Shape]]
-    outputs: dict[str, tuple[int, Shape]]
+    inputs: Layout
+    outputs: Layout
     results: list[Node]
     size: int
     dt: float
     sampled_noise: bool
     blocks: int
     initial: Program
+    noisy: list[list[int]]
 
     def slice(self, name: str) -> slice:
         """Where an input lies."""
@@ -59,9 +63,10 @@ def shape_of(program: Program, output: str) -> Shape:
     return program.statements[program.outputs[output]].shape
 
 
-def place(names: list[tuple[str, Shape]]) -> tuple[dict[str, tuple[int, Shape]], int]:
+def place(names: list[tuple[str, Shape]]) -> tuple[Layout, int]:
     """Where each value lies if one follows another, and the end."""
-    layout, end = {}, 0
+    layout: Layout = {}
+    end = 0
     for name, shape in names:
         layout[name] = (end, shape)
         end += shape[0] * shape[1]
@@ -87,13 +92,16 @@ def workload(spec: str, text: str) -> Workload:
     law = scalarise(control, graph, given | blocks)
     truth = {name.replace("plant.", "params."): value for name, value in given.items() if name.startswith("plant.")}
     rate = scalarise(plant, graph, truth | {"t": given["t"], "x": given["x"], "u_sat": law["u_sat"]})
+    zero, noisy = graph.const(0.0), []
     results = []
     for i, (x, f) in enumerate(zip(given["x"], rate["drift"], strict=True)):
         x = graph.binary("add", x, graph.binary("mul", f, graph.const(dt)))
-        for g, w in zip(rate.get("diffusion", [])[i * noise :], given["dw"]):
+        row = rate.get("diffusion", [])[i * noise :][:noise]
+        noisy.append([j for j, g in enumerate(row) if g != zero])
+        for g, w in zip(row, given["dw"], strict=True):
             x = graph.binary("add", x, graph.binary("mul", g, w))
         results.append(x)
     for name, _ in states:
         results += law[name]
     sampled = "noise: wiener" not in (ROOT / f"specs/{spec}.yaml").read_text()
-    return Workload(spec, graph, inputs, outputs, results + law["u_sat"], size, dt, sampled, len(blocks), found["initial"])
+    return Workload(spec, graph, inputs, outputs, results + law["u_sat"], size, dt, sampled, len(blocks), found["initial"], noisy)

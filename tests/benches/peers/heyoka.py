@@ -23,6 +23,23 @@ def compiled(work: Workload):
     return hy.cfunc(results, vars=symbols, fast_math=True)
 
 
+def ensemble(work: Workload, function, start, runs: int, steps: int, seed: int, scale: float, finals, batch: int) -> None:
+    """Batches of runs, whose noise is numpy's."""
+    import numpy as np
+
+    draw = np.random.default_rng(seed)
+    carried, (noise, (channels, _)), states = work.outputs["u_sat"][0], work.inputs["dw"], work.inputs["x"][1][0]
+    x, y = np.empty((work.size, batch)), np.empty((len(work.results), batch))
+    for run in range(0, runs, batch):
+        x[:] = start[:, None]
+        for k in range(steps):
+            x[0] = k * work.dt
+            x[noise:] = scale * draw.standard_normal((channels, batch))
+            function(x, outputs=y)
+            x[1 : 1 + carried] = y[:carried]
+        finals[run : run + batch] = y[:states].T[: runs - run]
+
+
 def build(work: Workload, folder: Path) -> Built:
     """It is compiled where it is measured."""
     if find_spec("heyoka") is None:

@@ -27,6 +27,29 @@ def law(work: Workload):
     return step
 
 
+def ensemble(work: Workload, runs: int, steps: int):
+    """Final plant states of a start, a seed and a scale of the noise: vmap over runs, scan over steps."""
+    step = law(work)
+    import jax
+    import jax.numpy as jnp
+
+    carried, (noise, (channels, _)), states = work.outputs["u_sat"][0], work.inputs["dw"], work.inputs["x"][1][0]
+
+    @jax.jit
+    def simulate(start, seed, scale):
+        key, constants = jax.random.key(seed), start[1 + carried : noise]
+
+        def advance(carry, k):
+            dw = scale * jax.random.normal(jax.random.fold_in(key, k), (runs, channels))
+            one = lambda values, w: step(jnp.concatenate([jnp.array([k * work.dt]), values, constants, w]))[:carried]
+            return jax.vmap(one)(carry, dw), None
+
+        first = jnp.broadcast_to(start[1 : 1 + carried], (runs, carried))
+        return jax.lax.scan(advance, first, jnp.arange(steps))[0][:, :states]
+
+    return simulate
+
+
 def build(work: Workload, folder: Path) -> Built:
     """It is compiled where it is measured."""
     if find_spec("jax") is None:

@@ -1,4 +1,5 @@
-"""numba: the law as straight-line Python, compiled to a C callback with and without fastmath. The code is cached between processes."""
+"""numba: the law as straight-line Python, compiled with and without fastmath: to a C callback, and with the loops of an ensemble around
+it. The code is cached between processes."""
 
 from importlib.util import find_spec
 from pathlib import Path
@@ -18,12 +19,41 @@ def step(x, y):
     {body}
 """
 
+ENSEMBLE = """from math import *
+import numpy as np
+from numba import njit
+
+
+@njit(cache=True, fastmath={fastmath}, inline="never")
+def step(x, y):
+    {body}
+
+
+@njit(cache=True, fastmath={fastmath})
+def ensemble(start, runs, steps, seed, scale, finals):
+    np.random.seed(seed)
+    x, y = start.copy(), np.empty({results})
+    for run in range(runs):
+        x[:] = start
+        for k in range(steps):
+            x[0] = k * {dt!r}
+            for j in range({channels}):
+                x[{noise} + j] = scale * np.random.standard_normal()
+            step(x, y)
+            x[1 : 1 + {carried}] = y[:{carried}]
+        finals[run] = y[:{states}]
+"""
+
 
 def build(work: Workload, folder: Path, fastmath: bool) -> Built:
     """Writes the module; it is compiled where it is first imported."""
     if find_spec("numba") is None:
         raise Missing("numba is not installed")
     body = "\n    ".join(python_source(work.graph, work.results))
-    module = folder / f"numba_{work.spec}_{'fast' if fastmath else 'strict'}.py"
+    module = folder / f"numba_{'fast' if fastmath else 'strict'}.py"
     write(module, MODULE.format(fastmath=fastmath, body=body))
+    noise, (channels, _) = work.inputs["dw"]
+    shape = {"states": work.inputs["x"][1][0], "carried": work.outputs["u_sat"][0], "noise": noise, "channels": channels}
+    text = ENSEMBLE.format(fastmath=fastmath, body=body, dt=work.dt, results=len(work.results), **shape)
+    write(module.with_name(f"{module.stem}_ensemble.py"), text)
     return Built(module)

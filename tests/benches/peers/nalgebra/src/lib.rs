@@ -119,6 +119,21 @@ pub unsafe extern "C" fn unpack(output: *const Output, flat: *mut f64) {
     unsafe { flat.copy_from_nonoverlapping(values.as_ptr(), values.len()) }
 }
 
+/// Makes the result of a step the input of the next one.
+///
+/// # Safety
+/// `output` is one or null, `dw` holds nine increments.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carry(output: *const Output, input: &mut Input, t: f64, dw: *const f64) {
+    if let Some(output) = unsafe { output.as_ref() } {
+        input.plant = output.plant;
+        input.state = output.state;
+    }
+    let from = &mut unsafe { std::slice::from_raw_parts(dw, 9) }.iter();
+    input.t = t;
+    input.noise = plant::Noise { surfaces: vector(from), exosystems: pairs(from) };
+}
+
 /// One sample of the controller, and one Euler-Maruyama step of the plant.
 #[unsafe(no_mangle)]
 pub extern "C" fn step(input: &Input, output: &mut Output) {
