@@ -16,7 +16,7 @@ HERE = Path(__file__).resolve().parent
 REQUIREMENTS = HERE / "requirements.txt"
 CACHE = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache")) / "nsv"
 STAGES = ["step", "ensemble"]
-SPECS = ["nsv_attitude", "two_link_arm", "motor_arm"]
+SPECS = ["nsv_attitude", "flexible_joint", "underwater_vehicle"]
 
 
 def environment() -> Path:

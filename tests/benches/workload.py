@@ -17,6 +17,7 @@ from ir import Program, Shape, read_programs
 from scalarise import scalarise
 
 ROOT = Path(__file__).resolve().parents[2]
+PROGRAMS = ["initial", "control", "plant"]
 
 # Where values lie in a flat array.
 Layout = dict[str, tuple[int, Shape]]
@@ -46,8 +47,9 @@ class Workload:
 
 def exported(spec: str) -> str:
     """The programs that the compiler makes of a specification before it optimises, as text."""
-    command = ["cargo", "run", "--quiet", "--locked", "--package", "nsv-tests", "--example", "programs", f"specs/{spec}.yaml"]
-    return subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout
+    command = ["cargo", "run", "--quiet", "--locked", "--package", "nsv-codegen", "--bin", "nsv", "--", "generate", f"specs/{spec}.yaml"]
+    command += ["--emit", "ir", "--stage", "lowered", "--program"]
+    return "".join(subprocess.run([*command, name], cwd=ROOT, check=True, capture_output=True, text=True).stdout for name in PROGRAMS)
 
 
 def sample_time(spec: str) -> float:

@@ -28,13 +28,14 @@ def ensemble(work: Workload, function, start, runs: int, steps: int, seed: int, 
     import numpy as np
 
     draw = np.random.default_rng(seed)
-    carried, (noise, (channels, _)), states = work.outputs["u_sat"][0], work.inputs["dw"], work.inputs["x"][1][0]
+    carried, (noise, _), states = work.outputs["u_sat"][0], work.inputs["dw"], work.inputs["x"][1][0]
     x, y = np.empty((work.size, batch)), np.empty((len(work.results), batch))
     for run in range(0, runs, batch):
         x[:] = start[:, None]
         for k in range(steps):
             x[0] = k * work.dt
-            x[noise:] = scale * draw.standard_normal((channels, batch))
+            draw.standard_normal(out=x[noise:])
+            x[noise:] *= scale
             function(x, outputs=y)
             x[1 : 1 + carried] = y[:carried]
         finals[run : run + batch] = y[:states].T[: runs - run]
