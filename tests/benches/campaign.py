@@ -10,15 +10,17 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from datetime import date
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+import public_cases
 import reference
 import report
 from build import Missing, compiled
-from peers import BASELINE, PEERS
+from peers import BASELINE, PEERS, SUBJECT
 from workload import ROOT, Layout, Workload, exported, workload
 
 HERE = Path(__file__).resolve().parent
@@ -50,14 +52,15 @@ class Subject:
         return shared | {"loop": BUILD / "loop/step.so", "harness": BUILD / "ensemble/step.so"} | more
 
 
-def prepared(spec: str) -> Subject:
-    """Exports the law and builds the peers."""
+def prepared(spec: str, names: list[str] | None) -> Subject:
+    """Exports the law and builds the peers, or those whose names begin with some of `names`; nsv and the baseline always."""
     folder = BUILD / spec
     folder.mkdir(parents=True, exist_ok=True)
     text = exported(spec)
     (folder / "programs.txt").write_text(text)
     subject = Subject(workload(spec, text), folder)
-    for peer in PEERS:
+    wanted = (SUBJECT, BASELINE, *(names if names is not None else [""]))
+    for peer in [peer for peer in PEERS if peer.name.startswith(wanted)]:
         say(f"{spec}: building {peer.name}")
         try:
             built = peer.build(subject.work, folder / peer.name.replace(" ", "_").replace(",", ""))
@@ -88,7 +91,10 @@ def measured(script: str, request: dict[str, Any]) -> dict[str, float]:
     return json.loads(done.stdout.splitlines()[-1])
 
 
-def trials(title: str, kinds: dict[str, str], processes: int, measure: Callable[[str], tuple[dict[str, float], float]]) -> dict[str, Any]:
+Measure = Callable[[str], tuple[dict[str, float], float]]
+
+
+def trials(title: str, kinds: dict[str, str], measure: Measure, processes: int) -> dict[str, Any]:
     """Figures and largest difference of each label, from several processes in shuffled order; JAX has three, since it compiles in each."""
     found: dict[str, list[dict[str, float]]] = {label: [] for label in kinds}
     worst = dict.fromkeys(kinds, 0.0)
@@ -107,7 +113,7 @@ def trials(title: str, kinds: dict[str, str], processes: int, measure: Callable[
 def steps(subject: Subject, processes: int) -> dict[str, Any]:
     """Single steps of a closed loop."""
     work = subject.work
-    inputs, expected = reference.record(work, subject.paths["nsv"], INPUTS)
+    inputs, expected = reference.record(work, subject.paths[SUBJECT], INPUTS)
     np.save(subject.folder / "inputs.npy", inputs)
     kinds = {peer.name: peer.step for peer in PEERS if peer.step and peer.name in subject.paths}
     values = subject.folder / "values.npy"
@@ -121,14 +127,14 @@ def steps(subject: Subject, processes: int) -> dict[str, Any]:
         "inputs": work.size,
         "results": len(work.results),
         "missing": subject.missing,
-        "peers": trials(f"{work.spec}, steps", kinds, processes, measure),
+        "peers": trials(f"{work.spec}, steps", kinds, measure, processes),
     }
 
 
 def ensembles(subject: Subject, processes: int) -> dict[str, Any]:
     """Ensembles of a closed loop with noise."""
     work = subject.work
-    start = reference.start(work, subject.paths["nsv"])
+    start = reference.start(work, subject.paths[SUBJECT])
     np.save(subject.folder / "start.npy", start)
     quiet = np.array([reference.simulate(work, start, STEPS)])
     paths = {label: subject.paths[peer.name] for peer in PEERS if peer.name in subject.paths for label in peer.ensembles}
@@ -144,7 +150,7 @@ def ensembles(subject: Subject, processes: int) -> dict[str, Any]:
         spread[label] = np.array([found["noisy"].mean(axis=0), found["noisy"].std(axis=0)])
         return figures, difference(shape, found["quiet"], np.broadcast_to(quiet, found["quiet"].shape))
 
-    peers = trials(f"{work.spec}, ensembles", kinds, processes, measure)
+    peers = trials(f"{work.spec}, ensembles", kinds, measure, processes)
     check_spread(spread)
     return {"runs": RUNS, "steps": STEPS, "missing": subject.missing, "peers": peers}
 
@@ -183,12 +189,16 @@ def run(chosen: argparse.Namespace) -> None:
     """Measures and reports."""
     compiled(BUILD / "loop", (HERE / "measure.c").read_text(), "step.c", ["gcc", "-O2"])
     compiled(BUILD / "ensemble", (HERE / "ensemble.c").read_text(), "step.c", ["gcc", "-O3", "-march=native"])
-    subjects = {spec: prepared(spec) for spec in chosen.specs}
+    laws = {"step", "ensemble"} & set(chosen.stages)
+    subjects = {spec: prepared(spec, chosen.peers) for spec in chosen.specs if laws}
     result: dict[str, Any] = {"machine": machine()}
     if "step" in chosen.stages:
         result["step"] = {spec: steps(subject, chosen.processes) for spec, subject in subjects.items()}
     if "ensemble" in chosen.stages:
         result["ensemble"] = {spec: ensembles(subject, chosen.processes) for spec, subject in subjects.items()}
+    if "public" in chosen.stages:
+        count = partial(trials, processes=chosen.processes)
+        result["public"] = public_cases.measure_all(BUILD / "public", count, measured)
     chosen.out.mkdir(parents=True, exist_ok=True)
     report.write(result, chosen.out)
     say(f"written to {chosen.out}")

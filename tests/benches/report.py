@@ -60,6 +60,18 @@ def ensemble_table(found: dict[str, Any]) -> list[str]:
     return lines + [""]
 
 
+def public_table(found: dict[str, Any]) -> list[str]:
+    """One table of a public case."""
+    peers = found["peers"]
+    subject = peers[SUBJECT]["rate"]["median"]
+    lines = ["| | million steps per second | range | nsv is faster by |", "|---|---|---|---|"]
+    for name, figures in sorted(peers.items(), key=lambda item: -item[1]["rate"]["median"]):
+        rate = figures["rate"]
+        spread = f"{number(rate['least'] / 1e6)} to {number(rate['most'] / 1e6)}"
+        lines.append(f"| {name} | {number(rate['median'] / 1e6)} | {spread} | {subject / rate['median']:.2f} |")
+    return lines + [""]
+
+
 def markdown(result: dict[str, Any]) -> str:
     """All tables."""
     lines = ["# nsv and its peers on the same law", "", ", ".join(f"{name} {value}" for name, value in result["machine"].items()), ""]
@@ -83,6 +95,17 @@ def markdown(result: dict[str, Any]) -> str:
         ]
         for spec, found in result["ensemble"].items():
             lines += [f"### {spec}: {found['runs']} runs of {found['steps']} steps", "", *ensemble_table(found)]
+    if "public" in result:
+        lines += [
+            "## Public cases: ensembles by nsv's runtime and by numpy, numba and JAX, one core",
+            "",
+            "Millions of steps per second of the process's own time. Geometric Brownian motion of three states in 256 Euler-Maruyama steps",
+            "(DiffEqGPU's SDE ensemble); the Lorenz equations in 1000 fourth-order Runge-Kutta steps. Final states agree: as distributions",
+            "within chance, or as numbers.",
+            "",
+        ]
+        for case, found in result["public"].items():
+            lines += [f"### {case}: {found['runs']} runs", "", *public_table(found)]
     lines += ["## Peers", ""] + [f"- {peer.name}: {peer.note}." for peer in PEERS if peer.note] + [""]
     return "\n".join(lines)
 
@@ -99,6 +122,8 @@ def plot(result: dict[str, Any], path: Path) -> None:
 
     panels = [(f"{spec}: one step", found["peers"], "warm", 1) for spec, found in result.get("step", {}).items()]
     panels += [(f"{spec}: ensemble", found["peers"], "rate", -1) for spec, found in result.get("ensemble", {}).items()]
+    if not panels:
+        return
     columns = min(3, len(panels))
     rows = -(-len(panels) // columns)
     figure, axes = pyplot.subplots(rows, columns, figsize=(5 * columns, 3.4 * rows), squeeze=False, layout="constrained")

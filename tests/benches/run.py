@@ -15,7 +15,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 REQUIREMENTS = HERE / "requirements.txt"
 CACHE = Path(os.environ.get("XDG_CACHE_HOME", Path.home() / ".cache")) / "nsv"
-STAGES = ["step", "ensemble"]
+STAGES = ["step", "ensemble", "public"]
 SPECS = ["nsv_attitude", "flexible_joint", "underwater_vehicle"]
 
 
@@ -39,6 +39,7 @@ def arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--specs", nargs="+", default=SPECS, help="specifications under specs/ with a module under generated/")
     parser.add_argument("--stages", nargs="+", default=STAGES, choices=STAGES, help="what to measure")
+    parser.add_argument("--peers", nargs="+", help="beginnings of the names of peers; default: all")
     parser.add_argument("--processes", type=int, default=7, help="processes per peer and measurement")
     parser.add_argument("--out", type=Path, default=HERE.parents[1] / "target/benches/results", help="folder of the report")
     return parser.parse_args()

@@ -30,18 +30,21 @@ def step(x, y):
 
 
 @njit(cache=True, fastmath={fastmath})
-def ensemble(start, runs, steps, seed, scale, finals):
-    np.random.seed(seed)
+def loops(start, runs, steps, draw, scale, finals):
     x, y = start.copy(), np.empty({results})
     for run in range(runs):
         x[:] = start
         for k in range(steps):
             x[0] = k * {dt!r}
             for j in range({channels}):
-                x[{noise} + j] = scale * np.random.standard_normal()
+                x[{noise} + j] = scale * draw.standard_normal()
             step(x, y)
             x[1 : 1 + {carried}] = y[:{carried}]
         finals[run] = y[:{states}]
+
+
+def ensemble(start, runs, steps, seed, scale, finals):
+    loops(start, runs, steps, np.random.default_rng(seed), scale, finals)
 """
 
 
