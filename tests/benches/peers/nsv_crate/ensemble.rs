@@ -5,7 +5,7 @@ use std::slice;
 use nsv_runtime::lanes::{self, Kernel, Width};
 use nsv_runtime::linear::Vector;
 use nsv_runtime::noise::Noise;
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 
 use crate::{CHANNELS, Controller, DT, Params, STATES, advance, plant, sample};
 
@@ -15,6 +15,25 @@ struct Ensemble<'a> {
     steps: u64,
     scale: f64,
     finals: &'a mut [[f64; STATES]],
+}
+
+/// One step of every lane's run.
+struct Sample<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    truth: &'a Params<T>,
+    t: T,
+    x: Vector<T, STATES>,
+    dw: Vector<T, CHANNELS>,
+}
+
+impl<T: Real> Part for Sample<'_, T> {
+    type Output = Vector<T, STATES>;
+
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        let u_sat = sample(self.controller, self.t, &self.x);
+        advance(self.t, self.x, u_sat, self.truth, self.dw)
+    }
 }
 
 impl Kernel for Ensemble<'_> {
@@ -30,10 +49,7 @@ impl Kernel for Ensemble<'_> {
             for k in 0..self.steps {
                 let t = T::from_f64(k as f64 * DT);
                 let dw = noise.normals::<CHANNELS>(k) * T::from_f64(self.scale);
-                x = T::outlined(|| {
-                    let u_sat = sample(&mut controller, t, &x);
-                    advance(t, x, u_sat, &truth, dw)
-                });
+                x = T::outlined(Sample { controller: &mut controller, truth: &truth, t, x, dw });
             }
             for (lane, last) in finals.iter_mut().enumerate() {
                 *last = x.0.map(|entry| entry.lane(lane));
