@@ -226,7 +226,7 @@ impl Function<'_> {
             Op::Input(position) => Some(program.inputs[position].name.clone()),
             _ => variables[id.0 as usize].as_ref().map(Ident::to_string),
         };
-        let packs = pack::named(program, &packed, name, &mut scope);
+        let packs = pack::named(program, plan, &packed, name, &mut scope);
         let (polynomials, families, bases) = (
             self.tables.polynomial_paths(program),
             self.tables.family_names(program),

@@ -1,8 +1,9 @@
 //! Calls of one function on an array of arguments, of which each value gets a name: `let [sin_alpha, sin_mu] = ..`.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::Ident;
+use quote::format_ident;
 
 use crate::emit::methods::function_name;
 use crate::emit::names::Scope;
@@ -12,22 +13,35 @@ use crate::ir::{Op, Program, ValueId};
 /// The names of the values of each pack.
 pub(crate) type Packs = BTreeMap<ValueId, Vec<Ident>>;
 
-/// Names the values of calls on arrays.
+/// Names the values of calls on arrays; those that are not used have no name.
 pub(crate) fn named(
     program: &Program,
+    plan: &Plan,
     packed: &BTreeMap<ValueId, &[ValueId]>,
     names: impl Fn(ValueId) -> Option<String>,
     scope: &mut Scope,
 ) -> Packs {
+    let elements = program.instructions.iter().zip(&plan.live);
+    let used: BTreeSet<(ValueId, usize)> = elements
+        .filter_map(|(instruction, live)| match instruction.op {
+            Op::Element(array, row, _) if *live => Some((array, row)),
+            _ => None,
+        })
+        .collect();
     let mut packs = Packs::new();
     for (&id, arguments) in packed {
         let Op::Apply(function, _) = program.instruction(id).op else {
             continue;
         };
         let function = function_name(function);
-        let entries = arguments.iter().map(|&argument| match names(argument) {
-            Some(name) => scope.claim(&format!("{function}_{name}")),
-            None => scope.claim(function),
+        let entries = arguments.iter().enumerate().map(|(row, &argument)| {
+            if !used.contains(&(id, row)) {
+                return format_ident!("_");
+            }
+            match names(argument) {
+                Some(name) => scope.claim(&format!("{function}_{name}")),
+                None => scope.claim(function),
+            }
         });
         packs.insert(id, entries.collect());
     }
