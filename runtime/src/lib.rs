@@ -17,7 +17,7 @@
 #[cfg(any(test, feature = "std"))]
 extern crate std;
 
-pub use nsv_math::{lanes, real};
+pub use nsv_math::{entries, lanes, real};
 
 pub mod closed_loop;
 pub mod kernel;

@@ -24,12 +24,12 @@ struct Plant<T> {
 impl<T: Real> Sde<T, 1, 1> for Plant<T> {
     #[inline(always)]
     fn drift(&self, _: T, x: &Vector<T, 1>) -> Vector<T, 1> {
-        x.map(|x| self.a * x * x * x + self.u)
+        Vector([self.a * x[0] * x[0] * x[0] + self.u])
     }
 
     #[inline(always)]
     fn diffusion(&self, _: T, _: &Vector<T, 1>) -> Matrix<T, 1, 1> {
-        Matrix([[T::from_f64(0.1)]])
+        Matrix::rows([[T::from_f64(0.1)]])
     }
 }
 

@@ -17,7 +17,7 @@ impl Sde<f64, 3, 3> for GeometricBrownianMotion {
 
     fn diffusion(&self, _: f64, x: &Vector<f64, 3>) -> Matrix<f64, 3, 3> {
         let column = Vector(self.volatility).hadamard(*x);
-        Matrix(std::array::from_fn(|i| {
+        Matrix::rows(std::array::from_fn(|i| {
             std::array::from_fn(|j| if i == j { column[i] } else { 0.0 })
         }))
     }
@@ -35,7 +35,7 @@ impl Sde<f64, 1, 1> for OrnsteinUhlenbeck {
     }
 
     fn diffusion(&self, _: f64, _: &Vector<f64, 1>) -> Matrix<f64, 1, 1> {
-        Matrix([[self.intensity]])
+        Matrix::rows([[self.intensity]])
     }
 }
 
@@ -48,7 +48,7 @@ impl Sde<f64, 3, 0> for Deterministic {
     }
 
     fn diffusion(&self, _: f64, _: &Vector<f64, 3>) -> Matrix<f64, 3, 0> {
-        Matrix([[]; 3])
+        Matrix::rows([[]; 3])
     }
 }
 

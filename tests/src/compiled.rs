@@ -90,10 +90,10 @@ impl<const R: usize, const C: usize> Flat for Matrix<f64, R, C> {
     fn read(data: &[f64]) -> Self {
         let (rows, rest) = data.as_chunks::<C>();
         assert!(rest.is_empty());
-        Matrix(rows.try_into().unwrap())
+        Matrix::rows(rows.try_into().unwrap())
     }
     fn flat(&self) -> Vec<f64> {
-        self.0.iter().flatten().copied().collect()
+        self.to_rows().as_flattened().to_vec()
     }
 }
 

@@ -71,7 +71,7 @@ fn stages(program: &Program) -> Vec<(String, Program)> {
             present = next;
         }
     }
-    assert!(stages.len() > 4, "the passes find something to do");
+    assert!(stages.len() > 2, "some pass finds something to do");
     stages
 }
 

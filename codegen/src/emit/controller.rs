@@ -8,6 +8,7 @@ use crate::emit::function::{Function, Record, Results};
 use crate::emit::interface::Interface;
 use crate::emit::literal::{float, row};
 use crate::emit::names::{Fields, ident};
+use crate::emit::pieces::Split;
 use crate::emit::polynomial::Library;
 use crate::emit::state::{State, all, state_fields};
 use crate::emit::types::{index, type_of, type_of_shape};
@@ -90,7 +91,7 @@ impl Controller<'_> {
         items.push(self.controller_impl(&initial, &control));
         items.push(self.begin(&initial));
         items.extend(initial.items(comments));
-        items.extend(control.items(comments));
+        items.extend(Split::new(&control, "law").items(comments));
         items
     }
 

@@ -6,8 +6,9 @@ use quote::quote;
 use crate::emit::family::FamilyNames;
 use crate::emit::methods::{comparison_name, function_name, kernel_name, operator_name};
 use crate::emit::names::ident;
+use crate::emit::pack::Packs;
 use crate::emit::types::{constant, index};
-use crate::ir::{Function, Kernel, Op, Operator, Program, Shape, Type, ValueId};
+use crate::ir::{Function, Op, Operator, Program, Shape, Type, ValueId};
 
 /// How tightly the outermost operator of an expression binds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -59,6 +60,8 @@ pub(crate) struct Names<'a> {
     pub(crate) inputs: Vec<TokenStream>,
     /// Variable of each bound value.
     pub(crate) variables: Vec<Option<Ident>>,
+    /// Variables of values that are entries of a pack.
+    pub(crate) packs: Packs,
     /// Function of each polynomial, by position.
     pub(crate) polynomials: Vec<TokenStream>,
     /// Each family, by position.
@@ -96,7 +99,10 @@ impl Names<'_> {
                 };
             }
             Op::Apply(function, a) => self.method(*a, function_name(*function), &[]),
-            Op::Kernel(kernel, a) => self.kernel(ty, *kernel, *a),
+            Op::Kernel(kernel, a) => {
+                let name = ident(kernel_name(*kernel));
+                self.call(&quote!(kernel::#name), &[*a])
+            }
             Op::Binary(operator, a, b) => return self.binary(*operator, *a, *b),
             Op::PowInt(a, n) => {
                 let (base, n) = (self.at(*a, Level::Postfix), Literal::u32_unsuffixed(*n));
@@ -109,7 +115,12 @@ impl Names<'_> {
             Op::Select(condition, a, b) => self.select(ty, *condition, *a, *b),
             Op::Array(items) => self.array(ty, items),
             Op::Element(a, row, column) => self.element(*a, *row, *column),
-            Op::MatMul(a, b) => return self.infix(Level::Product, *a, &quote!(*), *b),
+            Op::MatMul(a, b) => match self.transposed(*a) {
+                Some(a) if matches!(self.program.shape(*b), Shape::Vector(_)) => {
+                    self.method(a, "transpose_mul", &[*b])
+                }
+                _ => return self.infix(Level::Product, *a, &quote!(*), *b),
+            },
             Op::Transpose(a) => self.method(*a, "transpose", &[]),
             Op::Dot(a, b) => self.method(*a, "dot", &[*b]),
             Op::Outer(a, b) => self.method(*a, "outer", &[*b]),
@@ -151,12 +162,27 @@ impl Names<'_> {
             let (values, field) = (&self.variables[array.0 as usize], &family.fields[row]);
             return quote!(#values.#field);
         }
+        if let Some(entries) = self.packs.get(&array) {
+            let entry = &entries[row];
+            return quote!(#entry);
+        }
         let matrix = matches!(self.program.shape(array), Shape::Matrix(..));
         let (array, row, column) = (self.at(array, Level::Postfix), index(row), index(column));
         if matrix {
             quote!(#array[(#row, #column)])
         } else {
             quote!(#array[#row])
+        }
+    }
+
+    /// A, for A^T that has no variable.
+    fn transposed(&self, id: ValueId) -> Option<ValueId> {
+        match (
+            &self.variables[id.0 as usize],
+            &self.program.instruction(id).op,
+        ) {
+            (None, Op::Transpose(a)) => Some(*a),
+            _ => None,
         }
     }
 
@@ -188,15 +214,6 @@ impl Names<'_> {
         }
     }
 
-    fn kernel(&self, ty: Type, kernel: Kernel, a: ValueId) -> TokenStream {
-        let name = ident(kernel_name(kernel));
-        if is_scalar(ty) {
-            return self.call(&quote!(kernel::#name), &[a]);
-        }
-        let array = self.at(a, Level::Postfix);
-        quote!(#array.map(kernel::#name))
-    }
-
     fn select(&self, ty: Type, condition: ValueId, a: ValueId, b: ValueId) -> TokenStream {
         match ty {
             Type::Bool => {
@@ -215,7 +232,7 @@ impl Names<'_> {
         match ty {
             Type::Real(Shape::Matrix(_, columns)) => {
                 let rows = items.chunks(columns).map(|row| quote!([#(#row),*]));
-                quote!(Matrix([#(#rows),*]))
+                quote!(Matrix::rows([#(#rows),*]))
             }
             _ => quote!(Vector([#(#items),*])),
         }

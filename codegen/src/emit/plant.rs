@@ -10,6 +10,7 @@ use crate::emit::function::{Function, Record, Results};
 use crate::emit::interface::Interface;
 use crate::emit::literal::row;
 use crate::emit::names::{Fields, ident};
+use crate::emit::pieces::Split;
 use crate::emit::polynomial::Library;
 use crate::emit::types::index;
 use crate::ir::build::size;
@@ -56,7 +57,7 @@ impl Plant<'_> {
         items.push(self.plant_struct());
         items.push(self.equation(&function));
         items.extend(self.diffuse());
-        items.extend(function.items(comments));
+        items.extend(Split::new(&function, "dynamics").items(comments));
         items
     }
 

@@ -1,11 +1,21 @@
 //! Dead code elimination: only what an output needs is computed, and only the tables that it needs are kept. Names do not keep a value
 //! alive; inputs of the program stay, as they are its interface.
 
-use crate::ir::{BasisId, FamilyId, Op, PolynomialId, Program, ValueId};
+use crate::ir::{BasisId, FamilyId, Instruction, Op, PolynomialId, Program, ValueId};
 
 /// Removes unused instructions, polynomials, bases and origins.
-pub(super) fn run(mut program: Program) -> Program {
-    let needed = needed(&program);
+pub(super) fn run(program: Program) -> Program {
+    let needed = needed(&program, |_| false);
+    keep_needed(program, &needed)
+}
+
+/// As [`run`], but keeps what a name needs too.
+pub(super) fn run_for_names(program: Program) -> Program {
+    let needed = needed(&program, |instruction| instruction.name.is_some());
+    keep_needed(program, &needed)
+}
+
+fn keep_needed(mut program: Program, needed: &[bool]) -> Program {
     let source = std::mem::take(&mut program.instructions);
     let mut moved = vec![ValueId(0); source.len()];
     for (index, mut instruction) in source
@@ -29,9 +39,9 @@ pub(super) fn run(mut program: Program) -> Program {
     program
 }
 
-/// Which instructions an output depends on.
-fn needed(program: &Program) -> Vec<bool> {
-    let mut needed = vec![false; program.instructions.len()];
+/// Which instructions an output or an instruction of interest depends on.
+fn needed(program: &Program, of_interest: impl Fn(&Instruction) -> bool) -> Vec<bool> {
+    let mut needed: Vec<bool> = program.instructions.iter().map(of_interest).collect();
     for (_, value) in &program.outputs {
         needed[value.0 as usize] = true;
     }

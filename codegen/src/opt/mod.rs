@@ -1,11 +1,15 @@
 //! Optimisation: passes from program to program, one file each, every rewrite under its algebra.
 
 pub mod cost;
+pub mod dependence;
 pub mod explain;
+pub mod hoist;
 pub mod stage;
 
 mod arrays;
 mod dead_code;
+mod elementary;
+mod families;
 mod fold;
 mod identities;
 mod polynomials;
@@ -13,6 +17,7 @@ mod powers;
 mod reciprocals;
 mod rewrite;
 mod select;
+mod sparse;
 mod structural_zeros;
 mod transposes;
 mod value_numbering;
@@ -39,7 +44,7 @@ pub struct Pass {
 }
 
 /// All passes, in the order of a round.
-pub static PASSES: [Pass; 11] = [
+pub static PASSES: [Pass; 12] = [
     Pass {
         name: "fold",
         kind: Kind::Exact,
@@ -93,6 +98,11 @@ pub static PASSES: [Pass; 11] = [
         run: reciprocals::run,
     },
     Pass {
+        name: "elementary",
+        kind: Kind::Exact,
+        run: elementary::run,
+    },
+    Pass {
         name: "dead_code",
         kind: Kind::Exact,
         run: dead_code::run,
@@ -111,6 +121,28 @@ pub enum Arithmetic {
 /// Rounds are repeated while they change the program, but at most this often: a pass may enable an earlier one, and two or three rounds
 /// find nearly all.
 const ROUNDS: usize = 6;
+
+/// The program without what zeros, ones and absent entries of its literals make of it on paper: `0 x = 0`, `x + 0 = x`. Part of lowering:
+/// results are those of the program for all finite values, up to the sign of a zero.
+pub fn simplify(mut program: Program) -> Program {
+    for _ in 0..ROUNDS {
+        let before = program.clone();
+        let passes = [
+            fold::run,
+            identities::run,
+            structural_zeros::run,
+            arrays::run,
+            dead_code::run_for_names,
+        ];
+        program = passes
+            .into_iter()
+            .fold(program, |program, pass| pass(program));
+        if program == before {
+            break;
+        }
+    }
+    program
+}
 
 /// The program with the same outputs, bit for bit, in fewer operations.
 pub fn optimise(program: Program) -> Program {

@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::ir::horner::Horner;
-use crate::ir::{FamilyId, FamilyMember, Op, PolynomialFamily, Program, ValueId};
+use crate::ir::{FamilyMember, Op, Program, ValueId};
 
+use super::families::{Families, tell_apart};
 use super::rewrite::{literal, rewrite};
 
 /// What becomes of an instruction.
@@ -26,6 +27,7 @@ enum Site {
 pub(super) fn run(program: Program) -> Program {
     let (sites, mut gatherings) = gather(&program);
     gatherings.retain(|_, gathering| gathering.folded || gathering.places > 1);
+    let mut families = Families::of(&program);
     let mut next = sites.into_iter();
     rewrite(program, |program, instruction| {
         match next.next().expect("invariant: one site per instruction") {
@@ -42,7 +44,7 @@ pub(super) fn run(program: Program) -> Program {
                     Op::Element(family, ..) => program.instruction(family).op.operands()[0],
                     _ => instruction.op.operands()[operand],
                 };
-                let values = gathering.values(program, argument);
+                let values = gathering.values(program, &mut families, argument);
                 Some(program.push(Op::Element(values, gathering.positions[member], 0)))
             }
         }
@@ -83,7 +85,12 @@ impl Gathering {
     }
 
     /// The values of the family, computed where they are needed first.
-    fn values(&mut self, program: &mut Program, argument: ValueId) -> ValueId {
+    fn values(
+        &mut self,
+        program: &mut Program,
+        families: &mut Families,
+        argument: ValueId,
+    ) -> ValueId {
         if let Some(values) = self.values {
             return values;
         }
@@ -98,55 +105,10 @@ impl Gathering {
             .map(|&member| self.members[member].clone())
             .collect();
         tell_apart(members.iter_mut().map(|member| &mut member.name));
-        let id = add_family(program, &self.argument, members);
+        let id = families.add(program, &self.argument, members);
         let values = program.push(Op::Family(id, argument));
         self.values = Some(values);
         values
-    }
-}
-
-/// Appends a family under a name that no table of the program has.
-pub(super) fn add_family(
-    program: &mut Program,
-    argument: &str,
-    members: Vec<FamilyMember>,
-) -> FamilyId {
-    let taken = |name: &String| {
-        let polynomials = program.polynomials.iter().map(|data| &data.name);
-        let families = program.families.iter().map(|family| &family.name);
-        let bases = program.bases.iter().map(|basis| &basis.name);
-        polynomials
-            .chain(families)
-            .chain(bases)
-            .any(|known| known == name)
-    };
-    let base = format!("at_{argument}");
-    let numbered = (2..).map(|number| format!("{base}_{number}"));
-    let name = std::iter::once(base.clone())
-        .chain(numbered)
-        .find(|name| !taken(name))
-        .expect("invariant: the candidates do not end");
-    program.families.push(PolynomialFamily {
-        name,
-        argument: argument.to_owned(),
-        members,
-    });
-    let index = program.families.len() - 1;
-    FamilyId(u32::try_from(index).expect("invariant: fewer than 2^32 families"))
-}
-
-/// Numbers names that were given before.
-pub(super) fn tell_apart<'a>(names: impl Iterator<Item = &'a mut String>) {
-    let mut given: BTreeMap<String, usize> = BTreeMap::new();
-    for name in names {
-        let base = name.clone();
-        let mut number = given.get(&base).copied().unwrap_or(0);
-        while given.contains_key(name) {
-            number += 1;
-            *name = format!("{base}_{}", number + 1);
-        }
-        given.insert(base, number);
-        given.insert(name.clone(), 0);
     }
 }
 

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 0d75b16ce5e12c710732ad2b6c209e10fbc2a93b0e4123294f367352c115f2a9
+// SHA-256 of the text below: e009486d4025c9716128084eee07a50587c353fa83844a10bc5b7ab3bc396bc1
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
-// plant: 18 additions, 22 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 10 additions, 13 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `flexible_joint`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -58,6 +58,49 @@ impl<T: Real> Part for Drift<'_, T> {
     }
 }
 
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// `G_2 with the plant's parameters`
+    pub G2_plant: Matrix<T, 1, 1>,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 0 additions, 0 multiplications, 1 divisions, 0 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+
+    // -- true dynamics of block 2 (link_rate) (11) --
+    // G_2 with the plant's parameters
+    let G2_plant = Matrix::rows([[params.stiffness / real(0.031)]]);
+    Prepared { G2_plant }
+}
+
+/// Values of [`clock`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock<T> {
+    /// `d_2(t)`
+    pub d2: Vector<T, 1>,
+}
+
+/// What depends on time and parameters alone: needed once for a sample of all runs with these
+/// parameters. See [`Clock`].
+///
+/// Operations: 1 additions, 2 multiplications, 1 divisions, 0 square roots, 1 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn clock<T: Real>(t: T) -> Clock<T> {
+    let real = T::from_f64;
+
+    // -- true dynamics of block 2 (link_rate) (11) --
+    // d_2(t)
+    let d2 = Vector([real(0.1) * (real(1.0) + (real(3.0) * t).sin()) / real(0.031)]);
+    Clock { d2 }
+}
+
 /// Results of [`plant`].
 #[derive(Clone, Copy, Debug)]
 pub struct PlantOutputs<T: Real> {
@@ -71,34 +114,21 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 18 additions, 22 multiplications, 4 divisions, 0 square roots, 2 elementary
+/// Operations: 9 additions, 11 multiplications, 2 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
-pub fn plant<T: Real>(
-    t: T,
+pub fn dynamics<T: Real>(
     x: Vector<T, 7>,
     u_sat: Vector<T, 1>,
     params: &Params<T>,
+    prepared: &Prepared<T>,
+    clock: &Clock<T>,
 ) -> PlantOutputs<T> {
     let real = T::from_f64;
 
     // -- disturbance observer of block 4 (20) (49) --
     // L_4
     let L4: Matrix<T, 1, 3> = Matrix::from_f64([[1.0, 1.0, 0.0]]);
-
-    // -- true dynamics of block 1 (link_angle) (11) --
-    // F_1 with the plant's parameters
-    let F1_plant: Vector<T, 1> = Vector::zero();
-    // G_1 with the plant's parameters
-    let G1_plant: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
-    // -- given --
-    let x2 = Vector([x[1]]);
-    let w4 = Vector([x[4], x[5], x[6]]);
-
-    // -- true dynamics of block 1 (link_angle) (11) --
-    // F_1 + G_1 x_2 + d_1
-    let x1_flow = F1_plant + G1_plant * x2;
 
     // -- plant model --
     let q1 = x[0];
@@ -110,51 +140,55 @@ pub fn plant<T: Real>(
     let F2_plant = Vector([
         -(params.weight * q1.sin() + params.stiffness * q1) / real(0.031),
     ]);
-    // G_2 with the plant's parameters
-    let G2_plant = Matrix([[params.stiffness / real(0.031)]]);
-    // d_2(t)
-    let d2 = Vector([real(0.1) * (real(1.0) + (real(3.0) * t).sin()) / real(0.031)]);
 
     // -- given --
     let x3 = Vector([q2]);
-    let x4 = Vector([v2]);
+    let w4 = Vector([x[4], x[5], x[6]]);
 
     // -- true dynamics of block 2 (link_rate) (11) --
     // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + G2_plant * x3 + d2;
-
-    // -- true dynamics of block 3 (motor_angle) (11) --
-    // F_3 + G_3 x_4 + d_3
-    let x3_flow = F1_plant + G1_plant * x4;
+    let x2_flow = F2_plant + prepared.G2_plant * x3 + clock.d2;
 
     // -- true dynamics of block 4 (motor_rate) (11) --
     // F_4 with the plant's parameters
     let F4_plant = Vector([
         -(real(0.007) * v2 + params.stiffness * (q2 - q1)) / real(0.004),
     ]);
-    // G_4 with the plant's parameters
-    let G4_plant: Matrix<T, 1, 1> = Matrix::from_f64([[250.0]]);
     // d_4 = L_4 w_4 (12)
     let d4 = L4 * w4;
-    // w_4' = M_4 w_4 (12)
-    let w4_flow = Matrix::<
-        T,
-        3,
-        3,
-    >::from_f64([[0.0, 0.0, 0.0], [0.0, 0.0, 20.0], [0.0, -20.0, 0.0]]) * w4;
     // F_4 + G_4 x_5 + d_4
-    let x4_flow = F4_plant + G4_plant * u_sat + d4;
+    let x4_flow = F4_plant + u_sat * real(250.0) + d4;
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // dx/dt without noise
     let drift = Vector([
-        x1_flow[0],
+        x[1],
         x2_flow[0],
-        x3_flow[0],
+        v2,
         x4_flow[0],
-        w4_flow[0],
-        w4_flow[1],
-        w4_flow[2],
+        real(0.0),
+        real(20.0) * x[6],
+        real(-20.0) * x[5],
     ]);
-    PlantOutputs { drift, d2, d4 }
+    PlantOutputs {
+        drift,
+        d2: clock.d2,
+        d4,
+    }
+}
+
+/// Drift and diffusion of the plant and its disturbances.
+///
+/// Operations: 10 additions, 13 multiplications, 4 divisions, 0 square roots, 2 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn plant<T: Real>(
+    t: T,
+    x: Vector<T, 7>,
+    u_sat: Vector<T, 1>,
+    params: &Params<T>,
+) -> PlantOutputs<T> {
+    let prepared = prepare(params);
+    let clock = clock(t);
+    dynamics(x, u_sat, params, &prepared, &clock)
 }

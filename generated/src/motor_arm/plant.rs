@@ -1,7 +1,7 @@
-// SHA-256 of the text below: cb7ddc19a9d1c78d5a3310872a3a6e72dfe16692f13e4e507b7de2f2b00bfb8c
+// SHA-256 of the text below: 3ec31bec2329dfe96d785c869c92759345a8cd6b12f84bb01e72f41d9d06dd8d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// plant: 10 additions, 16 multiplications, 6 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 9 additions, 14 multiplications, 6 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `motor_arm`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -114,6 +114,74 @@ fn diffuse<T: Real>(
     ])
 }
 
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// `weight`.
+    pub weight: T,
+    /// `inertia`.
+    pub inertia: T,
+    /// `G_2 with the plant's parameters`
+    pub G2_plant: Matrix<T, 1, 1>,
+    /// `columns: one per Wiener process`
+    pub diffusion: Matrix<T, 4, 2>,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 3 additions, 5 multiplications, 3 divisions, 0 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
+    let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
+        + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
+
+    // -- true dynamics of block 2 (speed) (11) --
+    // G_2 with the plant's parameters
+    let G2_plant = Matrix::rows([[real(0.9) / inertia]]);
+
+    // -- packed plant state: x_1 .. x_n, then the exosystems --
+    // columns: one per Wiener process
+    let diffusion = Matrix::rows([
+        [real(0.0), real(0.0)],
+        [real(0.01) / inertia, real(0.0)],
+        [real(0.0), real(0.0)],
+        [real(0.0), real(0.5)],
+    ]);
+    Prepared {
+        weight,
+        inertia,
+        G2_plant,
+        diffusion,
+    }
+}
+
+/// Values of [`clock`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock<T> {
+    /// `d_3(t)`
+    pub d3: Vector<T, 1>,
+}
+
+/// What depends on time and parameters alone: needed once for a sample of all runs with these
+/// parameters. See [`Clock`].
+///
+/// Operations: 0 additions, 2 multiplications, 1 divisions, 0 square roots, 1 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn clock<T: Real>(t: T) -> Clock<T> {
+    let real = T::from_f64;
+
+    // -- true dynamics of block 3 (current) (11) --
+    // d_3(t)
+    let d3 = Vector([real(0.5) * (real(20.0) * t).sin() / real(0.025)]);
+    Clock { d3 }
+}
+
 /// Results of [`plant`].
 #[derive(Clone, Copy, Debug)]
 pub struct PlantOutputs<T: Real> {
@@ -121,7 +189,7 @@ pub struct PlantOutputs<T: Real> {
     pub drift: Vector<T, 4>,
     /// `columns: one per Wiener process`
     pub diffusion: Matrix<T, 4, 2>,
-    /// `d_2 = L_2 w_2 (12)`
+    /// `d2`.
     pub d2: Vector<T, 1>,
     /// `d_3(t)`
     pub d3: Vector<T, 1>,
@@ -129,7 +197,58 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 10 additions, 16 multiplications, 6 divisions, 0 square roots, 2 elementary
+/// Operations: 6 additions, 7 multiplications, 2 divisions, 0 square roots, 1 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn dynamics<T: Real>(
+    x: Vector<T, 4>,
+    u_sat: Vector<T, 1>,
+    prepared: &Prepared<T>,
+    clock: &Clock<T>,
+) -> PlantOutputs<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let rate = x[1];
+    let angle = x[0];
+    let amps = x[2];
+
+    // -- true dynamics of block 2 (speed) (11) --
+    // F_2 with the plant's parameters
+    let F2_plant = Vector([
+        -(real(0.01625) * rate + prepared.weight * angle.sin()) / prepared.inertia,
+    ]);
+
+    // -- given --
+    let w2 = Vector([x[3]]);
+    let x3 = Vector([amps]);
+
+    // -- true dynamics of block 2 (speed) (11) --
+    // w_2' = M_2 w_2 (12)
+    let w2_flow = w2 * real(-2.0);
+    // F_2 + G_2 x_3 + d_2
+    let x2_flow = F2_plant + prepared.G2_plant * x3 + w2;
+
+    // -- true dynamics of block 3 (current) (11) --
+    // F_3 with the plant's parameters
+    let F3_plant = Vector([-(real(5.0) * amps + real(0.9) * rate) / real(0.025)]);
+    // F_3 + G_3 x_4 + d_3
+    let x3_flow = F3_plant + u_sat * real(40.0) + clock.d3;
+
+    // -- packed plant state: x_1 .. x_n, then the exosystems --
+    // dx/dt without noise
+    let drift = Vector([rate, x2_flow[0], x3_flow[0], w2_flow[0]]);
+    PlantOutputs {
+        drift,
+        diffusion: prepared.diffusion,
+        d2: w2,
+        d3: clock.d3,
+    }
+}
+
+/// Drift and diffusion of the plant and its disturbances.
+///
+/// Operations: 9 additions, 14 multiplications, 6 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(
@@ -138,71 +257,7 @@ pub fn plant<T: Real>(
     u_sat: Vector<T, 1>,
     params: &Params<T>,
 ) -> PlantOutputs<T> {
-    let real = T::from_f64;
-
-    // -- disturbance observer of block 2 (20) (49) --
-    // L_2
-    let L2: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
-    // -- true dynamics of block 1 (position) (11) --
-    // F_1 with the plant's parameters
-    let F1_plant: Vector<T, 1> = Vector::zero();
-    // G_1 with the plant's parameters
-    let G1_plant: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
-    // -- plant model --
-    let rate = x[1];
-    let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
-    let angle = x[0];
-    let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
-        + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
-    let amps = x[2];
-
-    // -- given --
-    let x2 = Vector([rate]);
-    let w2 = Vector([x[3]]);
-    let x3 = Vector([amps]);
-
-    // -- true dynamics of block 1 (position) (11) --
-    // F_1 + G_1 x_2 + d_1
-    let x1_flow = F1_plant + G1_plant * x2;
-
-    // -- true dynamics of block 2 (speed) (11) --
-    // F_2 with the plant's parameters
-    let F2_plant = Vector([-(real(0.01625) * rate + weight * angle.sin()) / inertia]);
-    // G_2 with the plant's parameters
-    let G2_plant = Matrix([[real(0.9) / inertia]]);
-    // d_2 = L_2 w_2 (12)
-    let d2 = L2 * w2;
-    // w_2' = M_2 w_2 (12)
-    let w2_flow = Matrix::<T, 1, 1>::from_f64([[-2.0]]) * w2;
-    // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + G2_plant * x3 + d2;
-
-    // -- true dynamics of block 3 (current) (11) --
-    // F_3 with the plant's parameters
-    let F3_plant = Vector([-(real(5.0) * amps + real(0.9) * rate) / real(0.025)]);
-    // G_3 with the plant's parameters
-    let G3_plant: Matrix<T, 1, 1> = Matrix::from_f64([[40.0]]);
-    // d_3(t)
-    let d3 = Vector([real(0.5) * (real(20.0) * t).sin() / real(0.025)]);
-    // F_3 + G_3 x_4 + d_3
-    let x3_flow = F3_plant + G3_plant * u_sat + d3;
-
-    // -- packed plant state: x_1 .. x_n, then the exosystems --
-    // dx/dt without noise
-    let drift = Vector([x1_flow[0], x2_flow[0], x3_flow[0], w2_flow[0]]);
-    // columns: one per Wiener process
-    let diffusion = Matrix([
-        [real(0.0), real(0.0)],
-        [real(0.01) / inertia, real(0.0)],
-        [real(0.0), real(0.0)],
-        [real(0.0), real(0.5)],
-    ]);
-    PlantOutputs {
-        drift,
-        diffusion,
-        d2,
-        d3,
-    }
+    let prepared = prepare(params);
+    let clock = clock(t);
+    dynamics(x, u_sat, &prepared, &clock)
 }

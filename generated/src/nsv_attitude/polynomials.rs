@@ -1,4 +1,4 @@
-// SHA-256 of the text below: d4dea3d14cafdf4c56c3f815c23647af1237c58e0b1be8d94e276c85d31dadad
+// SHA-256 of the text below: b9dccc914f3a29f5ad8046747c3070b0c87f77043aa7b1c64605dd578a326e01
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 
@@ -14,7 +14,7 @@ use nsv_runtime::real::Real;
 
 /// Polynomial data at one `alpha_deg`.
 #[derive(Clone, Copy, Debug)]
-pub struct AtAlphaDeg<T> {
+pub struct AtAlphaDeg2<T> {
     /// `Cm_RUD`, source: AIAA 2005-6257, fit of the pitching moment coefficient.
     pub Cm_RUD: T,
     /// `CL_alpha`, source: AIAA 2005-6257, fit of the lift coefficient.
@@ -31,8 +31,6 @@ pub struct AtAlphaDeg<T> {
     pub Cm_alpha: T,
     /// `Cm_q`, source: AIAA 2005-6257, fit of the pitching moment coefficient.
     pub Cm_q: T,
-    /// `CD_alpha`, source: AIAA 2005-6257, fit of the drag coefficient.
-    pub CD_alpha: T,
     /// `Cn_beta`, source: AIAA 2005-6257, fit of the yawing moment coefficient.
     pub Cn_beta: T,
     /// `Cn_p`, source: AIAA 2005-6257, fit of the yawing moment coefficient.
@@ -47,12 +45,6 @@ pub struct AtAlphaDeg<T> {
     pub Cl_LE: T,
     /// `Cl_RE`, source: AIAA 2005-6257, fit of the rolling moment coefficient.
     pub Cl_RE: T,
-    /// `CD_LE`, source: AIAA 2005-6257, fit of the drag coefficient.
-    pub CD_LE: T,
-    /// `CD_RE`, source: AIAA 2005-6257, fit of the drag coefficient.
-    pub CD_RE: T,
-    /// `CD_RUD`, source: AIAA 2005-6257, fit of the drag coefficient.
-    pub CD_RUD: T,
     /// `Cn_LE`, source: AIAA 2005-6257, fit of the yawing moment coefficient.
     pub Cn_LE: T,
     /// `Cn_RE`, source: AIAA 2005-6257, fit of the yawing moment coefficient.
@@ -61,20 +53,10 @@ pub struct AtAlphaDeg<T> {
     pub Cl_LE_d3: T,
     /// `Cl_RE_d3`, source: AIAA 2005-6257, fit of the rolling moment coefficient.
     pub Cl_RE_d3: T,
-    /// `CD_LE_d3`, source: AIAA 2005-6257, fit of the drag coefficient.
-    pub CD_LE_d3: T,
-    /// `CD_RE_d3`, source: AIAA 2005-6257, fit of the drag coefficient.
-    pub CD_RE_d3: T,
-    /// `CD_RUD_d3`, source: AIAA 2005-6257, fit of the drag coefficient.
-    pub CD_RUD_d3: T,
     /// `Cn_LE_d3`, source: AIAA 2005-6257, fit of the yawing moment coefficient.
     pub Cn_LE_d3: T,
     /// `Cn_RE_d3`, source: AIAA 2005-6257, fit of the yawing moment coefficient.
     pub Cn_RE_d3: T,
-    /// `CY_LE_d3`, source: AIAA 2005-6257, fit of the side force coefficient.
-    pub CY_LE_d3: T,
-    /// `CY_RE_d3`, source: AIAA 2005-6257, fit of the side force coefficient.
-    pub CY_RE_d3: T,
     /// `CL_LE`, source: AIAA 2005-6257, fit of the lift coefficient.
     pub CL_LE: T,
     /// `CL_RE`, source: AIAA 2005-6257, fit of the lift coefficient.
@@ -95,23 +77,17 @@ pub struct AtAlphaDeg<T> {
     pub Cm_LE_d3: T,
     /// `Cm_RE_d3`, source: AIAA 2005-6257, fit of the pitching moment coefficient.
     pub Cm_RE_d3: T,
-    /// `CL_LE_d3`, source: AIAA 2005-6257, fit of the lift coefficient.
-    pub CL_LE_d3: T,
-    /// `CL_RE_d3`, source: AIAA 2005-6257, fit of the lift coefficient.
-    pub CL_RE_d3: T,
     /// `Cn_RUD_d3`, source: AIAA 2005-6257, fit of the yawing moment coefficient.
     pub Cn_RUD_d3: T,
-    /// `CY_RUD_d3`, source: AIAA 2005-6257, fit of the side force coefficient.
-    pub CY_RUD_d3: T,
 }
 
 /// Polynomial data in `alpha_deg` by Horner's scheme, with its other arguments, which are
 /// constants, in the coefficients.
 ///
-/// 44 polynomials; 112 additions, 112 multiplications. A row of a table holds the coefficients
-/// of one power, the highest first.
+/// 32 polynomials; 88 additions, 88 multiplications. A row of a table holds the coefficients of
+/// one power, the highest first.
 #[inline(always)]
-pub fn at_alpha_deg<T: Real>(alpha_deg: T) -> AtAlphaDeg<T> {
+pub fn at_alpha_deg_2<T: Real>(alpha_deg: T) -> AtAlphaDeg2<T> {
     const DEGREE_7: [[f64; 1]; 8] = [
         [5.74e-12],
         [-2.18e-10],
@@ -123,7 +99,7 @@ pub fn at_alpha_deg<T: Real>(alpha_deg: T) -> AtAlphaDeg<T> {
         [-0.0006960547200340074],
     ];
     let [Cm_RUD] = horner(&DEGREE_7, alpha_deg);
-    const DEGREE_5: [[f64; 11]; 6] = [
+    const DEGREE_5: [[f64; 10]; 6] = [
         [
             1.3e-8,
             -5.2083e-7,
@@ -132,7 +108,6 @@ pub fn at_alpha_deg<T: Real>(alpha_deg: T) -> AtAlphaDeg<T> {
             -1.06e-9,
             -2.789e-7,
             -5.93e-6,
-            9.766e-7,
             -2.504059032375198e-7,
             2.96e-19,
             -1.18e-6,
@@ -145,7 +120,6 @@ pub fn at_alpha_deg<T: Real>(alpha_deg: T) -> AtAlphaDeg<T> {
             3.19e-8,
             8.288e-6,
             0.000169,
-            -2.985e-5,
             8.91655428592757e-6,
             -9.18e-18,
             3.6e-5,
@@ -158,7 +132,6 @@ pub fn at_alpha_deg<T: Real>(alpha_deg: T) -> AtAlphaDeg<T> {
             -2.7e-7,
             -7.887e-5,
             -0.00148,
-            0.0003175,
             -9.666552330262917e-5,
             1.01e-16,
             -0.000387,
@@ -171,7 +144,6 @@ pub fn at_alpha_deg<T: Real>(alpha_deg: T) -> AtAlphaDeg<T> {
             -5.159554706746226e-6,
             0.00023209157584728094,
             0.0021602033781326314,
-            -0.001085604397244941,
             0.0002291367121137426,
             -4.64e-16,
             0.0011433093746625953,
@@ -184,7 +156,6 @@ pub fn at_alpha_deg<T: Real>(alpha_deg: T) -> AtAlphaDeg<T> {
             0.0011150371844903522,
             -0.0004298984411761429,
             0.0022021140389122786,
-            0.001913719608114037,
             -6.18987959153497e-5,
             7.61e-16,
             -0.0006244511847666697,
@@ -197,82 +168,45 @@ pub fn at_alpha_deg<T: Real>(alpha_deg: T) -> AtAlphaDeg<T> {
             0.05946039898789246,
             0.002783872039364598,
             -0.2480990578146105,
-            0.004662140987977112,
             -0.030296143941408966,
             0.048444529933999336,
             -0.4913589178158497,
         ],
     ];
-    let [CL_alpha, CY_beta, Cl_beta, Cl_p, Cl_r, Cm_alpha, Cm_q, CD_alpha, Cn_beta, Cn_p,
-    Cn_r] = horner(&DEGREE_5, alpha_deg);
-    const DEGREE_2: [[f64; 18]; 3] = [
-        [
-            -2.82e-9,
-            2.82e-9,
-            -4.95e-6,
-            4.95e-6,
-            3.2187e-6,
-            3.2187e-6,
-            8.76e-7,
-            6.39e-7,
-            -6.39e-7,
-            0.0,
-            -0.0,
-            0.0,
-            0.0,
-            -0.0,
-            -0.0,
-            0.0,
-            -0.0,
-            0.0,
-        ],
+    let [CL_alpha, CY_beta, Cl_beta, Cl_p, Cl_r, Cm_alpha, Cm_q, Cn_beta, Cn_p, Cn_r] = horner(
+        &DEGREE_5,
+        alpha_deg,
+    );
+    const DEGREE_2: [[f64; 10]; 3] = [
+        [-2.82e-9, 2.82e-9, -4.95e-6, 4.95e-6, 6.39e-7, -6.39e-7, 0.0, -0.0, -0.0, 0.0],
         [
             1.12e-7,
             -1.12e-7,
             9.569e-5,
             -9.569e-5,
-            2.5411e-5,
-            2.5411e-5,
-            -2.29e-5,
             -1.83e-5,
             1.83e-5,
             -2.8281547319435047e-7,
             2.8281547319435047e-7,
-            -5.366307198066746e-6,
-            -5.366307198066746e-6,
-            9.241607982335073e-8,
             9.03916311963332e-7,
             -9.03916311963332e-7,
-            -4.160241928521046e-8,
-            4.160241928521046e-8,
         ],
         [
             -1.0967135008936997e-6,
             1.0967135008936997e-6,
             -0.00013737247838665077,
             0.00013737247838665077,
-            -0.0003932858693859377,
-            -0.0003932858693859377,
-            4.5796116641743e-5,
             6.674465384308486e-5,
             -6.674465384308486e-5,
             -0.000117,
             0.000117,
-            -3.6417e-5,
-            -3.6417e-5,
-            -1.83e-6,
             1.3e-5,
             -1.3e-5,
-            -2.27e-7,
-            2.27e-7,
         ],
     ];
-    let [CY_LE, CY_RE, Cl_LE, Cl_RE, CD_LE, CD_RE, CD_RUD, Cn_LE, Cn_RE, Cl_LE_d3,
-    Cl_RE_d3, CD_LE_d3, CD_RE_d3, CD_RUD_d3, Cn_LE_d3, Cn_RE_d3, CY_LE_d3, CY_RE_d3] = horner(
-        &DEGREE_2,
-        alpha_deg,
-    );
-    const DEGREE_1: [[f64; 14]; 2] = [
+    let [CY_LE, CY_RE, Cl_LE, Cl_RE, Cn_LE, Cn_RE, Cl_LE_d3, Cl_RE_d3, Cn_LE_d3, Cn_RE_d3,
+    ] = horner(&DEGREE_2, alpha_deg);
+    const DEGREE_1: [[f64; 11]; 2] = [
         [
             0.0001485745427349122,
             0.0001485745427349122,
@@ -284,10 +218,7 @@ pub fn at_alpha_deg<T: Real>(alpha_deg: T) -> AtAlphaDeg<T> {
             -2.1201397605752832e-6,
             5.463882032730525e-6,
             5.463882032730525e-6,
-            -5.23078133296491e-6,
-            -5.23078133296491e-6,
             1.073173789871755e-5,
-            -9.068216784877196e-6,
         ],
         [
             5.73679262591227e-5,
@@ -300,15 +231,12 @@ pub fn at_alpha_deg<T: Real>(alpha_deg: T) -> AtAlphaDeg<T> {
             7.848008576769269e-5,
             0.00022958243279703517,
             0.00022958243279703517,
-            -0.0003257340398620352,
-            -0.0003257340398620352,
             -0.0003609829882710529,
-            0.0002756919984545616,
         ],
     ];
     let [CL_LE, CL_RE, CY_RUD, Cl_RUD, Cm_LE, Cm_RE, Cn_RUD, Cl_RUD_d3, Cm_LE_d3,
-    Cm_RE_d3, CL_LE_d3, CL_RE_d3, Cn_RUD_d3, CY_RUD_d3] = horner(&DEGREE_1, alpha_deg);
-    AtAlphaDeg {
+    Cm_RE_d3, Cn_RUD_d3] = horner(&DEGREE_1, alpha_deg);
+    AtAlphaDeg2 {
         Cm_RUD,
         CL_alpha,
         CY_beta,
@@ -317,7 +245,6 @@ pub fn at_alpha_deg<T: Real>(alpha_deg: T) -> AtAlphaDeg<T> {
         Cl_r,
         Cm_alpha,
         Cm_q,
-        CD_alpha,
         Cn_beta,
         Cn_p,
         Cn_r,
@@ -325,20 +252,12 @@ pub fn at_alpha_deg<T: Real>(alpha_deg: T) -> AtAlphaDeg<T> {
         CY_RE,
         Cl_LE,
         Cl_RE,
-        CD_LE,
-        CD_RE,
-        CD_RUD,
         Cn_LE,
         Cn_RE,
         Cl_LE_d3,
         Cl_RE_d3,
-        CD_LE_d3,
-        CD_RE_d3,
-        CD_RUD_d3,
         Cn_LE_d3,
         Cn_RE_d3,
-        CY_LE_d3,
-        CY_RE_d3,
         CL_LE,
         CL_RE,
         CY_RUD,
@@ -349,16 +268,13 @@ pub fn at_alpha_deg<T: Real>(alpha_deg: T) -> AtAlphaDeg<T> {
         Cl_RUD_d3,
         Cm_LE_d3,
         Cm_RE_d3,
-        CL_LE_d3,
-        CL_RE_d3,
         Cn_RUD_d3,
-        CY_RUD_d3,
     }
 }
 
 /// Polynomial data at one `alpha_deg`.
 #[derive(Clone, Copy, Debug)]
-pub struct AtAlphaDeg2<T> {
+pub struct AtAlphaDeg<T> {
     /// `CL_alpha`, source: AIAA 2005-6257, fit of the lift coefficient.
     pub CL_alpha: T,
     /// `CY_beta`, source: AIAA 2005-6257, fit of the side force coefficient.
@@ -381,7 +297,7 @@ pub struct AtAlphaDeg2<T> {
 /// 7 polynomials; 17 additions, 17 multiplications. A row of a table holds the coefficients of
 /// one power, the highest first.
 #[inline(always)]
-pub fn at_alpha_deg_2<T: Real>(alpha_deg: T) -> AtAlphaDeg2<T> {
+pub fn at_alpha_deg<T: Real>(alpha_deg: T) -> AtAlphaDeg<T> {
     const DEGREE_5: [[f64; 2]; 6] = [
         [1.3e-8, -5.2083e-7],
         [-3.91e-7, 2.6339103531325548e-5],
@@ -402,7 +318,7 @@ pub fn at_alpha_deg_2<T: Real>(alpha_deg: T) -> AtAlphaDeg2<T> {
         [5.73679262591227e-5, 5.73679262591227e-5, 4.527372231263129e-19],
     ];
     let [CL_LE, CL_RE, CY_RUD] = horner(&DEGREE_1, alpha_deg);
-    AtAlphaDeg2 {
+    AtAlphaDeg {
         CL_alpha,
         CY_beta,
         CY_LE,
@@ -415,7 +331,7 @@ pub fn at_alpha_deg_2<T: Real>(alpha_deg: T) -> AtAlphaDeg2<T> {
 
 /// Polynomial data at one `alpha_deg`.
 #[derive(Clone, Copy, Debug)]
-pub struct AtAlphaDeg3<T> {
+pub struct AtAlphaDeg22<T> {
     /// `Cm_RUD`, source: AIAA 2005-6257, fit of the pitching moment coefficient.
     pub Cm_RUD: T,
     /// `CL_alpha`, source: AIAA 2005-6257, fit of the lift coefficient.
@@ -432,8 +348,6 @@ pub struct AtAlphaDeg3<T> {
     pub Cm_alpha: T,
     /// `Cm_q`, source: AIAA 2005-6257, fit of the pitching moment coefficient.
     pub Cm_q: T,
-    /// `CD_alpha`, source: AIAA 2005-6257, fit of the drag coefficient.
-    pub CD_alpha: T,
     /// `Cn_beta`, source: AIAA 2005-6257, fit of the yawing moment coefficient.
     pub Cn_beta: T,
     /// `Cn_p`, source: AIAA 2005-6257, fit of the yawing moment coefficient.
@@ -452,12 +366,6 @@ pub struct AtAlphaDeg3<T> {
     pub Cl_LE: T,
     /// `Cl_RE`, source: AIAA 2005-6257, fit of the rolling moment coefficient.
     pub Cl_RE: T,
-    /// `CD_LE`, source: AIAA 2005-6257, fit of the drag coefficient.
-    pub CD_LE: T,
-    /// `CD_RE`, source: AIAA 2005-6257, fit of the drag coefficient.
-    pub CD_RE: T,
-    /// `CD_RUD`, source: AIAA 2005-6257, fit of the drag coefficient.
-    pub CD_RUD: T,
     /// `Cn_LE`, source: AIAA 2005-6257, fit of the yawing moment coefficient.
     pub Cn_LE: T,
     /// `Cn_RE`, source: AIAA 2005-6257, fit of the yawing moment coefficient.
@@ -466,20 +374,10 @@ pub struct AtAlphaDeg3<T> {
     pub Cl_LE_d3: T,
     /// `Cl_RE_d3`, source: AIAA 2005-6257, fit of the rolling moment coefficient.
     pub Cl_RE_d3: T,
-    /// `CD_LE_d3`, source: AIAA 2005-6257, fit of the drag coefficient.
-    pub CD_LE_d3: T,
-    /// `CD_RE_d3`, source: AIAA 2005-6257, fit of the drag coefficient.
-    pub CD_RE_d3: T,
-    /// `CD_RUD_d3`, source: AIAA 2005-6257, fit of the drag coefficient.
-    pub CD_RUD_d3: T,
     /// `Cn_LE_d3`, source: AIAA 2005-6257, fit of the yawing moment coefficient.
     pub Cn_LE_d3: T,
     /// `Cn_RE_d3`, source: AIAA 2005-6257, fit of the yawing moment coefficient.
     pub Cn_RE_d3: T,
-    /// `CY_LE_d3`, source: AIAA 2005-6257, fit of the side force coefficient.
-    pub CY_LE_d3: T,
-    /// `CY_RE_d3`, source: AIAA 2005-6257, fit of the side force coefficient.
-    pub CY_RE_d3: T,
     /// `CL_LE`, source: AIAA 2005-6257, fit of the lift coefficient.
     pub CL_LE: T,
     /// `CL_RE`, source: AIAA 2005-6257, fit of the lift coefficient.
@@ -500,14 +398,8 @@ pub struct AtAlphaDeg3<T> {
     pub Cm_LE_d3: T,
     /// `Cm_RE_d3`, source: AIAA 2005-6257, fit of the pitching moment coefficient.
     pub Cm_RE_d3: T,
-    /// `CL_LE_d3`, source: AIAA 2005-6257, fit of the lift coefficient.
-    pub CL_LE_d3: T,
-    /// `CL_RE_d3`, source: AIAA 2005-6257, fit of the lift coefficient.
-    pub CL_RE_d3: T,
     /// `Cn_RUD_d3`, source: AIAA 2005-6257, fit of the yawing moment coefficient.
     pub Cn_RUD_d3: T,
-    /// `CY_RUD_d3`, source: AIAA 2005-6257, fit of the side force coefficient.
-    pub CY_RUD_d3: T,
     /// `CY_LE_d1`, source: AIAA 2005-6257, fit of the side force coefficient.
     pub CY_LE_d1: T,
     /// `CY_RE_d1`, source: AIAA 2005-6257, fit of the side force coefficient.
@@ -517,10 +409,10 @@ pub struct AtAlphaDeg3<T> {
 /// Polynomial data in `alpha_deg` by Horner's scheme, with its other arguments, which are
 /// constants, in the coefficients.
 ///
-/// 48 polynomials; 122 additions, 122 multiplications. A row of a table holds the coefficients
-/// of one power, the highest first.
+/// 36 polynomials; 98 additions, 98 multiplications. A row of a table holds the coefficients of
+/// one power, the highest first.
 #[inline(always)]
-pub fn at_alpha_deg_3<T: Real>(alpha_deg: T) -> AtAlphaDeg3<T> {
+pub fn at_alpha_deg_2_2<T: Real>(alpha_deg: T) -> AtAlphaDeg22<T> {
     const DEGREE_7: [[f64; 1]; 8] = [
         [5.74e-12],
         [-2.18e-10],
@@ -532,7 +424,7 @@ pub fn at_alpha_deg_3<T: Real>(alpha_deg: T) -> AtAlphaDeg3<T> {
         [-0.0006960547200340074],
     ];
     let [Cm_RUD] = horner(&DEGREE_7, alpha_deg);
-    const DEGREE_5: [[f64; 11]; 6] = [
+    const DEGREE_5: [[f64; 10]; 6] = [
         [
             1.3e-8,
             -5.2083e-7,
@@ -541,7 +433,6 @@ pub fn at_alpha_deg_3<T: Real>(alpha_deg: T) -> AtAlphaDeg3<T> {
             -1.06e-9,
             -2.789e-7,
             -5.93e-6,
-            9.766e-7,
             -2.504059032375198e-7,
             2.96e-19,
             -1.18e-6,
@@ -554,7 +445,6 @@ pub fn at_alpha_deg_3<T: Real>(alpha_deg: T) -> AtAlphaDeg3<T> {
             3.19e-8,
             8.288e-6,
             0.000169,
-            -2.985e-5,
             8.91655428592757e-6,
             -9.18e-18,
             3.6e-5,
@@ -567,7 +457,6 @@ pub fn at_alpha_deg_3<T: Real>(alpha_deg: T) -> AtAlphaDeg3<T> {
             -2.7e-7,
             -7.887e-5,
             -0.00148,
-            0.0003175,
             -9.666552330262917e-5,
             1.01e-16,
             -0.000387,
@@ -580,7 +469,6 @@ pub fn at_alpha_deg_3<T: Real>(alpha_deg: T) -> AtAlphaDeg3<T> {
             -5.159554706746226e-6,
             0.00023209157584728094,
             0.0021602033781326314,
-            -0.001085604397244941,
             0.0002291367121137426,
             -4.64e-16,
             0.0011433093746625953,
@@ -593,7 +481,6 @@ pub fn at_alpha_deg_3<T: Real>(alpha_deg: T) -> AtAlphaDeg3<T> {
             0.0011150371844903522,
             -0.0004298984411761429,
             0.0022021140389122786,
-            0.001913719608114037,
             -6.18987959153497e-5,
             7.61e-16,
             -0.0006244511847666697,
@@ -606,14 +493,15 @@ pub fn at_alpha_deg_3<T: Real>(alpha_deg: T) -> AtAlphaDeg3<T> {
             0.05946039898789246,
             0.002783872039364598,
             -0.2480990578146105,
-            0.004662140987977112,
             -0.030296143941408966,
             0.048444529933999336,
             -0.4913589178158497,
         ],
     ];
-    let [CL_alpha, CY_beta, Cl_beta, Cl_p, Cl_r, Cm_alpha, Cm_q, CD_alpha, Cn_beta, Cn_p,
-    Cn_r] = horner(&DEGREE_5, alpha_deg);
+    let [CL_alpha, CY_beta, Cl_beta, Cl_p, Cl_r, Cm_alpha, Cm_q, Cn_beta, Cn_p, Cn_r] = horner(
+        &DEGREE_5,
+        alpha_deg,
+    );
     const DEGREE_4: [[f64; 2]; 5] = [
         [6.5e-8, -2.6041500000000003e-6],
         [-1.564e-6, 0.00010535641412530219],
@@ -622,74 +510,36 @@ pub fn at_alpha_deg_3<T: Real>(alpha_deg: T) -> AtAlphaDeg3<T> {
         [0.013812178997103516, -4.938083058843431e-5],
     ];
     let [CL_alpha_d1, CY_beta_d1] = horner(&DEGREE_4, alpha_deg);
-    const DEGREE_2: [[f64; 18]; 3] = [
-        [
-            -2.82e-9,
-            2.82e-9,
-            -4.95e-6,
-            4.95e-6,
-            3.2187e-6,
-            3.2187e-6,
-            8.76e-7,
-            6.39e-7,
-            -6.39e-7,
-            0.0,
-            -0.0,
-            0.0,
-            0.0,
-            -0.0,
-            -0.0,
-            0.0,
-            -0.0,
-            0.0,
-        ],
+    const DEGREE_2: [[f64; 10]; 3] = [
+        [-2.82e-9, 2.82e-9, -4.95e-6, 4.95e-6, 6.39e-7, -6.39e-7, 0.0, -0.0, -0.0, 0.0],
         [
             1.12e-7,
             -1.12e-7,
             9.569e-5,
             -9.569e-5,
-            2.5411e-5,
-            2.5411e-5,
-            -2.29e-5,
             -1.83e-5,
             1.83e-5,
             -2.8281547319435047e-7,
             2.8281547319435047e-7,
-            -5.366307198066746e-6,
-            -5.366307198066746e-6,
-            9.241607982335073e-8,
             9.03916311963332e-7,
             -9.03916311963332e-7,
-            -4.160241928521046e-8,
-            4.160241928521046e-8,
         ],
         [
             -1.0967135008936997e-6,
             1.0967135008936997e-6,
             -0.00013737247838665077,
             0.00013737247838665077,
-            -0.0003932858693859377,
-            -0.0003932858693859377,
-            4.5796116641743e-5,
             6.674465384308486e-5,
             -6.674465384308486e-5,
             -0.000117,
             0.000117,
-            -3.6417e-5,
-            -3.6417e-5,
-            -1.83e-6,
             1.3e-5,
             -1.3e-5,
-            -2.27e-7,
-            2.27e-7,
         ],
     ];
-    let [CY_LE, CY_RE, Cl_LE, Cl_RE, CD_LE, CD_RE, CD_RUD, Cn_LE, Cn_RE, Cl_LE_d3,
-    Cl_RE_d3, CD_LE_d3, CD_RE_d3, CD_RUD_d3, Cn_LE_d3, Cn_RE_d3, CY_LE_d3, CY_RE_d3] = horner(
-        &DEGREE_2,
-        alpha_deg,
-    );
-    const DEGREE_1: [[f64; 16]; 2] = [
+    let [CY_LE, CY_RE, Cl_LE, Cl_RE, Cn_LE, Cn_RE, Cl_LE_d3, Cl_RE_d3, Cn_LE_d3, Cn_RE_d3,
+    ] = horner(&DEGREE_2, alpha_deg);
+    const DEGREE_1: [[f64; 13]; 2] = [
         [
             0.0001485745427349122,
             0.0001485745427349122,
@@ -701,10 +551,7 @@ pub fn at_alpha_deg_3<T: Real>(alpha_deg: T) -> AtAlphaDeg3<T> {
             -2.1201397605752832e-6,
             5.463882032730525e-6,
             5.463882032730525e-6,
-            -5.23078133296491e-6,
-            -5.23078133296491e-6,
             1.073173789871755e-5,
-            -9.068216784877196e-6,
             -5.64e-9,
             5.64e-9,
         ],
@@ -719,20 +566,14 @@ pub fn at_alpha_deg_3<T: Real>(alpha_deg: T) -> AtAlphaDeg3<T> {
             7.848008576769269e-5,
             0.00022958243279703517,
             0.00022958243279703517,
-            -0.0003257340398620352,
-            -0.0003257340398620352,
             -0.0003609829882710529,
-            0.0002756919984545616,
             1.12e-7,
             -1.12e-7,
         ],
     ];
     let [CL_LE, CL_RE, CY_RUD, Cl_RUD, Cm_LE, Cm_RE, Cn_RUD, Cl_RUD_d3, Cm_LE_d3,
-    Cm_RE_d3, CL_LE_d3, CL_RE_d3, Cn_RUD_d3, CY_RUD_d3, CY_LE_d1, CY_RE_d1] = horner(
-        &DEGREE_1,
-        alpha_deg,
-    );
-    AtAlphaDeg3 {
+    Cm_RE_d3, Cn_RUD_d3, CY_LE_d1, CY_RE_d1] = horner(&DEGREE_1, alpha_deg);
+    AtAlphaDeg22 {
         Cm_RUD,
         CL_alpha,
         CY_beta,
@@ -741,7 +582,6 @@ pub fn at_alpha_deg_3<T: Real>(alpha_deg: T) -> AtAlphaDeg3<T> {
         Cl_r,
         Cm_alpha,
         Cm_q,
-        CD_alpha,
         Cn_beta,
         Cn_p,
         Cn_r,
@@ -751,20 +591,12 @@ pub fn at_alpha_deg_3<T: Real>(alpha_deg: T) -> AtAlphaDeg3<T> {
         CY_RE,
         Cl_LE,
         Cl_RE,
-        CD_LE,
-        CD_RE,
-        CD_RUD,
         Cn_LE,
         Cn_RE,
         Cl_LE_d3,
         Cl_RE_d3,
-        CD_LE_d3,
-        CD_RE_d3,
-        CD_RUD_d3,
         Cn_LE_d3,
         Cn_RE_d3,
-        CY_LE_d3,
-        CY_RE_d3,
         CL_LE,
         CL_RE,
         CY_RUD,
@@ -775,10 +607,7 @@ pub fn at_alpha_deg_3<T: Real>(alpha_deg: T) -> AtAlphaDeg3<T> {
         Cl_RUD_d3,
         Cm_LE_d3,
         Cm_RE_d3,
-        CL_LE_d3,
-        CL_RE_d3,
         Cn_RUD_d3,
-        CY_RUD_d3,
         CY_LE_d1,
         CY_RE_d1,
     }

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: bc51c826e0ac08879a567625949fcc8a734dea1fd86e309b254e8e8d81fffd56
+// SHA-256 of the text below: 11dfedd35b7cda4029fc3373939e90835176858df8a682c9746819699ea615e8
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// initial: 7 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
-// control: 47 additions, 67 multiplications, 9 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
+// initial: 5 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// control: 46 additions, 66 multiplications, 9 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
 
 //! `pendulum`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -240,15 +240,13 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 7 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary
+/// Operations: 5 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     let real = T::from_f64;
 
     // -- known dynamics of block 1 (position) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 1> = Vector::zero();
     // G_1(x_1 .. x_1)
     let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
 
@@ -297,7 +295,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + Vector::<T, 1>::zero() + Lam1;
+    let bracket1 = Lam1 - y_r_dot;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -G1.solve(bracket1);
     State {
@@ -306,6 +304,71 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
         h1: alpha1,
         W2,
         th2,
+    }
+}
+
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// `inertia`.
+    pub inertia: T,
+    /// `G_2(x_1 .. x_2)`
+    pub G2: Matrix<T, 1, 1>,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 0 additions, 1 multiplications, 1 divisions, 0 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let inertia = params.mass * real(0.25);
+
+    // -- known dynamics of block 2 (speed) (11) --
+    // G_2(x_1 .. x_2)
+    let G2 = Matrix::rows([[real(1.0) / inertia]]);
+    Prepared { inertia, G2 }
+}
+
+/// Values of [`clock`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock<T> {
+    /// `y_r(t)`
+    pub y_r: Vector<T, 1>,
+    /// `y_r'`
+    pub y_r_dot: Vector<T, 1>,
+    /// `k_1(t)`
+    pub k1: T,
+    /// Part of `E1_free`.
+    pub E1_free_1: T,
+}
+
+/// What depends on time and parameters alone: needed once for a sample of all runs with these
+/// parameters. See [`Clock`].
+///
+/// Operations: 1 additions, 6 multiplications, 0 divisions, 0 square roots, 3 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn clock<T: Real>(t: T) -> Clock<T> {
+    let real = T::from_f64;
+
+    // -- reference and constraints --
+    // y_r(t)
+    let y_r = Vector([real(FRAC_PI_2) * t.sin()]);
+    // y_r'
+    let y_r_dot = Vector([real(FRAC_PI_2) * t.cos()]);
+    // k_1(t)
+    let k1 = (real(30.0) * (real(-2.0) * t).exp() + real(6.0))
+        * real(0.017453292519943295);
+    let E1_free_1 = k1 * k1;
+    Clock {
+        y_r,
+        y_r_dot,
+        k1,
+        E1_free_1,
     }
 }
 
@@ -336,53 +399,39 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 47 additions, 67 multiplications, 9 divisions, 0 square roots, 7 elementary
+/// Operations: 45 additions, 59 multiplications, 8 divisions, 0 square roots, 4 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
-pub fn control<T: Real>(
-    t: T,
+pub fn law<T: Real>(
     x1: Vector<T, 1>,
     x2: Vector<T, 1>,
     state: &State<T>,
-    params: &Params<T>,
+    prepared: &Prepared<T>,
+    clock: &Clock<T>,
 ) -> ControlOutputs<T> {
     let real = T::from_f64;
 
     // -- known dynamics of block 1 (position) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 1> = Vector::zero();
     // G_1(x_1 .. x_1)
     let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
 
     // -- plant model --
     let theta = x1[0];
     let omega = x2[0];
-    let inertia = params.mass * real(0.25);
 
     // -- known dynamics of block 2 (speed) (11) --
     let t1 = theta.sin();
     // F_2(x_1 .. x_2)
-    let F2 = Vector([real(-19.62) * t1 - real(0.1) * omega / inertia]);
-    // G_2(x_1 .. x_2)
-    let G2 = Matrix([[real(1.0) / inertia]]);
-
-    // -- reference and constraints --
-    // y_r(t)
-    let y_r = Vector([real(FRAC_PI_2) * t.sin()]);
-    // y_r'
-    let y_r_dot = Vector([real(FRAC_PI_2) * t.cos()]);
-    // k_1(t)
-    let k1 = (real(30.0) * (real(-2.0) * t).exp() + real(6.0))
-        * real(0.017453292519943295);
+    let F2 = Vector([real(-19.62) * t1 - real(0.1) * omega / prepared.inertia]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
-    let e1 = x1 - y_r - state.zeta1;
+    let e1 = x1 - clock.y_r - state.zeta1;
 
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t2 = s1 / (k1 * k1);
+    let t2 = s1 / clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t2 * t2);
     // E_1 >= pi/2 - delta
@@ -410,13 +459,13 @@ pub fn control<T: Real>(
     // -- virtual control (31) of block 1 --
     let t4 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + t4 + Lam1;
+    let bracket1 = t4 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -G1.solve(bracket1);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t4;
+    let zeta1_dot = state.zeta2 - t4;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -438,7 +487,7 @@ pub fn control<T: Real>(
     // P_2 = P_m(z_2), 6 nodes
     let P2 = polynomials::basis2(z2);
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = state.W2.transpose() * P2;
+    let A_hat2 = state.W2.transpose_mul(P2);
 
     // -- disturbance observer of block 2 (20) (49) --
     // D_hat_2 = th_2 + S_2 x_2
@@ -459,17 +508,15 @@ pub fn control<T: Real>(
     let t6 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
     let bracket2 = t5 - h1_dot + t6 + D_hat2 + Lam2;
-    let t7 = G2.solve(bracket2);
+    let t7 = prepared.G2.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let u = -t7;
     // sat(u), each component limited to +-u_max (8)
-    let u_sat = u
-        .max(Vector::<T, 1>::from_f64([-8.0]))
-        .min(Vector::<T, 1>::from_f64([8.0]));
+    let u_sat = u.max(Vector::splat(real(-8.0))).min(Vector::splat(real(8.0)));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = G2 * (u_sat + t7) - t6;
+    let zeta2_dot = prepared.G2 * (u_sat + t7) - t6;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
@@ -477,7 +524,7 @@ pub fn control<T: Real>(
 
     // -- observer dynamics of block 2 (21) (50) --
     // th_2' = -S_2 (D_hat_2 + F_2 + G_2 x_3 + A_hat_2)
-    let th2_dot = -((D_hat2 + t5 + G2 * u_sat) * real(20.0));
+    let th2_dot = -((D_hat2 + t5 + prepared.G2 * u_sat) * real(20.0));
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'
@@ -496,9 +543,9 @@ pub fn control<T: Real>(
         u,
         u_sat,
         violated: violated1,
-        y_r,
+        y_r: clock.y_r,
         e1,
-        k1,
+        k1: clock.k1,
         alpha1,
         e2,
         D_hat2,
@@ -510,4 +557,21 @@ pub fn control<T: Real>(
             th2: th2_next,
         },
     }
+}
+
+/// One sample of the control law: control, next states and the signals on the way.
+///
+/// Operations: 46 additions, 66 multiplications, 9 divisions, 0 square roots, 7 elementary
+/// functions, 6 comparisons and selections.
+#[inline(always)]
+pub fn control<T: Real>(
+    t: T,
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+    state: &State<T>,
+    params: &Params<T>,
+) -> ControlOutputs<T> {
+    let prepared = prepare(params);
+    let clock = clock(t);
+    law(x1, x2, state, &prepared, &clock)
 }

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: c86bdc06f9449876013b607bd0b999ccde97007ae83220ee3fb14f2521cf284a
+// SHA-256 of the text below: e81d3fbe948dbbbaef97441d51ff190574bdff4bc8a9c34837a7f4b9edcebb45
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// plant: 5 additions, 7 multiplications, 2 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 4 additions, 6 multiplications, 2 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `pendulum`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -57,6 +57,54 @@ impl<T: Real> Part for Drift<'_, T> {
     }
 }
 
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// `inertia`.
+    pub inertia: T,
+    /// `G_2 with the plant's parameters`
+    pub G2_plant: Matrix<T, 1, 1>,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 0 additions, 1 multiplications, 1 divisions, 0 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let inertia = params.mass * real(0.25);
+
+    // -- true dynamics of block 2 (speed) (11) --
+    // G_2 with the plant's parameters
+    let G2_plant = Matrix::rows([[real(1.0) / inertia]]);
+    Prepared { inertia, G2_plant }
+}
+
+/// Values of [`clock`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock<T> {
+    /// `d_2(t)`
+    pub d2: Vector<T, 1>,
+}
+
+/// What depends on time and parameters alone: needed once for a sample of all runs with these
+/// parameters. See [`Clock`].
+///
+/// Operations: 1 additions, 2 multiplications, 0 divisions, 0 square roots, 1 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn clock<T: Real>(t: T) -> Clock<T> {
+    let real = T::from_f64;
+
+    // -- true dynamics of block 2 (speed) (11) --
+    // d_2(t)
+    let d2 = Vector([real(1.0) + real(2.0) * (real(3.0) * t).sin()]);
+    Clock { d2 }
+}
+
 /// Results of [`plant`].
 #[derive(Clone, Copy, Debug)]
 pub struct PlantOutputs<T: Real> {
@@ -68,7 +116,41 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 5 additions, 7 multiplications, 2 divisions, 0 square roots, 2 elementary
+/// Operations: 3 additions, 3 multiplications, 1 divisions, 0 square roots, 1 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn dynamics<T: Real>(
+    x: Vector<T, 2>,
+    u_sat: Vector<T, 1>,
+    prepared: &Prepared<T>,
+    clock: &Clock<T>,
+) -> PlantOutputs<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let omega = x[1];
+    let theta = x[0];
+
+    // -- true dynamics of block 2 (speed) (11) --
+    // F_2 with the plant's parameters
+    let F2_plant = Vector([
+        real(-19.62) * theta.sin() - real(0.1) * omega / prepared.inertia,
+    ]);
+    // F_2 + G_2 x_3 + d_2
+    let x2_flow = F2_plant + prepared.G2_plant * u_sat + clock.d2;
+
+    // -- packed plant state: x_1 .. x_n, then the exosystems --
+    // dx/dt without noise
+    let drift = Vector([omega, x2_flow[0]]);
+    PlantOutputs {
+        drift,
+        d2: clock.d2,
+    }
+}
+
+/// Drift and diffusion of the plant and its disturbances.
+///
+/// Operations: 4 additions, 6 multiplications, 2 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(
@@ -77,38 +159,7 @@ pub fn plant<T: Real>(
     u_sat: Vector<T, 1>,
     params: &Params<T>,
 ) -> PlantOutputs<T> {
-    let real = T::from_f64;
-
-    // -- true dynamics of block 1 (position) (11) --
-    // F_1 with the plant's parameters
-    let F1_plant: Vector<T, 1> = Vector::zero();
-    // G_1 with the plant's parameters
-    let G1_plant: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
-    // -- plant model --
-    let omega = x[1];
-    let theta = x[0];
-    let inertia = params.mass * real(0.25);
-
-    // -- given --
-    let x2 = Vector([omega]);
-
-    // -- true dynamics of block 1 (position) (11) --
-    // F_1 + G_1 x_2 + d_1
-    let x1_flow = F1_plant + G1_plant * x2;
-
-    // -- true dynamics of block 2 (speed) (11) --
-    // F_2 with the plant's parameters
-    let F2_plant = Vector([real(-19.62) * theta.sin() - real(0.1) * omega / inertia]);
-    // G_2 with the plant's parameters
-    let G2_plant = Matrix([[real(1.0) / inertia]]);
-    // d_2(t)
-    let d2 = Vector([real(1.0) + real(2.0) * (real(3.0) * t).sin()]);
-    // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + G2_plant * u_sat + d2;
-
-    // -- packed plant state: x_1 .. x_n, then the exosystems --
-    // dx/dt without noise
-    let drift = Vector([x1_flow[0], x2_flow[0]]);
-    PlantOutputs { drift, d2 }
+    let prepared = prepare(params);
+    let clock = clock(t);
+    dynamics(x, u_sat, &prepared, &clock)
 }

@@ -5,6 +5,8 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::entries::{Each, Each2, single};
+
 /// Truth value of each lane.
 pub trait Mask: Copy + Debug {
     /// The same truth value in every lane.
@@ -102,6 +104,18 @@ pub trait Real:
     fn to_bits(self) -> Self::Bits;
     /// The result of a part, in a function of its own that is compiled for the instruction set of this type.
     fn outlined<P: Part>(part: P) -> P::Output;
+
+    /// `f` of each entry.
+    #[inline(always)]
+    fn each(f: impl Each, entries: &mut [Self]) {
+        single::each(f, entries);
+    }
+
+    /// `f` of each entry and the other at the same place; there are as many others.
+    #[inline(always)]
+    fn each2(f: impl Each2, entries: &mut [Self], others: &[Self]) {
+        single::each2(f, entries, others);
+    }
 
     /// Less; false for NaN.
     fn lt(self, other: Self) -> Self::Mask;

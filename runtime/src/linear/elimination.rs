@@ -26,9 +26,9 @@ fn over_determinant<T: Real, const N: usize>(
     b: [T; N],
     adjugate: [[T; N]; N],
 ) -> Vector<T, N> {
-    let first_column = Matrix(adjugate).column(0);
+    let first_column = Matrix::rows(adjugate).column(0);
     let determinant = Vector(a[0]).dot(first_column);
-    Matrix(adjugate) * Vector(b) / determinant
+    Matrix::rows(adjugate) * Vector(b) / determinant
 }
 
 /// The signs stand on the entries: `a_00 a_11 + a_01 (-a_10)` has the bits of `a_00 a_11 - a_01 a_10`.

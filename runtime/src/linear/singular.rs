@@ -16,8 +16,8 @@ const SWEEPS: usize = 8;
 pub(super) fn leading_right_vector<T: Real, const R: usize, const C: usize>(
     a: &Matrix<T, R, C>,
 ) -> Vector<T, C> {
-    let Matrix(mut s) = a.transpose() * *a;
-    let Matrix(mut v) = Matrix::<T, C, C>::zero();
+    let mut s = (a.transpose() * *a).to_rows();
+    let mut v = [[T::zero(); C]; C];
     for i in 0..C {
         v[i][i] = T::one();
     }
@@ -64,11 +64,11 @@ fn rotate<T: Real, const C: usize>(s: &mut [[T; C]; C], v: &mut [[T; C]; C], p: 
 #[inline(always)]
 fn column_of_largest<T: Real, const C: usize>(s: &[[T; C]; C], v: &[[T; C]; C]) -> Vector<T, C> {
     let mut largest = s[0][0];
-    let mut chosen = Matrix(*v).column(0);
+    let mut chosen = Matrix::rows(*v).column(0);
     for j in 1..C {
         let larger = s[j][j].gt(largest);
         largest = T::select(larger, s[j][j], largest);
-        chosen = Vector::select(larger, Matrix(*v).column(j), chosen);
+        chosen = Vector::select(larger, Matrix::rows(*v).column(j), chosen);
     }
     chosen
 }

@@ -1,8 +1,9 @@
 //! Column vectors.
 
-use core::ops::{Add, Div, Index, IndexMut, Mul, Neg, Sub};
+use core::ops::{Index, IndexMut};
 
-use super::{Matrix, all_finite, dot};
+use super::elementwise::{elementwise, operators};
+use super::{Each, Each2, Matrix, PARTIAL, add_defects, dot};
 use crate::real::Real;
 
 /// A column of `N` numbers.
@@ -20,50 +21,72 @@ impl<T: Real, const N: usize> Vector<T, N> {
     #[inline(always)]
     pub fn from_f64(entries: [f64; N]) -> Self {
         let mut vector = Self::zero();
-        for (entry, value) in vector.0.iter_mut().zip(entries) {
-            *entry = T::from_f64(value);
+        let mut i = 0;
+        while i < N {
+            vector.0[i] = T::from_f64(entries[i]);
+            i += 1;
         }
         vector
     }
 
-    entries!();
+    elementwise!();
+
+    /// `f` of each entry.
+    #[inline(always)]
+    pub fn each(mut self, f: impl Each) -> Self {
+        T::each(f, &mut self.0);
+        self
+    }
 
     /// `f` of the entries at each place.
     #[inline(always)]
-    pub fn zip(self, other: Self, f: impl Fn(T, T) -> T) -> Self {
-        let mut result = self;
-        for (entry, other) in result.0.iter_mut().zip(other.0) {
-            *entry = f(*entry, other);
+    pub fn each2(mut self, f: impl Each2, other: &Self) -> Self {
+        T::each2(f, &mut self.0, &other.0);
+        self
+    }
+
+    /// `a` where the mask is true, else `b`.
+    #[inline(always)]
+    pub fn select(mask: T::Mask, a: Self, b: Self) -> Self {
+        let mut result = a;
+        let mut i = 0;
+        while i < N {
+            result.0[i] = T::select(mask, a.0[i], b.0[i]);
+            i += 1;
         }
         result
     }
 
-    /// Inner product `a_0 b_0 + a_1 b_1 + ...`, left to right.
+    /// Inner product `a_0 b_0 + a_1 b_1 + ...`, by the rule of [sums](super).
     #[inline(always)]
     pub fn dot(self, other: Self) -> T {
         dot(&self.0, &other.0)
+    }
+
+    /// `v_0 v_0 + v_1 v_1 + ...`, by the rule of [sums](super).
+    #[inline(always)]
+    pub fn sum_squares(self) -> T {
+        dot(&self.0, &self.0)
     }
 
     /// `a b^T`: entry (i, j) is `a_i b_j`.
     #[inline(always)]
     pub fn outer<const C: usize>(self, other: Vector<T, C>) -> Matrix<T, N, C> {
         let mut product = Matrix::zero();
-        for (row, a) in product.0.iter_mut().zip(self.0) {
-            for (entry, b) in row.iter_mut().zip(other.0) {
-                *entry = a * b;
-            }
+        let mut j = 0;
+        while j < C {
+            *product.column_mut(j) = self * other.0[j];
+            j += 1;
         }
         product
     }
 
+    /// Whether every entry is finite.
     #[inline(always)]
-    fn entries(&self) -> &[T] {
-        &self.0
-    }
-
-    #[inline(always)]
-    fn entries_mut(&mut self) -> &mut [T] {
-        &mut self.0
+    pub fn is_finite(&self) -> T::Mask {
+        let mut sums = [T::zero(); PARTIAL];
+        add_defects(&mut sums, &self.0);
+        super::sum(&sums).eq(T::zero())
     }
 }
 
