@@ -46,14 +46,34 @@ fn lower_end(successes: u64, failures: u64, tail: f64) -> f64 {
 /// Regularised incomplete beta function `I_x(a, b)` for a, b > 0 and 0 < x < 1, from the continued fraction on the side of the mean where
 /// it converges fast.
 fn incomplete_beta(a: f64, b: f64, x: f64) -> f64 {
-    let log_front =
-        libm::lgamma(a + b) - libm::lgamma(a) - libm::lgamma(b) + a * x.ln() + b * (-x).ln_1p();
+    let log_front = ln_gamma(a + b) - ln_gamma(a) - ln_gamma(b) + a * x.ln() + b * (-x).ln_1p();
     let front = log_front.exp();
     if x < (a + 1.0) / (a + b + 2.0) {
         front * beta_fraction(a, b, x) / a
     } else {
         1.0 - front * beta_fraction(b, a, 1.0 - x) / b
     }
+}
+
+/// Logarithm of the gamma function of x > 0 by Stirling's series from 15 on, where the first term left out is below 3e-16; below by
+/// `Gamma(x) = Gamma(x + 1) / x`.
+fn ln_gamma(x: f64) -> f64 {
+    const SERIES: [f64; 5] = [
+        1.0 / 12.0,
+        -1.0 / 360.0,
+        1.0 / 1260.0,
+        -1.0 / 1680.0,
+        1.0 / 1188.0,
+    ];
+    let (mut x, mut product) = (x, 1.0);
+    while x < 15.0 {
+        product *= x;
+        x += 1.0;
+    }
+    let w = 1.0 / (x * x);
+    let series = SERIES.iter().rev().fold(0.0, |sum, c| sum * w + c);
+    let half_ln_tau = 0.5 * core::f64::consts::TAU.ln();
+    (x - 0.5) * x.ln() - x + half_ln_tau + series / x - f64::ln(product)
 }
 
 /// Continued fraction `1 / (1 + d_1 / (1 + d_2 / (1 + ...)))` of the incomplete beta function by Lentz's method, with

@@ -1,6 +1,7 @@
 //! `f32` and `f64` as numbers of one lane.
 
 use crate::real::{Bits, Mask, Real};
+use crate::sqrt::{sqrt_f32, sqrt_f64};
 
 impl Mask for bool {
     #[inline(always)]
@@ -213,11 +214,6 @@ macro_rules! scalar {
 
 scalar!(f64, u64, Double, sqrt_f64);
 scalar!(f32, u32, Single, sqrt_f32);
-
-#[cfg(target_arch = "x86_64")]
-use crate::lanes::x86::{sqrt_f32, sqrt_f64};
-#[cfg(not(target_arch = "x86_64"))]
-use libm::{sqrt as sqrt_f64, sqrtf as sqrt_f32};
 
 #[cfg(test)]
 mod tests {
