@@ -15,6 +15,16 @@ pub trait Sde<T: Real, const N: usize, const Q: usize> {
     fn drift(&self, t: T, x: &Vector<T, N>) -> Vector<T, N>;
     /// `G(t, x)`.
     fn diffusion(&self, t: T, x: &Vector<T, N>) -> Matrix<T, N, Q>;
+    /// `f(t, x)` and `G(t, x) dw`.
+    #[inline(always)]
+    fn drift_and_noise(
+        &self,
+        t: T,
+        x: &Vector<T, N>,
+        dw: &Vector<T, Q>,
+    ) -> (Vector<T, N>, Vector<T, N>) {
+        (self.drift(t, x), self.diffusion(t, x) * *dw)
+    }
 }
 
 /// How a step is made.
@@ -47,7 +57,10 @@ pub fn step<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     dw: &Vector<T, Q>,
 ) -> Vector<T, N> {
     match scheme {
-        Scheme::EulerMaruyama => (*x + sde.drift(t, x) * dt) + sde.diffusion(t, x) * *dw,
+        Scheme::EulerMaruyama => {
+            let (drift, noise) = sde.drift_and_noise(t, x, dw);
+            (*x + drift * dt) + noise
+        }
         Scheme::Platen => platen(sde, t, x, dt, dw),
         Scheme::RungeKutta4 => runge_kutta4(sde, t, x, dt),
     }

@@ -62,7 +62,7 @@ fn check<X: Text>(cases: &[Vec<f64>]) {
 /// Cases of rounded random numbers, so that lanes meet ties, zeros and different pivots.
 fn cases(count: usize, length: usize) -> Vec<Vec<f64>> {
     let case = |k: usize| {
-        let noise = Noise::process(k as u64, 1);
+        let noise = Noise::<f64>::process(k as u64, 1);
         (0..length)
             .map(|i| (noise.normal(0, i as u32) * 3.0).round())
             .collect()
@@ -71,7 +71,7 @@ fn cases(count: usize, length: usize) -> Vec<Vec<f64>> {
 }
 
 fn matrix<T: Real, const N: usize>(entries: &[T]) -> Matrix<T, N, N> {
-    Matrix(array::from_fn(|i| array::from_fn(|j| entries[i * N + j])))
+    Matrix::rows(array::from_fn(|i| array::from_fn(|j| entries[i * N + j])))
 }
 
 struct LinearAlgebra<const N: usize>;
@@ -81,11 +81,18 @@ impl<const N: usize> Text for LinearAlgebra<N> {
         let a = matrix::<T, N>(inputs);
         let x = a.solve(a.column(0));
         let singular = a.singular_vector();
-        [x, singular, a * x, a.transpose() * singular]
-            .iter()
-            .flat_map(|vector| vector.0)
-            .chain([a.sum_squares(), x.dot(singular)])
-            .collect()
+        [
+            x,
+            singular,
+            a * x,
+            a.transpose_mul(singular),
+            x.sin(),
+            x.tanh(),
+        ]
+        .iter()
+        .flat_map(|vector| vector.0)
+        .chain([a.sum_squares(), x.dot(singular)])
+        .collect()
     }
 }
 

@@ -3,10 +3,12 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
+use crate::emit::family::FamilyNames;
 use crate::emit::methods::{comparison_name, function_name, kernel_name, operator_name};
 use crate::emit::names::ident;
+use crate::emit::pack::Packs;
 use crate::emit::types::{constant, index};
-use crate::ir::{Function, Kernel, Op, Operator, Program, Shape, Type, ValueId};
+use crate::ir::{Function, Op, Operator, Program, Shape, Type, ValueId};
 
 /// How tightly the outermost operator of an expression binds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -58,19 +60,27 @@ pub(crate) struct Names<'a> {
     pub(crate) inputs: Vec<TokenStream>,
     /// Variable of each bound value.
     pub(crate) variables: Vec<Option<Ident>>,
+    /// Variables of values that are entries of a pack.
+    pub(crate) packs: Packs,
     /// Function of each polynomial, by position.
     pub(crate) polynomials: Vec<TokenStream>,
+    /// Each family, by position.
+    pub(crate) families: Vec<Option<FamilyNames>>,
     /// Functions of each basis, by position: value, rate, second rate.
     pub(crate) bases: Vec<[TokenStream; 3]>,
-    /// Parameter of closures, which no variable is called.
-    pub(crate) entry: Ident,
 }
 
 impl Names<'_> {
     /// The value where it is used: its variable, or the formula.
     pub(crate) fn operand(&self, id: ValueId) -> Fragment {
         match &self.variables[id.0 as usize] {
-            Some(variable) => Fragment::postfix(quote!(#variable)),
+            Some(variable) => Fragment::postfix(match self.family(id) {
+                Some(family) => {
+                    let fields = &family.fields;
+                    quote!(Vector([#(#variable.#fields),*]))
+                }
+                None => quote!(#variable),
+            }),
             None => self.formula(id),
         }
     }
@@ -88,17 +98,15 @@ impl Names<'_> {
                     level: Level::Unary,
                 };
             }
-            Op::Apply(function, a) => self.elementwise(ty, *a, function_name(*function)),
-            Op::Kernel(kernel, a) => self.kernel(ty, *kernel, *a),
+            Op::Apply(function, a) => self.method(*a, function_name(*function), &[]),
+            Op::Kernel(kernel, a) => {
+                let name = ident(kernel_name(*kernel));
+                self.call(&quote!(kernel::#name), &[*a])
+            }
             Op::Binary(operator, a, b) => return self.binary(*operator, *a, *b),
             Op::PowInt(a, n) => {
                 let (base, n) = (self.at(*a, Level::Postfix), Literal::u32_unsuffixed(*n));
-                let entry = &self.entry;
-                if is_scalar(ty) {
-                    quote!(#base.powi(#n))
-                } else {
-                    quote!(#base.map(|#entry| #entry.powi(#n)))
-                }
+                quote!(#base.powi(#n))
             }
             Op::Compare(comparison, a, b) => self.method(*a, comparison_name(*comparison), &[*b]),
             Op::And(a, b) => self.method(*a, "and", &[*b]),
@@ -106,17 +114,13 @@ impl Names<'_> {
             Op::Not(a) => self.method(*a, "not", &[]),
             Op::Select(condition, a, b) => self.select(ty, *condition, *a, *b),
             Op::Array(items) => self.array(ty, items),
-            Op::Element(a, row, column) => {
-                let (array, row, column) =
-                    (self.at(*a, Level::Postfix), index(*row), index(*column));
-                let matrix = matches!(self.program.shape(*a), Shape::Matrix(..));
-                if matrix {
-                    quote!(#array[(#row, #column)])
-                } else {
-                    quote!(#array[#row])
+            Op::Element(a, row, column) => self.element(*a, *row, *column),
+            Op::MatMul(a, b) => match self.transposed(*a) {
+                Some(a) if matches!(self.program.shape(*b), Shape::Vector(_)) => {
+                    self.method(a, "transpose_mul", &[*b])
                 }
-            }
-            Op::MatMul(a, b) => return self.infix(Level::Product, *a, &quote!(*), *b),
+                _ => return self.infix(Level::Product, *a, &quote!(*), *b),
+            },
             Op::Transpose(a) => self.method(*a, "transpose", &[]),
             Op::Dot(a, b) => self.method(*a, "dot", &[*b]),
             Op::Outer(a, b) => self.method(*a, "outer", &[*b]),
@@ -130,6 +134,11 @@ impl Names<'_> {
             Op::Polynomial(polynomial, arguments) => {
                 self.call(&self.polynomials[polynomial.0 as usize], arguments)
             }
+            Op::Family(_, z) => {
+                let names = self.family(id).expect("invariant: the value of a family");
+                let function = &names.function;
+                self.call(&quote!(polynomials::#function), &[*z])
+            }
             Op::Basis(basis, z) => self.call(&self.bases[basis.0 as usize][0], &[*z]),
             Op::BasisRate(basis, z, rate) => {
                 self.call(&self.bases[basis.0 as usize][1], &[*z, *rate])
@@ -138,6 +147,43 @@ impl Names<'_> {
                 self.call(&self.bases[basis.0 as usize][2], &[*z, *rate, *rate2])
             }
         })
+    }
+
+    /// The names of the family whose values these are.
+    pub(crate) fn family(&self, id: ValueId) -> Option<&FamilyNames> {
+        match self.program.instruction(id).op {
+            Op::Family(family, _) => self.families[family.0 as usize].as_ref(),
+            _ => None,
+        }
+    }
+
+    fn element(&self, array: ValueId, row: usize, column: usize) -> TokenStream {
+        if let Some(family) = self.family(array) {
+            let (values, field) = (&self.variables[array.0 as usize], &family.fields[row]);
+            return quote!(#values.#field);
+        }
+        if let Some(entries) = self.packs.get(&array) {
+            let entry = &entries[row];
+            return quote!(#entry);
+        }
+        let matrix = matches!(self.program.shape(array), Shape::Matrix(..));
+        let (array, row, column) = (self.at(array, Level::Postfix), index(row), index(column));
+        if matrix {
+            quote!(#array[(#row, #column)])
+        } else {
+            quote!(#array[#row])
+        }
+    }
+
+    /// A, for A^T that has no variable.
+    fn transposed(&self, id: ValueId) -> Option<ValueId> {
+        match (
+            &self.variables[id.0 as usize],
+            &self.program.instruction(id).op,
+        ) {
+            (None, Op::Transpose(a)) => Some(*a),
+            _ => None,
+        }
     }
 
     fn at(&self, id: ValueId, level: Level) -> TokenStream {
@@ -168,24 +214,6 @@ impl Names<'_> {
         }
     }
 
-    /// A method of the number type on a scalar or on each entry.
-    fn elementwise(&self, ty: Type, a: ValueId, name: &str) -> TokenStream {
-        if is_scalar(ty) {
-            return self.method(a, name, &[]);
-        }
-        let (array, name) = (self.at(a, Level::Postfix), ident(name));
-        quote!(#array.map(T::#name))
-    }
-
-    fn kernel(&self, ty: Type, kernel: Kernel, a: ValueId) -> TokenStream {
-        let name = ident(kernel_name(kernel));
-        if is_scalar(ty) {
-            return self.call(&quote!(kernel::#name), &[a]);
-        }
-        let array = self.at(a, Level::Postfix);
-        quote!(#array.map(kernel::#name))
-    }
-
     fn select(&self, ty: Type, condition: ValueId, a: ValueId, b: ValueId) -> TokenStream {
         match ty {
             Type::Bool => {
@@ -204,7 +232,7 @@ impl Names<'_> {
         match ty {
             Type::Real(Shape::Matrix(_, columns)) => {
                 let rows = items.chunks(columns).map(|row| quote!([#(#row),*]));
-                quote!(Matrix([#(#rows),*]))
+                quote!(Matrix::rows([#(#rows),*]))
             }
             _ => quote!(Vector([#(#items),*])),
         }
@@ -231,14 +259,7 @@ impl Names<'_> {
             Operator::Sub => return self.infix(Level::Sum, a, &quote!(-), b),
             Operator::Mul => self.method(a, "hadamard", &[b]),
             Operator::Div => self.method(a, "quotient", &[b]),
-            other => {
-                let (a, b, name) = (
-                    self.at(a, Level::Postfix),
-                    self.at(b, Level::Sum),
-                    ident(operator_name(other)),
-                );
-                quote!(#a.zip(#b, T::#name))
-            }
+            other => self.method(a, operator_name(other), &[b]),
         })
     }
 
@@ -256,15 +277,14 @@ impl Names<'_> {
             Operator::Mul => return self.infix(Level::Product, array, &quote!(*), scalar),
             Operator::Div => return self.infix(Level::Product, array, &quote!(/), scalar),
             other => {
-                let (array, scalar) = (self.at(array, Level::Postfix), self.at(scalar, Level::Sum));
-                let (entry, name) = (&self.entry, ident(operator_name(other)));
-                quote!(#array.map(|#entry| #entry.#name(#scalar)))
+                let (scalar, array_name) = (self.splat(array, scalar), operator_name(other));
+                let (array, name) = (self.at(array, Level::Postfix), ident(array_name));
+                quote!(#array.#name(#scalar))
             }
         })
     }
 
     fn scalar_with_array(&self, operator: Operator, scalar: ValueId, array: ValueId) -> Fragment {
-        let entry = &self.entry;
         Fragment::postfix(match operator {
             // s + a == a + s (exact)
             Operator::Add => self.method(array, "add_scalar", &[scalar]),
@@ -275,22 +295,25 @@ impl Names<'_> {
             }
             // s * a == a * s (exact)
             Operator::Mul => return self.infix(Level::Product, array, &quote!(*), scalar),
-            Operator::Div => {
-                let (array, scalar) = (
-                    self.at(array, Level::Postfix),
-                    self.at(scalar, Level::Product),
-                );
-                quote!(#array.map(|#entry| #scalar / #entry))
-            }
             other => {
-                let (array, scalar) = (
-                    self.at(array, Level::Postfix),
-                    self.at(scalar, Level::Postfix),
-                );
-                let name = ident(operator_name(other));
-                quote!(#array.map(|#entry| #scalar.#name(#entry)))
+                let name = match other {
+                    Operator::Div => "quotient",
+                    other => operator_name(other),
+                };
+                let (splat, name) = (self.splat(array, scalar), ident(name));
+                let array = self.at(array, Level::Sum);
+                quote!(#splat.#name(#array))
             }
         })
+    }
+
+    /// The scalar in every entry of an array shaped like `array`.
+    fn splat(&self, array: ValueId, scalar: ValueId) -> TokenStream {
+        let scalar = self.at(scalar, Level::Sum);
+        match self.program.shape(array) {
+            Shape::Matrix(..) => quote!(Matrix::splat(#scalar)),
+            _ => quote!(Vector::splat(#scalar)),
+        }
     }
 }
 
@@ -368,11 +391,11 @@ mod tests {
         );
         check("vec2 = sub %0, %2", "let y = (-v).add_scalar(a);");
         check("vec2 = sub %2, %0", "let y = v.add_scalar(-a);");
-        check("vec2 = div %0, %2", "let y = v.map(|entry| a / entry);");
-        check("vec2 = min %2, %0", "let y = v.map(|entry| entry.min(a));");
+        check("vec2 = div %0, %2", "let y = Vector::splat(a).quotient(v);");
+        check("vec2 = min %2, %0", "let y = v.min(Vector::splat(a));");
         check(
             "vec2 = atan2 %2, %2; vec2 = tanh %4",
-            "let y = v.zip(v, T::atan2).map(T::tanh);",
+            "let y = v.atan2(v).tanh();",
         );
         check(
             "real = element %3, 1, 0; real = element %2, 1, 0; real = mul %4, %5",

@@ -1,7 +1,7 @@
 //! A program as a Rust function over `T: Real`: arguments from its inputs, statements grouped by equation under comments that state
 //! them, and a struct of results.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
@@ -9,12 +9,13 @@ use quote::{format_ident, quote};
 use crate::emit::comment::{Comments, code, docs};
 use crate::emit::expression::Names;
 use crate::emit::names::{Fields, Scope, camel, ident, snake};
+use crate::emit::pack;
 use crate::emit::plan::Plan;
 use crate::emit::polynomial::Library;
 use crate::emit::quantity;
 use crate::emit::source::prologue;
 use crate::emit::types::{literal_array, type_of, type_of_shape};
-use crate::ir::{Op, Origin, Program, Shape, Type, ValueId};
+use crate::ir::{Input, Op, Origin, Program, Shape, Type, ValueId};
 use crate::opt::cost;
 
 /// A struct that stands for all inputs `prefix.NAME`, or for all outputs `prefix.NAME`.
@@ -54,12 +55,16 @@ pub(crate) struct Function<'a> {
 impl Function<'_> {
     /// The function, after the struct of its results if that is its own.
     pub(crate) fn items(&self, comments: &mut Comments) -> Vec<TokenStream> {
-        let mut items = Vec::new();
-        if let Results::Own = self.results {
-            items.push(self.outputs_struct());
+        let function = self.function(comments);
+        self.own_results().into_iter().chain([function]).collect()
+    }
+
+    /// The struct of its results, if that is its own.
+    pub(crate) fn own_results(&self) -> Option<TokenStream> {
+        match self.results {
+            Results::Own => Some(self.outputs_struct()),
+            Results::Existing(..) => None,
         }
-        items.push(self.function(comments));
-        items
     }
 
     /// The function's name.
@@ -91,16 +96,18 @@ impl Function<'_> {
 
     /// The names of its arguments, in order: inputs, and records under their prefix.
     pub(crate) fn arguments(&self) -> Vec<String> {
-        let mut arguments: Vec<String> = Vec::new();
-        for input in &self.program.inputs {
-            let name = self
-                .record(&input.name)
-                .map_or(input.name.as_str(), |(record, _)| record.prefix);
-            if arguments.iter().all(|known| known != name) {
-                arguments.push(name.to_owned());
-            }
-        }
-        arguments
+        let names = self.program.inputs.iter().map(|input| self.argument(input));
+        let mut known = BTreeSet::new();
+        names
+            .filter(|name| known.insert(*name))
+            .map(str::to_owned)
+            .collect()
+    }
+
+    /// The argument that holds an input.
+    fn argument<'i>(&'i self, input: &'i Input) -> &'i str {
+        self.record(&input.name)
+            .map_or(input.name.as_str(), |(record, _)| record.prefix)
     }
 
     /// The record of a dotted name, and the name in it.
@@ -112,13 +119,24 @@ impl Function<'_> {
         ))
     }
 
-    fn function(&self, comments: &mut Comments) -> TokenStream {
+    /// The function.
+    pub(crate) fn function(&self, comments: &mut Comments) -> TokenStream {
         let plan = Plan::new(self.program);
         let (names, parameters) = self.names(&plan);
         let statements = self.statements(&plan, &names, comments);
         let result = self.result(&names);
         let body = quote!(#(#statements)* #result);
         let prologue = prologue(&body);
+        self.with_body(&parameters, &quote!(#prologue #body))
+    }
+
+    /// The function with a body that calls others.
+    pub(crate) fn calling(&self, body: &TokenStream) -> TokenStream {
+        let (_, parameters) = self.names(&Plan::new(self.program));
+        self.with_body(&parameters, body)
+    }
+
+    fn with_body(&self, parameters: &[TokenStream], body: &TokenStream) -> TokenStream {
         let (name, ty) = (self.name(), self.results_type());
         let mut lines = self.docs.to_vec();
         lines.extend([
@@ -128,19 +146,27 @@ impl Function<'_> {
         let docs = docs(&lines);
         quote! {
             #docs
-            #[inline]
-            pub fn #name<T: Real>(#(#parameters),*) -> #ty<T> {
-                #prologue
-                #body
-            }
+            #[inline(always)]
+            pub fn #name<T: Real>(#(#parameters),*) -> #ty<T> { #body }
         }
+    }
+
+    /// The arguments with their variables.
+    pub(crate) fn argument_names(&self) -> Vec<(String, Ident)> {
+        let mut scope = Scope::default();
+        let arguments = self.arguments().into_iter();
+        arguments
+            .map(|name| {
+                let variable = scope.claim(&name);
+                (name, variable)
+            })
+            .collect()
     }
 
     /// Names of everything, and the parameters of the function.
     fn names(&self, plan: &Plan) -> (Names<'_>, Vec<TokenStream>) {
         let program = self.program;
         let mut scope = Scope::default();
-        let entry = scope.claim("entry");
         let arguments: BTreeMap<String, Ident> = self
             .arguments()
             .into_iter()
@@ -149,9 +175,14 @@ impl Function<'_> {
                 (name, claimed)
             })
             .collect();
-        let used: Vec<bool> = (0..program.inputs.len())
-            .map(|position| is_used(program, plan, position))
-            .collect();
+        let used = used_inputs(program, plan);
+        let mut holding: BTreeMap<&str, (&Input, bool)> = BTreeMap::new();
+        for (input, used) in program.inputs.iter().zip(used) {
+            let (_, any) = holding
+                .entry(self.argument(input))
+                .or_insert((input, false));
+            *any |= used;
+        }
         let inputs = program
             .inputs
             .iter()
@@ -169,7 +200,10 @@ impl Function<'_> {
         let parameters = self
             .arguments()
             .iter()
-            .map(|name| self.parameter(name, &arguments[name], &used))
+            .map(|name| {
+                let (input, used) = holding[name.as_str()];
+                self.parameter(input, used, &arguments[name])
+            })
             .collect();
         let mut variables = vec![None; program.instructions.len()];
         let labelled = plan
@@ -179,12 +213,23 @@ impl Function<'_> {
         for (id, variable) in labelled {
             variables[id.0 as usize] = Some(variable);
         }
+        let packed = pack::packed(program, plan);
         let mut next = 0;
-        for id in plan.steps.iter().flat_map(|step| &step.temporaries) {
-            variables[id.0 as usize].get_or_insert_with(|| scope.temporary(&mut next));
+        let temporaries = plan.steps.iter().flat_map(|step| &step.temporaries);
+        for &id in temporaries.filter(|id| !packed.contains_key(id)) {
+            variables[id.0 as usize].get_or_insert_with(|| match program.instruction(id).op {
+                Op::Family(family, _) => scope.claim(&program.families[family.0 as usize].name),
+                _ => scope.temporary(&mut next),
+            });
         }
-        let (polynomials, bases) = (
+        let name = |id: ValueId| match program.instruction(id).op {
+            Op::Input(position) => Some(program.inputs[position].name.clone()),
+            _ => variables[id.0 as usize].as_ref().map(Ident::to_string),
+        };
+        let packs = pack::named(program, &packed, name, &mut scope);
+        let (polynomials, families, bases) = (
             self.tables.polynomial_paths(program),
+            self.tables.family_names(program),
             self.tables.basis_paths(program),
         );
         (
@@ -192,25 +237,18 @@ impl Function<'_> {
                 program,
                 inputs,
                 variables,
+                packs,
                 polynomials,
+                families,
                 bases,
-                entry,
             },
             parameters,
         )
     }
 
-    fn parameter(&self, name: &str, argument: &Ident, used: &[bool]) -> TokenStream {
-        let mut own = self.program.inputs.iter().zip(used).filter(|(input, _)| {
-            input.name == name
-                || self
-                    .record(&input.name)
-                    .is_some_and(|(record, _)| record.prefix == name)
-        });
-        let (input, first_used) = own
-            .next()
-            .expect("invariant: an argument stands for an input");
-        let argument = if *first_used || own.any(|(_, used)| *used) {
+    /// The parameter of an argument that holds `input` and perhaps others.
+    fn parameter(&self, input: &Input, used: bool, argument: &Ident) -> TokenStream {
+        let argument = if used {
             argument.clone()
         } else {
             format_ident!("_{argument}")
@@ -263,7 +301,10 @@ impl Function<'_> {
             return quote!(let #variable: #ty = #value;);
         }
         let formula = names.formula(id).tokens;
-        quote!(let #variable = #formula;)
+        match names.packs.get(&id) {
+            Some(entries) => quote!(let [#(#entries),*] = #formula.0;),
+            None => quote!(let #variable = #formula;),
+        }
     }
 
     fn origin(&self, id: ValueId) -> Option<&Origin> {
@@ -349,10 +390,13 @@ fn assigned(field: &Ident, value: &TokenStream) -> TokenStream {
     }
 }
 
-fn is_used(program: &Program, plan: &Plan, position: usize) -> bool {
-    program
-        .instructions
-        .iter()
-        .zip(&plan.live)
-        .any(|(instruction, live)| *live && matches!(instruction.op, Op::Input(p) if p == position))
+/// Whether each input is used.
+fn used_inputs(program: &Program, plan: &Plan) -> Vec<bool> {
+    let mut used = vec![false; program.inputs.len()];
+    for (instruction, live) in program.instructions.iter().zip(&plan.live) {
+        if let Op::Input(position) = instruction.op {
+            used[position] |= live;
+        }
+    }
+    used
 }

@@ -19,7 +19,8 @@ const KEYWORDS: [&str; 53] = [
 
 /// Names with a meaning in emitted functions: the number type and its literals, types and variants, and constants, which `let` would take
 /// for patterns.
-const OCCUPIED: [&str; 25] = [
+const OCCUPIED: [&str; 27] = [
+    "Clock",
     "Err",
     "FRAC_1_PI",
     "FRAC_PI_2",
@@ -33,6 +34,7 @@ const OCCUPIED: [&str; 25] = [
     "Ok",
     "PI",
     "Params",
+    "Prepared",
     "Real",
     "SAFE_INPUT",
     "SAMPLE_TIME",

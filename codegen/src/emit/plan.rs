@@ -36,6 +36,7 @@ impl Plan {
         let bound = bound(program, &live, &labels);
         let steps = Order {
             program,
+            live: &live,
             bound: &bound,
             labels: &labels,
         }
@@ -98,6 +99,14 @@ fn bound(program: &Program, live: &[bool], labels: &BTreeMap<ValueId, String>) -
         if let Some(operand) = evaluated_repeatedly(program, id) {
             repeated[operand.0 as usize] = true;
         }
+        // Values of a function on an array are named after its arguments.
+        if let Op::Apply(_, array) = instruction.op
+            && let Op::Array(arguments) = &program.instruction(array).op
+        {
+            for argument in arguments {
+                repeated[argument.0 as usize] = true;
+            }
+        }
     }
     let mut bound = vec![false; live.len()];
     let mut weights = vec![1usize; live.len()];
@@ -108,7 +117,9 @@ fn bound(program: &Program, live: &[bool], labels: &BTreeMap<ValueId, String>) -
             continue;
         }
         weights[index] = weigh(&instruction.op, &mut weights, &mut bound);
-        bound[index] |= uses[index] > 1 || repeated[index];
+        // The values of a family have names, which are taken from a variable.
+        let family = matches!(instruction.op, Op::Family(..));
+        bound[index] |= uses[index] > 1 || repeated[index] || family;
         if bound[index] {
             weights[index] = 1;
         }
@@ -177,6 +188,7 @@ fn evaluated_repeatedly(program: &Program, id: ValueId) -> Option<ValueId> {
 /// Ordering of the statements.
 struct Order<'a> {
     program: &'a Program,
+    live: &'a [bool],
     bound: &'a [bool],
     labels: &'a BTreeMap<ValueId, String>,
 }
@@ -184,45 +196,35 @@ struct Order<'a> {
 impl Order<'_> {
     /// Labelled values in an order that keeps the statements of one group together where the dependencies allow it.
     fn steps(&self) -> Vec<Step> {
-        let mut waiting: BTreeMap<ValueId, BTreeSet<ValueId>> = self
-            .labels
-            .keys()
-            .map(|&id| (id, self.labelled_operands(id)))
-            .collect();
-        let mut users: BTreeMap<ValueId, Vec<ValueId>> = BTreeMap::new();
-        for (&user, operands) in &waiting {
-            for &operand in operands {
-                users.entry(operand).or_default().push(user);
-            }
-        }
-        let mut ready: BTreeSet<(Option<&str>, ValueId)> = BTreeSet::new();
-        ready.extend(
-            waiting
-                .iter()
-                .filter(|(_, operands)| operands.is_empty())
-                .map(|(&id, _)| (self.group(id), id)),
-        );
+        let mut waiting = Waiting::new(self.program, self.live);
+        let mut ready = Ready::default();
+        let start = waiting.independent();
+        self.release(start, &mut waiting, &mut ready);
         let mut steps = Vec::new();
         let mut placed = vec![false; self.bound.len()];
         let mut group = None;
-        while let Some(id) = next(&ready, group) {
-            ready.remove(&(self.group(id), id));
+        while let Some(id) = ready.take(group) {
             group = self.group(id);
             steps.push(Step {
                 temporaries: self.temporaries(id, &mut placed),
                 value: id,
             });
-            for &user in users.get(&id).into_iter().flatten() {
-                let operands = waiting
-                    .get_mut(&user)
-                    .expect("invariant: a user waits for its operands");
-                operands.remove(&id);
-                if operands.is_empty() {
-                    ready.insert((self.group(user), user));
-                }
-            }
+            let users = waiting.users_of(id);
+            self.release(users, &mut waiting, &mut ready);
         }
         steps
+    }
+
+    /// Makes labelled values whose operands are known ready, and looks through unlabelled ones.
+    fn release<'s>(&'s self, known: Vec<ValueId>, waiting: &mut Waiting, ready: &mut Ready<'s>) {
+        let mut pending = known;
+        while let Some(id) = pending.pop() {
+            if self.labels.contains_key(&id) {
+                ready.add(self.group(id), id);
+            } else {
+                pending.extend(waiting.users_of(id));
+            }
+        }
     }
 
     /// The group of a value's origin, if it has a name.
@@ -230,21 +232,6 @@ impl Order<'_> {
         let origin = self.program.instruction(id).origin?;
         let group = self.program.origins.get(origin)?.group.as_str();
         Some(group).filter(|group| !group.is_empty())
-    }
-
-    /// The labelled values that a labelled value uses, directly or through unlabelled ones.
-    fn labelled_operands(&self, id: ValueId) -> BTreeSet<ValueId> {
-        let mut found = BTreeSet::new();
-        let mut seen = BTreeSet::new();
-        let mut pending = self.program.instruction(id).op.operands();
-        while let Some(operand) = pending.pop() {
-            if self.labels.contains_key(&operand) {
-                found.insert(operand);
-            } else if seen.insert(operand) {
-                pending.extend(self.program.instruction(operand).op.operands());
-            }
-        }
-        found
     }
 
     /// The temporaries that `id` needs and that are not placed yet.
@@ -265,19 +252,80 @@ impl Order<'_> {
     }
 }
 
-/// The first ready value of the group, or of any group, or of none.
-fn next(ready: &BTreeSet<(Option<&str>, ValueId)>, group: Option<&str>) -> Option<ValueId> {
-    let of_group = |group| {
-        let range = (Some(group), ValueId(0))..=(Some(group), ValueId(u32::MAX));
-        ready.range(range).next()
-    };
-    let same = group.and_then(of_group);
-    same.or_else(|| {
-        ready
-            .iter()
-            .min_by_key(|(group, id)| (group.is_none(), *id))
-    })
-    .map(|&(_, id)| id)
+/// Live values that wait for operands.
+struct Waiting {
+    /// Operands of each value that are not known yet.
+    operands: Vec<usize>,
+    users: Vec<Vec<ValueId>>,
+}
+
+impl Waiting {
+    fn new(program: &Program, live: &[bool]) -> Waiting {
+        let mut operands = vec![0; live.len()];
+        let mut users = vec![Vec::new(); live.len()];
+        for (id, instruction) in ids(program).filter(|(id, _)| live[id.0 as usize]) {
+            for operand in instruction.op.operands() {
+                operands[id.0 as usize] += 1;
+                users[operand.0 as usize].push(id);
+            }
+        }
+        for (operands, _) in operands.iter_mut().zip(live).filter(|(_, live)| !**live) {
+            *operands = usize::MAX;
+        }
+        Waiting { operands, users }
+    }
+
+    /// Live values without operands.
+    fn independent(&self) -> Vec<ValueId> {
+        let ids = (0u32..).map(ValueId).zip(&self.operands);
+        ids.filter(|(_, operands)| **operands == 0)
+            .map(|(id, _)| id)
+            .collect()
+    }
+
+    /// The users of a value, known from now on, that wait for nothing else.
+    fn users_of(&mut self, id: ValueId) -> Vec<ValueId> {
+        let mut users = std::mem::take(&mut self.users[id.0 as usize]);
+        users.retain(|user| {
+            let operands = &mut self.operands[user.0 as usize];
+            *operands -= 1;
+            *operands == 0
+        });
+        users
+    }
+}
+
+/// Labelled values that can be placed.
+#[derive(Default)]
+struct Ready<'a> {
+    by_group: BTreeSet<(Option<&'a str>, ValueId)>,
+    /// Those of some group first.
+    by_order: BTreeMap<(bool, ValueId), Option<&'a str>>,
+}
+
+impl<'a> Ready<'a> {
+    fn add(&mut self, group: Option<&'a str>, id: ValueId) {
+        self.by_group.insert((group, id));
+        self.by_order.insert((group.is_none(), id), group);
+    }
+
+    /// Takes the first value of the group, or of any group, or of none.
+    fn take(&mut self, group: Option<&'a str>) -> Option<ValueId> {
+        let of_group = group.and_then(|group| {
+            let range = (Some(group), ValueId(0))..=(Some(group), ValueId(u32::MAX));
+            self.by_group.range(range).next().copied()
+        });
+        let (group, id) = match of_group {
+            Some(found) => found,
+            None => {
+                let (&(_, id), &group) = self.by_order.first_key_value()?;
+                (group, id)
+            }
+        };
+        self.by_group.remove(&(group, id));
+        self.by_order.remove(&(group.is_none(), id));
+        Some(id)
+    }
 }
 
 #[cfg(test)]

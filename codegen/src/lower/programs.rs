@@ -4,6 +4,7 @@ use super::{Frame, program};
 use crate::derive::law::Law;
 use crate::derive::symbol::{Symbol, Term, name};
 use crate::ir::{Program, Shape};
+use crate::opt::simplify;
 
 /// All programs of a specification.
 #[derive(Clone, Debug)]
@@ -21,14 +22,14 @@ pub struct Programs {
 }
 
 impl Programs {
-    /// Lowers a law.
+    /// Lowers a law. Couplings that are absent are no operations.
     pub fn new(law: &Law) -> Self {
         Self {
-            initial: initial(law),
-            control: control(law),
-            plant: plant(law),
-            lyapunov: lyapunov(law),
-            quantities: quantities(law),
+            initial: simplify(initial(law)),
+            control: simplify(control(law)),
+            plant: simplify(plant(law)),
+            lyapunov: simplify(lyapunov(law)),
+            quantities: simplify(quantities(law)),
         }
     }
 }

@@ -1,11 +1,21 @@
 //! Dead code elimination: only what an output needs is computed, and only the tables that it needs are kept. Names do not keep a value
 //! alive; inputs of the program stay, as they are its interface.
 
-use crate::ir::{BasisId, Op, PolynomialId, Program, ValueId};
+use crate::ir::{BasisId, FamilyId, Instruction, Op, PolynomialId, Program, ValueId};
 
 /// Removes unused instructions, polynomials, bases and origins.
-pub(super) fn run(mut program: Program) -> Program {
-    let needed = needed(&program);
+pub(super) fn run(program: Program) -> Program {
+    let needed = needed(&program, |_| false);
+    keep_needed(program, &needed)
+}
+
+/// As [`run`], but keeps what a name needs too.
+pub(super) fn run_for_names(program: Program) -> Program {
+    let needed = needed(&program, |instruction| instruction.name.is_some());
+    keep_needed(program, &needed)
+}
+
+fn keep_needed(mut program: Program, needed: &[bool]) -> Program {
     let source = std::mem::take(&mut program.instructions);
     let mut moved = vec![ValueId(0); source.len()];
     for (index, mut instruction) in source
@@ -29,9 +39,9 @@ pub(super) fn run(mut program: Program) -> Program {
     program
 }
 
-/// Which instructions an output depends on.
-fn needed(program: &Program) -> Vec<bool> {
-    let mut needed = vec![false; program.instructions.len()];
+/// Which instructions an output or an instruction of interest depends on.
+fn needed(program: &Program, of_interest: impl Fn(&Instruction) -> bool) -> Vec<bool> {
+    let mut needed: Vec<bool> = program.instructions.iter().map(of_interest).collect();
     for (_, value) in &program.outputs {
         needed[value.0 as usize] = true;
     }
@@ -47,11 +57,13 @@ fn needed(program: &Program) -> Vec<bool> {
 
 fn drop_tables(program: &mut Program) {
     let mut polynomials = vec![false; program.polynomials.len()];
+    let mut families = vec![false; program.families.len()];
     let mut bases = vec![false; program.bases.len()];
     let mut origins = vec![false; program.origins.len()];
     for instruction in &program.instructions {
         match instruction.op {
             Op::Polynomial(id, _) => polynomials[id.0 as usize] = true,
+            Op::Family(id, _) => families[id.0 as usize] = true,
             Op::Basis(id, _) | Op::BasisRate(id, ..) | Op::BasisRate2(id, ..) => {
                 bases[id.0 as usize] = true
             }
@@ -65,10 +77,12 @@ fn drop_tables(program: &mut Program) {
         keep(&mut program.polynomials, &polynomials),
         keep(&mut program.bases, &bases),
     );
+    let families = keep(&mut program.families, &families);
     let origins = keep(&mut program.origins, &origins);
     for instruction in &mut program.instructions {
         match &mut instruction.op {
             Op::Polynomial(PolynomialId(id), _) => *id = polynomials[*id as usize],
+            Op::Family(FamilyId(id), _) => *id = families[*id as usize],
             Op::Basis(BasisId(id), _)
             | Op::BasisRate(BasisId(id), ..)
             | Op::BasisRate2(BasisId(id), ..) => *id = bases[*id as usize],

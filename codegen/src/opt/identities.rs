@@ -1,13 +1,19 @@
 //! Algebraic identities that hold for every IEEE 754 operand, zeros of either sign, infinities and NaN included. What is missing is
 //! missing on purpose: `x + 0` turns -0 into 0, and `x * 0`, `x - x`, `x / x` and `-(a - b)` have exceptions too.
 
-use crate::ir::{Function, Instruction, Op, Operator, Program, ValueId};
+use crate::ir::{Function, Instruction, Op, Operator, Program, Shape, ValueId};
 
 use super::rewrite::{is_all, literal, negated, of_type, rewrite};
 
 /// Applies each identity once, operands first.
 pub(super) fn run(program: Program) -> Program {
-    rewrite(program, |program, instruction| match instruction.op {
+    rewrite(program, |program, instruction| {
+        uniform(program, instruction).or_else(|| identity(program, instruction))
+    })
+}
+
+fn identity(program: &mut Program, instruction: &Instruction) -> Option<ValueId> {
+    match instruction.op {
         Op::Binary(Operator::Add, a, b) => sum(program, instruction, a, b),
         Op::Binary(Operator::Sub, a, b) => difference(program, instruction, a, b),
         Op::Binary(Operator::Mul, a, b) => product(program, instruction, a, b),
@@ -27,7 +33,30 @@ pub(super) fn run(program: Program) -> Program {
             Some(program.push(Op::Dot(a, b)))
         }
         _ => None,
-    })
+    }
+}
+
+/// [x, x, ..] op a == x op a, a op [x, x, ..] == a op x, elementwise (exact)
+fn uniform(program: &mut Program, instruction: &Instruction) -> Option<ValueId> {
+    let Op::Binary(operator, a, b) = instruction.op else {
+        return None;
+    };
+    let same = program.ty(a) == program.ty(b) && program.shape(a) != Shape::Scalar;
+    let value = |program: &Program, id: ValueId| {
+        let first = *literal(program, id)?.first()?;
+        is_all(program, id, first).then_some(first)
+    };
+    match (value(program, a), value(program, b)) {
+        (Some(x), None) if same => {
+            let x = program.scalar(x);
+            Some(program.binary(operator, x, b))
+        }
+        (None, Some(x)) if same => {
+            let x = program.scalar(x);
+            Some(program.binary(operator, a, x))
+        }
+        _ => None,
+    }
 }
 
 fn sum(

@@ -1,17 +1,19 @@
 //! Zeros and identities in the structure of the equations, such as absent couplings in a gain matrix. `x * 0 == 0` for finite x only,
-//! and `x + 0 == x` up to the sign of a zero, so the pass is off in strict arithmetic. The emitted step refuses non-finite inputs, so
-//! with it a wrong result needs an overflow inside the step.
+//! and `x + 0 == x` up to the sign of a zero, so the pass is not exact. It is part of lowering all the same: a coupling that is absent is no operation of
+//! the law, as it is none on paper. The emitted step refuses non-finite inputs, so it shows only where something overflows inside the step.
 
 use crate::ir::build::size;
 use crate::ir::{Function, Instruction, Op, Operator, Program, Shape, Type, ValueId};
 
 use super::rewrite::{literal, of_type, rewrite};
+use super::sparse;
 
 /// Removes arithmetic with structural zeros.
 pub(super) fn run(program: Program) -> Program {
     rewrite(program, |program, instruction| match instruction.op {
         Op::Binary(operator, a, b) => elementwise(program, instruction, operator, a, b),
         Op::MatMul(a, b) => matrix_product(program, instruction, a, b),
+        Op::Solve(a, b) => sparse::solve(program, a, b),
         // 0 . x == 0, 0 x^T == 0 (finite x)
         Op::Dot(a, b) | Op::Outer(a, b) if is_zero(program, a) || is_zero(program, b) => {
             Some(zero(program, instruction))
@@ -61,14 +63,16 @@ fn matrix_product(
     if diagonal(program, b).is_some_and(|d| d.iter().all(|&entry| entry == 1.0)) {
         return Some(a);
     }
-    let diagonal = diagonal(program, a)?;
+    let Some(diagonal) = diagonal(program, a) else {
+        return sparse::product(program, a, b);
+    };
     // I B == B (finite entries, up to the sign of zero)
     if diagonal.iter().all(|&entry| entry == 1.0) {
         return Some(b);
     }
     // diag(d) x == d * x elementwise (finite entries, up to the sign of zero)
     let shape @ Shape::Vector(_) = program.shape(b) else {
-        return None;
+        return sparse::product(program, a, b);
     };
     let diagonal = program.constant(shape, diagonal);
     Some(program.binary(Operator::Mul, diagonal, b))

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 45e0f74600f1227b6b7947173b2455c7aee85d7c336b0d86ef925648f7ace2c0
+// SHA-256 of the text below: ff3132e6b147c7202728fed5e0c19b90ae3b6d6321ceb067c6db01cbd893da3c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// initial: 38 additions, 70 multiplications, 13 divisions, 1 square roots, 9 elementary functions, 3 comparisons and selections
-// control: 87 additions, 129 multiplications, 17 divisions, 3 square roots, 10 elementary functions, 9 comparisons and selections
+// initial: 26 additions, 57 multiplications, 12 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
+// control: 86 additions, 127 multiplications, 17 divisions, 3 square roots, 10 elementary functions, 9 comparisons and selections
 
 //! `motor_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `voltage` in kg*m^2/(s^3*A).
@@ -83,6 +83,7 @@ pub struct State<T> {
 
 impl<T: Real> State<T> {
     /// All zero.
+    #[inline(always)]
     pub fn zero() -> Self {
         Self {
             zeta1: Vector::zero(),
@@ -100,7 +101,7 @@ impl<T: Real> State<T> {
     }
 
     /// `a` where the mask is true, else `b`.
-    #[inline]
+    #[inline(always)]
     pub fn select(mask: T::Mask, a: &Self, b: &Self) -> Self {
         Self {
             zeta1: Vector::select(mask, a.zeta1, b.zeta1),
@@ -118,7 +119,7 @@ impl<T: Real> State<T> {
     }
 
     /// Whether every entry is finite.
-    #[inline]
+    #[inline(always)]
     pub fn is_finite(&self) -> T::Mask {
         self.zeta1
             .is_finite()
@@ -140,8 +141,10 @@ impl<T: Real> State<T> {
 /// With `Status::NON_FINITE_INPUT`, only the control is meaningful.
 #[derive(Clone, Copy, Debug)]
 pub struct Output<T: Real> {
-    /// What happened.
+    /// What happened, in any lane.
     pub status: Status,
+    /// Whether the law was finite, so that its control and next states are used.
+    pub valid: T::Mask,
     /// Control that the law asks for, before its limits.
     pub u: Vector<T, 1>,
     /// Control to apply: within its limits, always finite.
@@ -158,7 +161,7 @@ pub struct Output<T: Real> {
     pub e2: Vector<T, 1>,
     /// `alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]`
     pub alpha2: Vector<T, 1>,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `w_hat_2 = th_2 + S_2 e_2`
     pub D_hat2: Vector<T, 1>,
     /// `e_3 = x_3 - h_2 - zeta_3`
     pub e3: Vector<T, 1>,
@@ -178,6 +181,7 @@ pub struct Controller<T: Real> {
 
 impl<T: Real> Controller<T> {
     /// A controller that starts at its first step.
+    #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
             params,
@@ -187,6 +191,7 @@ impl<T: Real> Controller<T> {
     }
 
     /// Starts anew from these measurements; from the next ones if they are not finite.
+    #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 1>, x2: Vector<T, 1>, x3: Vector<T, 1>) {
         let start = initial(t, x1, x2, x3, &self.params);
         let finite = start
@@ -210,7 +215,7 @@ impl<T: Real> Controller<T> {
     /// The first step with finite measurements initialises the states; so does the step after one
     /// whose law overflowed although its measurements were finite, since such states are beyond
     /// use.
-    #[inline]
+    #[inline(always)]
     pub fn step(
         &mut self,
         t: T,
@@ -223,21 +228,27 @@ impl<T: Real> Controller<T> {
             .and(x1.is_finite())
             .and(x2.is_finite())
             .and(x3.is_finite());
-        let state = if self.started.all() {
-            self.state
-        } else {
-            State::select(
-                self.started,
-                &self.state,
-                &initial(t, x1, x2, x3, &self.params),
-            )
-        };
-        let law = control(t, x1, x2, x3, &state, &self.params);
+        let starting = measured.and(self.started.not());
+        if starting.any() {
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+                x3,
+            });
+        }
+        let law = control(t, x1, x2, x3, &self.state, &self.params);
         let valid = measured
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
-        self.state = State::select(valid, &law.next, &self.state);
+        self.state = if valid.all() {
+            law.next
+        } else {
+            State::select(valid, &law.next, &self.state)
+        };
         self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
@@ -247,6 +258,7 @@ impl<T: Real> Controller<T> {
             | Status::SATURATED.when(saturated.any());
         Output {
             status,
+            valid,
             u,
             u_sat,
             y_r: law.y_r,
@@ -262,21 +274,41 @@ impl<T: Real> Controller<T> {
     }
 
     /// The states.
+    #[inline(always)]
     pub fn state(&self) -> &State<T> {
         &self.state
     }
 
     /// The parameters.
+    #[inline(always)]
     pub fn params(&self) -> &Params<T> {
         &self.params
     }
 }
 
+/// Initialises the controller where the mask is true.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+    x3: Vector<T, 1>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(self.t, self.x1, self.x2, self.x3, &self.controller.params);
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+    }
+}
+
 /// The controller's states at its first sample.
 ///
-/// Operations: 38 additions, 70 multiplications, 13 divisions, 1 square roots, 9 elementary
+/// Operations: 26 additions, 57 multiplications, 12 divisions, 0 square roots, 8 elementary
 /// functions, 3 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn initial<T: Real>(
     t: T,
     x1: Vector<T, 1>,
@@ -287,8 +319,6 @@ pub fn initial<T: Real>(
     let real = T::from_f64;
 
     // -- known dynamics of block 1 (position) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 1> = Vector::zero();
     // G_1(x_1 .. x_1)
     let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
 
@@ -300,24 +330,23 @@ pub fn initial<T: Real>(
         + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
 
     // -- known dynamics of block 2 (speed) (11) --
-    let t1 = angle.sin();
     // F_2(x_1 .. x_2)
-    let F2 = Vector([-(real(0.01625) * rate + weight * t1) / inertia]);
+    let F2 = Vector([-(real(0.01625) * rate + weight * angle.sin()) / inertia]);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix([[real(0.9) / inertia]]);
+    let G2 = Matrix::rows([[real(0.9) / inertia]]);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix([[real(0.01) / inertia]]);
+    let H2 = Matrix::rows([[real(0.01) / inertia]]);
 
     // -- reference and constraints --
-    let t2 = real(FRAC_PI_2) * t.sin();
-    let t3 = t * t;
-    let t4 = (real(-0.1) * (t3 * t)).exp();
-    let t5 = real(1.0) - t4;
+    let t1 = real(FRAC_PI_2) * t.sin();
+    let t2 = t * t;
+    let t3 = (real(-0.1) * (t2 * t)).exp();
+    let t4 = real(1.0) - t3;
     // y_r(t)
-    let y_r = Vector([t2 * t5]);
+    let y_r = Vector([t1 * t4]);
     // y_r'
     let y_r_dot = Vector([
-        t5 * (real(FRAC_PI_2) * t.cos()) - t2 * (t4 * (real(-0.1) * (real(3.0) * t3))),
+        t4 * (real(FRAC_PI_2) * t.cos()) - t1 * (t3 * (real(-0.1) * (real(3.0) * t2))),
     ]);
     // k_1(t)
     let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
@@ -339,16 +368,16 @@ pub fn initial<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t6 = s1 / (k1 * k1);
+    let t5 = s1 / (k1 * k1);
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t6 * t6);
+    let E1_free = real(FRAC_PI_2) * (t5 * t5);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t7 = cosE1 * cosE1;
+    let t6 = cosE1 * cosE1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t7;
+    let c1 = e1 * s1 / t6;
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -363,270 +392,33 @@ pub fn initial<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t8: Vector<T, 1> = Vector::zero();
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + t8 + Lam1;
-    let t9 = G1.solve(bracket1);
+    let bracket1 = Lam1 - y_r_dot;
+    let t7 = G1.solve(bracket1);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t9;
+    let alpha1 = -t7;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (t9 - t9) / real(0.02);
+    let h1_dot = (t7 - t7) / real(0.02);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t9;
+    let e2 = x2 + t7;
 
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
     // c_2 = s_2 e_2^T / cos^2 E_2
     let c2 = e2 * s2;
-
-    // -- MTPN of block 2 (4) (16) --
-    // z_2, network inputs
-    let z2 = Vector([t1, rate]);
-    // P_2 = P_m(z_2), 6 nodes
-    let P2 = polynomials::basis2(z2);
-    // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = Matrix::<T, 1, 6>::zero() * P2;
 
     // -- given --
-    let t10 = e2 * real(10.0);
-    let th2 = -t10;
+    let t8 = e2 * real(10.0);
+    let th2 = -t8;
 
     // -- disturbance observer of block 2 (20) (49) --
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = t10 - t10;
-    // L_2
-    let L2: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-    // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = L2 * w_hat2;
-
-    // -- norms of block 2 --
-    // ||G_2||^2
-    let G_norm2_2 = G2.sum_squares();
-
-    // -- noise terms of block 2 (58) (62) --
-    // ||H_2||^2
-    let H_norm2_2 = H2.sum_squares();
-    // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = real(3.0);
-    // S_2
-    let S2: Matrix<T, 1, 1> = Matrix::from_f64([[10.0]]);
-    // S_2 H_2
-    let SH2 = S2 * H2;
-    // ||S_2 H_2||^2
-    let SH_norm2_2 = SH2.sum_squares();
-    let t11 = H_norm2_2 * Ybar_norm2;
-    // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t11 * t11 * real(0.5) + real(0.5) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
-
-    // -- robust feedback of block 2 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(25.0) + e2 * real(20.0);
-    // ||L||^2/(2 eta_1) c^T (63)
-    let Lam2_disturbance = c2 * real(0.5);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam2_filter = c2 * (real(0.05) * G_norm2_2);
-    // e / (2 cos^2 E) (63)
-    let Lam2_network = e2 * real(0.5);
-    // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = e2.map(T::tanh) * eps2;
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
-    let t12 = s2 * s2;
-    let t13 = (t12 + real(1.0)).sqrt();
-    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t11 * sigma2) / t13;
-    // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * (Psi2 / (real(100.0) + t12));
-    // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_network + Lam2_error_bound
-        + Lam2_coupling + Lam2_noise + Lam2_diffusion;
-
-    // -- virtual control (31) of block 2 --
-    // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 + A_hat2 - h1_dot + t8 + D_hat2 + Lam2;
-    // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let alpha2 = -G2.solve(bracket2);
-    State {
-        zeta1,
-        zeta2,
-        zeta3,
-        h1: alpha1,
-        W2,
-        th2,
-        eps2,
-        sigma2,
-        phi2,
-        h2: alpha2,
-        th3,
-    }
-}
-
-/// Results of [`control`].
-#[derive(Clone, Copy, Debug)]
-pub struct ControlOutputs<T: Real> {
-    /// `u = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]`
-    pub u: Vector<T, 1>,
-    /// `sat(u), each component limited to +-u_max (8)`
-    pub u_sat: Vector<T, 1>,
-    /// `E_1 >= pi/2 - delta`
-    pub violated: T::Mask,
-    /// `y_r(t)`
-    pub y_r: Vector<T, 1>,
-    /// `e_1 = x_1 - y_r - zeta_1`
-    pub e1: Vector<T, 1>,
-    /// `k_1(t)`
-    pub k1: T,
-    /// `alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]`
-    pub alpha1: Vector<T, 1>,
-    /// `e_2 = x_2 - h_1 - zeta_2`
-    pub e2: Vector<T, 1>,
-    /// `alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]`
-    pub alpha2: Vector<T, 1>,
-    /// `d_hat_2 = L_2 w_hat_2`
-    pub D_hat2: Vector<T, 1>,
-    /// `e_3 = x_3 - h_2 - zeta_3`
-    pub e3: Vector<T, 1>,
-    /// `D_hat_3 = th_3 + S_3 x_3`
-    pub D_hat3: Vector<T, 1>,
-    /// All outputs `next.*`.
-    pub next: State<T>,
-}
-
-/// One sample of the control law: control, next states and the signals on the way.
-///
-/// Operations: 87 additions, 129 multiplications, 17 divisions, 3 square roots, 10 elementary
-/// functions, 9 comparisons and selections.
-#[inline]
-pub fn control<T: Real>(
-    t: T,
-    x1: Vector<T, 1>,
-    x2: Vector<T, 1>,
-    x3: Vector<T, 1>,
-    state: &State<T>,
-    params: &Params<T>,
-) -> ControlOutputs<T> {
-    let real = T::from_f64;
-
-    // -- known dynamics of block 1 (position) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 1> = Vector::zero();
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
-    // -- plant model --
-    let rate = x2[0];
-    let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
-    let angle = x1[0];
-    let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
-        + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
-    let amps = x3[0];
-
-    // -- known dynamics of block 2 (speed) (11) --
-    let t1 = angle.sin();
-    // F_2(x_1 .. x_2)
-    let F2 = Vector([-(real(0.01625) * rate + weight * t1) / inertia]);
-    // G_2(x_1 .. x_2)
-    let G2 = Matrix([[real(0.9) / inertia]]);
-    // H_2(x_1 .. x_2)
-    let H2 = Matrix([[real(0.01) / inertia]]);
-
-    // -- known dynamics of block 3 (current) (11) --
-    // F_3(x_1 .. x_3)
-    let F3 = Vector([-(real(5.0) * amps + real(0.9) * rate) / real(0.025)]);
-    // G_3(x_1 .. x_3)
-    let G3: Matrix<T, 1, 1> = Matrix::from_f64([[40.0]]);
-
-    // -- reference and constraints --
-    let t2 = real(FRAC_PI_2) * t.sin();
-    let t3 = t * t;
-    let t4 = (real(-0.1) * (t3 * t)).exp();
-    let t5 = real(1.0) - t4;
-    // y_r(t)
-    let y_r = Vector([t2 * t5]);
-    // y_r'
-    let y_r_dot = Vector([
-        t5 * (real(FRAC_PI_2) * t.cos()) - t2 * (t4 * (real(-0.1) * (real(3.0) * t3))),
-    ]);
-    // k_1(t)
-    let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
-
-    // -- error variable of block 1 (14) --
-    // e_1 = x_1 - y_r - zeta_1
-    let e1 = x1 - y_r - state.zeta1;
-
-    // -- barrier of block 1 (23) (26) --
-    // s_1 = e_1^T e_1
-    let s1 = e1.sum_squares();
-    let t6 = s1 / (k1 * k1);
-    // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t6 * t6);
-    // E_1 >= pi/2 - delta
-    let violated1 = E1_free.ge(real(1.5697963267948967));
-    // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
-    let E1 = E1_free.min(real(1.5697963267948967));
-    // cos E_1
-    let cosE1 = E1.cos();
-    let t7 = cosE1 * cosE1;
-    // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t7;
-
-    // -- robust feedback of block 1 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(3.2199999999999998)
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(1.72);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
-    // ||c_1||^2
-    let s_c1 = c1.sum_squares();
-
-    // -- virtual control (31) of block 1 --
-    let t8 = state.zeta1 * real(20.0);
-    // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + t8 + Lam1;
-    // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -G1.solve(bracket1);
-
-    // -- auxiliary system of block 1 (13) (E1) --
-    // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t8;
-
-    // -- dynamic surface filter of block 1 (33) --
-    // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (alpha1 - state.h1) / real(0.02);
-
-    // -- error variable of block 2 (14) --
-    // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 - state.h1 - state.zeta2;
-
-    // -- barrier of block 2 (23) (26) --
-    // s_2 = e_2^T e_2
-    let s2 = e2.sum_squares();
-    // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * s2;
-
-    // -- MTPN of block 2 (4) (16) --
-    // z_2, network inputs
-    let z2 = Vector([t1, rate]);
-    // P_2 = P_m(z_2), 6 nodes
-    let P2 = polynomials::basis2(z2);
-    // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = state.W2.transpose() * P2;
-
-    // -- disturbance observer of block 2 (20) (49) --
-    // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + e2 * real(10.0);
-    // L_2
-    let L2: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-    // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = L2 * w_hat2;
+    let w_hat2 = t8 - t8;
 
     // -- norms of block 2 --
     // ||G_2||^2
@@ -656,18 +448,312 @@ pub fn control<T: Real>(
     let Lam2_filter = c2 * (real(0.05) * G_norm2_2);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t10 = e2.map(T::tanh);
-    // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t10 * state.eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
     let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
-    let t11 = s2 * s2;
-    let t12 = (t11 + real(1.0)).sqrt();
-    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t9 * state.sigma2) / t12;
-    let t13 = Psi2 / (state.phi2 * state.phi2 + t11);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t13;
+    let Lam2_diffusion = e2 * (Psi2 / (real(100.0) + s2 * s2));
+    // Lam_2, sum of the terms above
+    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_network + Lam2_coupling
+        + Lam2_diffusion;
+
+    // -- virtual control (31) of block 2 --
+    // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
+    let bracket2 = F2 - h1_dot + w_hat2 + Lam2;
+    // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
+    let alpha2 = -G2.solve(bracket2);
+    State {
+        zeta1,
+        zeta2,
+        zeta3,
+        h1: alpha1,
+        W2,
+        th2,
+        eps2,
+        sigma2,
+        phi2,
+        h2: alpha2,
+        th3,
+    }
+}
+
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// `weight`.
+    pub weight: T,
+    /// `inertia`.
+    pub inertia: T,
+    /// `G_2(x_1 .. x_2)`
+    pub G2: Matrix<T, 1, 1>,
+    /// `||G_2||^2`
+    pub G_norm2_2: T,
+    /// Part of `Psi2`.
+    pub Psi2_1: T,
+    /// `Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)`
+    pub Psi2: T,
+    /// Part of `Lam2_filter`.
+    pub Lam2_filter_1: T,
+    /// `phi_min = sqrt(Psi_2 dt / 0.1) (E11)`
+    pub phi2_min: T,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 5 additions, 16 multiplications, 3 divisions, 1 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
+    let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
+        + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
+
+    // -- known dynamics of block 2 (speed) (11) --
+    // G_2(x_1 .. x_2)
+    let G2 = Matrix::rows([[real(0.9) / inertia]]);
+    // H_2(x_1 .. x_2)
+    let H2 = Matrix::rows([[real(0.01) / inertia]]);
+
+    // -- norms of block 2 --
+    // ||G_2||^2
+    let G_norm2_2 = G2.sum_squares();
+
+    // -- noise terms of block 2 (58) (62) --
+    // ||H_2||^2
+    let H_norm2_2 = H2.sum_squares();
+    // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
+    let Ybar_norm2 = real(3.0);
+    // S_2
+    let S2: Matrix<T, 1, 1> = Matrix::from_f64([[10.0]]);
+    // S_2 H_2
+    let SH2 = S2 * H2;
+    // ||S_2 H_2||^2
+    let SH_norm2_2 = SH2.sum_squares();
+    let Psi2_1 = H_norm2_2 * Ybar_norm2;
+
+    // -- noise terms of block 2 (58) (62) --
+    // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
+    let Psi2 = Psi2_1 * Psi2_1 * real(0.5) + real(0.5)
+        + real(0.1) * (SH_norm2_2 * SH_norm2_2);
+
+    // -- states of block 2, one sample later --
+    // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
+    let phi2_min = (Psi2 * real(0.01)).sqrt();
+    let Lam2_filter_1 = real(0.05) * G_norm2_2;
+    Prepared {
+        weight,
+        inertia,
+        G2,
+        G_norm2_2,
+        Psi2_1,
+        Psi2,
+        Lam2_filter_1,
+        phi2_min,
+    }
+}
+
+/// Values of [`clock`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock<T> {
+    /// `y_r(t)`
+    pub y_r: Vector<T, 1>,
+    /// `y_r'`
+    pub y_r_dot: Vector<T, 1>,
+    /// `k_1(t)`
+    pub k1: T,
+    /// Part of `E1_free`.
+    pub E1_free_1: T,
+}
+
+/// What depends on time and parameters alone: needed once for a sample of all runs with these
+/// parameters. See [`Clock`].
+///
+/// Operations: 3 additions, 14 multiplications, 0 divisions, 0 square roots, 4 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn clock<T: Real>(t: T) -> Clock<T> {
+    let real = T::from_f64;
+
+    // -- reference and constraints --
+    let t1 = real(FRAC_PI_2) * t.sin();
+    let t2 = t * t;
+    let t3 = (real(-0.1) * (t2 * t)).exp();
+    let t4 = real(1.0) - t3;
+    // y_r(t)
+    let y_r = Vector([t1 * t4]);
+    // y_r'
+    let y_r_dot = Vector([
+        t4 * (real(FRAC_PI_2) * t.cos()) - t1 * (t3 * (real(-0.1) * (real(3.0) * t2))),
+    ]);
+    // k_1(t)
+    let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
+    let E1_free_1 = k1 * k1;
+    Clock {
+        y_r,
+        y_r_dot,
+        k1,
+        E1_free_1,
+    }
+}
+
+/// Results of [`control`].
+#[derive(Clone, Copy, Debug)]
+pub struct ControlOutputs<T: Real> {
+    /// `u = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]`
+    pub u: Vector<T, 1>,
+    /// `sat(u), each component limited to +-u_max (8)`
+    pub u_sat: Vector<T, 1>,
+    /// `E_1 >= pi/2 - delta`
+    pub violated: T::Mask,
+    /// `y_r(t)`
+    pub y_r: Vector<T, 1>,
+    /// `e_1 = x_1 - y_r - zeta_1`
+    pub e1: Vector<T, 1>,
+    /// `k_1(t)`
+    pub k1: T,
+    /// `alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]`
+    pub alpha1: Vector<T, 1>,
+    /// `e_2 = x_2 - h_1 - zeta_2`
+    pub e2: Vector<T, 1>,
+    /// `alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]`
+    pub alpha2: Vector<T, 1>,
+    /// `w_hat_2 = th_2 + S_2 e_2`
+    pub D_hat2: Vector<T, 1>,
+    /// `e_3 = x_3 - h_2 - zeta_3`
+    pub e3: Vector<T, 1>,
+    /// `D_hat_3 = th_3 + S_3 x_3`
+    pub D_hat3: Vector<T, 1>,
+    /// All outputs `next.*`.
+    pub next: State<T>,
+}
+
+/// One sample of the control law: control, next states and the signals on the way.
+///
+/// Operations: 78 additions, 97 multiplications, 14 divisions, 2 square roots, 6 elementary
+/// functions, 9 comparisons and selections.
+#[inline(always)]
+pub fn law<T: Real>(
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+    x3: Vector<T, 1>,
+    state: &State<T>,
+    prepared: &Prepared<T>,
+    clock: &Clock<T>,
+) -> ControlOutputs<T> {
+    let real = T::from_f64;
+
+    // -- known dynamics of block 1 (position) (11) --
+    // G_1(x_1 .. x_1)
+    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
+
+    // -- plant model --
+    let rate = x2[0];
+    let angle = x1[0];
+    let amps = x3[0];
+
+    // -- known dynamics of block 2 (speed) (11) --
+    let t1 = angle.sin();
+    // F_2(x_1 .. x_2)
+    let F2 = Vector([-(real(0.01625) * rate + prepared.weight * t1) / prepared.inertia]);
+
+    // -- known dynamics of block 3 (current) (11) --
+    // F_3(x_1 .. x_3)
+    let F3 = Vector([-(real(5.0) * amps + real(0.9) * rate) / real(0.025)]);
+    // G_3(x_1 .. x_3)
+    let G3: Matrix<T, 1, 1> = Matrix::from_f64([[40.0]]);
+
+    // -- error variable of block 1 (14) --
+    // e_1 = x_1 - y_r - zeta_1
+    let e1 = x1 - clock.y_r - state.zeta1;
+
+    // -- barrier of block 1 (23) (26) --
+    // s_1 = e_1^T e_1
+    let s1 = e1.sum_squares();
+    let t2 = s1 / clock.E1_free_1;
+    // pi s_1^2 / (2 k_1^4), before the clamp
+    let E1_free = real(FRAC_PI_2) * (t2 * t2);
+    // E_1 >= pi/2 - delta
+    let violated1 = E1_free.ge(real(1.5697963267948967));
+    // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
+    let E1 = E1_free.min(real(1.5697963267948967));
+    // cos E_1
+    let cosE1 = E1.cos();
+    let t3 = cosE1 * cosE1;
+    // c_1 = s_1 e_1^T / cos^2 E_1
+    let c1 = e1 * s1 / t3;
+
+    // -- robust feedback of block 1 (31) (63) --
+    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
+    let Lam0_1 = e1 * real(3.2199999999999998)
+        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
+        + e1 * real(1.72);
+    // eta_2/2 ||G||^2 c^T (37)
+    let Lam1_filter = c1 * real(0.5);
+    // Lam_1, sum of the terms above
+    let Lam1 = Lam0_1 + Lam1_filter;
+    // ||c_1||^2
+    let s_c1 = c1.sum_squares();
+
+    // -- virtual control (31) of block 1 --
+    let t4 = state.zeta1 * real(20.0);
+    // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
+    let bracket1 = t4 - clock.y_r_dot + Lam1;
+    // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
+    let alpha1 = -G1.solve(bracket1);
+
+    // -- auxiliary system of block 1 (13) (E1) --
+    // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
+    let zeta1_dot = state.zeta2 - t4;
+
+    // -- dynamic surface filter of block 1 (33) --
+    // h_1' = (alpha_1 - h_1) / Fl_1
+    let h1_dot = (alpha1 - state.h1) / real(0.02);
+
+    // -- error variable of block 2 (14) --
+    // e_2 = x_2 - h_1 - zeta_2
+    let e2 = x2 - state.h1 - state.zeta2;
+
+    // -- barrier of block 2 (23) (26) --
+    // s_2 = e_2^T e_2
+    let s2 = e2.sum_squares();
+    // c_2 = s_2 e_2^T / cos^2 E_2
+    let c2 = e2 * s2;
+
+    // -- MTPN of block 2 (4) (16) --
+    // z_2, network inputs
+    let z2 = Vector([t1, rate]);
+    // P_2 = P_m(z_2), 6 nodes
+    let P2 = polynomials::basis2(z2);
+    // A_hat_2 = iota_2 W_2^T P_2
+    let A_hat2 = state.W2.transpose_mul(P2);
+
+    // -- disturbance observer of block 2 (20) (49) --
+    // w_hat_2 = th_2 + S_2 e_2
+    let w_hat2 = state.th2 + e2 * real(10.0);
+
+    // -- robust feedback of block 2 (31) (63) --
+    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
+    let Lam0_2 = e2 * real(25.0) + e2 * real(20.0);
+    // ||L||^2/(2 eta_1) c^T (63)
+    let Lam2_disturbance = c2 * real(0.5);
+    // eta_2/2 ||G||^2 c^T (37)
+    let Lam2_filter = c2 * prepared.Lam2_filter_1;
+    // e / (2 cos^2 E) (63)
+    let Lam2_network = e2 * real(0.5);
+    let t5 = e2.tanh();
+    // eps_hat Tanh(e / b) (64)
+    let Lam2_error_bound = t5 * state.eps2;
+    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
+    let t6 = s2 * s2;
+    let t7 = (t6 + real(1.0)).sqrt();
+    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
+    let Lam2_noise = e2 * (prepared.Psi2_1 * state.sigma2) / t7;
+    let t8 = prepared.Psi2 / (state.phi2 * state.phi2 + t6);
+    // e Psi cos^2 E / (phi^2 + s^2) (64)
+    let Lam2_diffusion = e2 * t8;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
@@ -675,40 +761,38 @@ pub fn control<T: Real>(
     let s_c2 = c2.sum_squares();
 
     // -- virtual control (31) of block 2 --
-    let t14 = F2 + A_hat2;
-    let t15 = state.zeta2 * real(50.0);
+    let t9 = F2 + A_hat2;
+    let t10 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t14 - h1_dot + t15 + D_hat2 + Lam2;
+    let bracket2 = t9 - h1_dot + t10 + w_hat2 + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let alpha2 = -G2.solve(bracket2);
+    let alpha2 = -prepared.G2.solve(bracket2);
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
-    let zeta2_dot = G2 * state.zeta3 - t15;
+    let zeta2_dot = prepared.G2 * state.zeta3 - t10;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
-    // M_2 - S_2 L_2
-    let w2_closed: Matrix<T, 1, 1> = Matrix::from_f64([[-12.0]]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = w2_closed * w_hat2
-        - (t14 + G2 * (x3 - state.zeta3) - h1_dot + t15) * real(10.0);
+    let th2_dot = w_hat2 * real(-12.0)
+        - (t9 + prepared.G2 * (x3 - state.zeta3) - h1_dot + t10) * real(10.0);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 * e2.dot(t10) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 * e2.dot(t5) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t9 * t11 / t12 - real(0.1) * state.sigma2;
+    let sigma2_dot = prepared.Psi2_1 * t6 / t7 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t13 + real(0.5);
+    let phi2_decay = t8 + real(0.5);
 
     // -- dynamic surface filter of block 2 (33) --
     // h_2' = (alpha_2 - h_2) / Fl_2
@@ -733,31 +817,29 @@ pub fn control<T: Real>(
     let Lam0_3 = e3 * real(125.0) + e3 * real(100.0);
     // eta_1/2 c^T (36)
     let Lam3_disturbance = c3 * real(0.5);
-    let t16 = G_norm2_2 * s_c2;
+    let t11 = prepared.G_norm2_2 * s_c2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam3_coupling = e3 * (t16 * t16) * real(0.015625);
+    let Lam3_coupling = e3 * (t11 * t11) * real(0.015625);
     // Lam_3, sum of the terms above
     let Lam3 = Lam0_3 + Lam3_disturbance + Lam3_coupling;
 
     // -- control (64) of block 3 --
-    let t17 = state.zeta3 * real(100.0);
+    let t12 = state.zeta3 * real(100.0);
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
-    let bracket3 = F3 - h2_dot + t17 + D_hat3 + Lam3;
-    let t18 = G3.solve(bracket3);
+    let bracket3 = F3 - h2_dot + t12 + D_hat3 + Lam3;
+    let t13 = G3.solve(bracket3);
     // u = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
-    let u = -t18;
+    let u = -t13;
     // sat(u), each component limited to +-u_max (8)
-    let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-40.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([40.0]), T::min);
+    let u_sat = u.max(Vector::splat(real(-40.0))).min(Vector::splat(real(40.0)));
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
-    let zeta3_dot = G3 * (u_sat + t18) - t17;
+    let zeta3_dot = (u_sat + t13) * real(40.0) - t12;
 
     // -- observer dynamics of block 3 (21) (50) --
     // th_3' = -S_3 (D_hat_3 + F_3 + G_3 x_4 + A_hat_3)
-    let th3_dot = -((D_hat3 + F3 + G3 * u_sat) * real(50.0));
+    let th3_dot = -((D_hat3 + F3 + u_sat * real(40.0)) * real(50.0));
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'
@@ -778,15 +860,13 @@ pub fn control<T: Real>(
     let eps2_next = state.eps2 + real(0.000999950001666625) * eps2_dot;
     // sigma2(t + dt) = sigma2 + Gamma sigma2'
     let sigma2_next = state.sigma2 + real(0.000999950001666625) * sigma2_dot;
-    // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
-    let phi2_min = (Psi2 * real(0.01)).sqrt();
     // phi_2(t + dt) = max(phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)), phi_min)
     let phi2_next = T::select(
             s2.sqrt().ge(real(0.2)),
             state.phi2 * (-(real(0.001) * phi2_decay)).exp(),
             state.phi2,
         )
-        .max(phi2_min);
+        .max(prepared.phi2_min);
 
     // -- states of block 3, one sample later --
     // zeta3(t + dt) = zeta3 + Gamma zeta3'
@@ -797,13 +877,13 @@ pub fn control<T: Real>(
         u,
         u_sat,
         violated: violated1,
-        y_r,
+        y_r: clock.y_r,
         e1,
-        k1,
+        k1: clock.k1,
         alpha1,
         e2,
         alpha2,
-        D_hat2,
+        D_hat2: w_hat2,
         e3,
         D_hat3,
         next: State {
@@ -820,4 +900,22 @@ pub fn control<T: Real>(
             th3: th3_next,
         },
     }
+}
+
+/// One sample of the control law: control, next states and the signals on the way.
+///
+/// Operations: 86 additions, 127 multiplications, 17 divisions, 3 square roots, 10 elementary
+/// functions, 9 comparisons and selections.
+#[inline(always)]
+pub fn control<T: Real>(
+    t: T,
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+    x3: Vector<T, 1>,
+    state: &State<T>,
+    params: &Params<T>,
+) -> ControlOutputs<T> {
+    let prepared = prepare(params);
+    let clock = clock(t);
+    law(x1, x2, x3, state, &prepared, &clock)
 }

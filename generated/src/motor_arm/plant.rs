@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 4e74973ae3aee1a91df0e3d67f90c42f19740d007f7b448afafa847584b66738
+// SHA-256 of the text below: 3ec31bec2329dfe96d785c869c92759345a8cd6b12f84bb01e72f41d9d06dd8d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// plant: 10 additions, 16 multiplications, 6 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 9 additions, 14 multiplications, 6 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `motor_arm`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -11,7 +11,7 @@
 
 use super::params::Params;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
 
 /// Number of plant states: `angle` (dimensionless), `rate` (1/s), `amps` (A), then 1 states of
@@ -34,19 +34,152 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
-    #[inline]
+    #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        plant(t, *x, self.u_sat, &self.params).drift
+        T::outlined(Drift { plant: self, t, x })
     }
 
-    #[inline]
+    #[inline(always)]
     fn diffusion(
         &self,
         t: T,
         x: &Vector<T, STATES>,
     ) -> Matrix<T, STATES, NOISE_CHANNELS> {
-        plant(t, *x, self.u_sat, &self.params).diffusion
+        T::outlined(Diffusion { plant: self, t, x })
     }
+
+    #[inline(always)]
+    fn drift_and_noise(
+        &self,
+        t: T,
+        x: &Vector<T, STATES>,
+        dw: &Vector<T, NOISE_CHANNELS>,
+    ) -> (Vector<T, STATES>, Vector<T, STATES>) {
+        T::outlined(Rates { plant: self, t, x, dw })
+    }
+}
+/// Drift.
+struct Drift<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Drift<'_, T> {
+    type Output = Vector<T, STATES>;
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
+    }
+}
+/// Diffusion.
+struct Diffusion<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Diffusion<'_, T> {
+    type Output = Matrix<T, STATES, NOISE_CHANNELS>;
+    #[inline(always)]
+    fn run(self) -> Matrix<T, STATES, NOISE_CHANNELS> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).diffusion
+    }
+}
+/// Drift, and diffusion times noise.
+struct Rates<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+    dw: &'a Vector<T, NOISE_CHANNELS>,
+}
+impl<T: Real> Part for Rates<'_, T> {
+    type Output = (Vector<T, STATES>, Vector<T, STATES>);
+    #[inline(always)]
+    fn run(self) -> (Vector<T, STATES>, Vector<T, STATES>) {
+        let rate = plant(self.t, *self.x, self.plant.u_sat, &self.plant.params);
+        (rate.drift, diffuse(&rate.diffusion, self.dw))
+    }
+}
+
+/// Diffusion times noise, without the entries that are always 0.
+#[inline(always)]
+fn diffuse<T: Real>(
+    diffusion: &Matrix<T, STATES, NOISE_CHANNELS>,
+    noise: &Vector<T, NOISE_CHANNELS>,
+) -> Vector<T, STATES> {
+    Vector([
+        T::zero(),
+        diffusion[(1, 0)] * noise[0],
+        T::zero(),
+        diffusion[(3, 1)] * noise[1],
+    ])
+}
+
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// `weight`.
+    pub weight: T,
+    /// `inertia`.
+    pub inertia: T,
+    /// `G_2 with the plant's parameters`
+    pub G2_plant: Matrix<T, 1, 1>,
+    /// `columns: one per Wiener process`
+    pub diffusion: Matrix<T, 4, 2>,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 3 additions, 5 multiplications, 3 divisions, 0 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
+    let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
+        + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
+
+    // -- true dynamics of block 2 (speed) (11) --
+    // G_2 with the plant's parameters
+    let G2_plant = Matrix::rows([[real(0.9) / inertia]]);
+
+    // -- packed plant state: x_1 .. x_n, then the exosystems --
+    // columns: one per Wiener process
+    let diffusion = Matrix::rows([
+        [real(0.0), real(0.0)],
+        [real(0.01) / inertia, real(0.0)],
+        [real(0.0), real(0.0)],
+        [real(0.0), real(0.5)],
+    ]);
+    Prepared {
+        weight,
+        inertia,
+        G2_plant,
+        diffusion,
+    }
+}
+
+/// Values of [`clock`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock<T> {
+    /// `d_3(t)`
+    pub d3: Vector<T, 1>,
+}
+
+/// What depends on time and parameters alone: needed once for a sample of all runs with these
+/// parameters. See [`Clock`].
+///
+/// Operations: 0 additions, 2 multiplications, 1 divisions, 0 square roots, 1 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn clock<T: Real>(t: T) -> Clock<T> {
+    let real = T::from_f64;
+
+    // -- true dynamics of block 3 (current) (11) --
+    // d_3(t)
+    let d3 = Vector([real(0.5) * (real(20.0) * t).sin() / real(0.025)]);
+    Clock { d3 }
 }
 
 /// Results of [`plant`].
@@ -56,7 +189,7 @@ pub struct PlantOutputs<T: Real> {
     pub drift: Vector<T, 4>,
     /// `columns: one per Wiener process`
     pub diffusion: Matrix<T, 4, 2>,
-    /// `d_2 = L_2 w_2 (12)`
+    /// `d2`.
     pub d2: Vector<T, 1>,
     /// `d_3(t)`
     pub d3: Vector<T, 1>,
@@ -64,80 +197,67 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 10 additions, 16 multiplications, 6 divisions, 0 square roots, 2 elementary
+/// Operations: 6 additions, 7 multiplications, 2 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
+pub fn dynamics<T: Real>(
+    x: Vector<T, 4>,
+    u_sat: Vector<T, 1>,
+    prepared: &Prepared<T>,
+    clock: &Clock<T>,
+) -> PlantOutputs<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let rate = x[1];
+    let angle = x[0];
+    let amps = x[2];
+
+    // -- true dynamics of block 2 (speed) (11) --
+    // F_2 with the plant's parameters
+    let F2_plant = Vector([
+        -(real(0.01625) * rate + prepared.weight * angle.sin()) / prepared.inertia,
+    ]);
+
+    // -- given --
+    let w2 = Vector([x[3]]);
+    let x3 = Vector([amps]);
+
+    // -- true dynamics of block 2 (speed) (11) --
+    // w_2' = M_2 w_2 (12)
+    let w2_flow = w2 * real(-2.0);
+    // F_2 + G_2 x_3 + d_2
+    let x2_flow = F2_plant + prepared.G2_plant * x3 + w2;
+
+    // -- true dynamics of block 3 (current) (11) --
+    // F_3 with the plant's parameters
+    let F3_plant = Vector([-(real(5.0) * amps + real(0.9) * rate) / real(0.025)]);
+    // F_3 + G_3 x_4 + d_3
+    let x3_flow = F3_plant + u_sat * real(40.0) + clock.d3;
+
+    // -- packed plant state: x_1 .. x_n, then the exosystems --
+    // dx/dt without noise
+    let drift = Vector([rate, x2_flow[0], x3_flow[0], w2_flow[0]]);
+    PlantOutputs {
+        drift,
+        diffusion: prepared.diffusion,
+        d2: w2,
+        d3: clock.d3,
+    }
+}
+
+/// Drift and diffusion of the plant and its disturbances.
+///
+/// Operations: 9 additions, 14 multiplications, 6 divisions, 0 square roots, 2 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
 pub fn plant<T: Real>(
     t: T,
     x: Vector<T, 4>,
     u_sat: Vector<T, 1>,
     params: &Params<T>,
 ) -> PlantOutputs<T> {
-    let real = T::from_f64;
-
-    // -- disturbance observer of block 2 (20) (49) --
-    // L_2
-    let L2: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
-    // -- true dynamics of block 1 (position) (11) --
-    // F_1 with the plant's parameters
-    let F1_plant: Vector<T, 1> = Vector::zero();
-    // G_1 with the plant's parameters
-    let G1_plant: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
-    // -- plant model --
-    let rate = x[1];
-    let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
-    let angle = x[0];
-    let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
-        + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
-    let amps = x[2];
-
-    // -- given --
-    let x2 = Vector([rate]);
-    let w2 = Vector([x[3]]);
-    let x3 = Vector([amps]);
-
-    // -- true dynamics of block 1 (position) (11) --
-    // F_1 + G_1 x_2 + d_1
-    let x1_flow = F1_plant + G1_plant * x2;
-
-    // -- true dynamics of block 2 (speed) (11) --
-    // F_2 with the plant's parameters
-    let F2_plant = Vector([-(real(0.01625) * rate + weight * angle.sin()) / inertia]);
-    // G_2 with the plant's parameters
-    let G2_plant = Matrix([[real(0.9) / inertia]]);
-    // d_2 = L_2 w_2 (12)
-    let d2 = L2 * w2;
-    // w_2' = M_2 w_2 (12)
-    let w2_flow = Matrix::<T, 1, 1>::from_f64([[-2.0]]) * w2;
-    // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + G2_plant * x3 + d2;
-
-    // -- true dynamics of block 3 (current) (11) --
-    // F_3 with the plant's parameters
-    let F3_plant = Vector([-(real(5.0) * amps + real(0.9) * rate) / real(0.025)]);
-    // G_3 with the plant's parameters
-    let G3_plant: Matrix<T, 1, 1> = Matrix::from_f64([[40.0]]);
-    // d_3(t)
-    let d3 = Vector([real(0.5) * (real(20.0) * t).sin() / real(0.025)]);
-    // F_3 + G_3 x_4 + d_3
-    let x3_flow = F3_plant + G3_plant * u_sat + d3;
-
-    // -- packed plant state: x_1 .. x_n, then the exosystems --
-    // dx/dt without noise
-    let drift = Vector([x1_flow[0], x2_flow[0], x3_flow[0], w2_flow[0]]);
-    // columns: one per Wiener process
-    let diffusion = Matrix([
-        [real(0.0), real(0.0)],
-        [real(0.01) / inertia, real(0.0)],
-        [real(0.0), real(0.0)],
-        [real(0.0), real(0.5)],
-    ]);
-    PlantOutputs {
-        drift,
-        diffusion,
-        d2,
-        d3,
-    }
+    let prepared = prepare(params);
+    let clock = clock(t);
+    dynamics(x, u_sat, &prepared, &clock)
 }

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: f571fdaa4585f91455db5bb03a972702f98f101e745b9b7abb40c47e66104ec9
+// SHA-256 of the text below: a7ebf35fcbcf85bae46c905f274e43b30ef5aeeac5cdd73a6e3e320736619797
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// initial: 207 additions, 285 multiplications, 15 divisions, 0 square roots, 19 elementary functions, 6 comparisons and selections
-// control: 1085 additions, 1477 multiplications, 56 divisions, 4 square roots, 27 elementary functions, 21 comparisons and selections
+// initial: 74 additions, 109 multiplications, 15 divisions, 0 square roots, 18 elementary functions, 6 comparisons and selections
+// control: 667 additions, 912 multiplications, 56 divisions, 4 square roots, 26 elementary functions, 21 comparisons and selections
 
 //! `nsv_attitude`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `M_x` in kg*m^2/s^2, `M_y` in kg*m^2/s^2, `M_z` in
@@ -86,6 +86,7 @@ pub struct State<T> {
 
 impl<T: Real> State<T> {
     /// All zero.
+    #[inline(always)]
     pub fn zero() -> Self {
         Self {
             zeta1: Vector::zero(),
@@ -102,7 +103,7 @@ impl<T: Real> State<T> {
     }
 
     /// `a` where the mask is true, else `b`.
-    #[inline]
+    #[inline(always)]
     pub fn select(mask: T::Mask, a: &Self, b: &Self) -> Self {
         Self {
             zeta1: Vector::select(mask, a.zeta1, b.zeta1),
@@ -119,7 +120,7 @@ impl<T: Real> State<T> {
     }
 
     /// Whether every entry is finite.
-    #[inline]
+    #[inline(always)]
     pub fn is_finite(&self) -> T::Mask {
         self.zeta1
             .is_finite()
@@ -140,8 +141,10 @@ impl<T: Real> State<T> {
 /// With `Status::NON_FINITE_INPUT`, only the control is meaningful.
 #[derive(Clone, Copy, Debug)]
 pub struct Output<T: Real> {
-    /// What happened.
+    /// What happened, in any lane.
     pub status: Status,
+    /// Whether the law was finite, so that its control and next states are used.
+    pub valid: T::Mask,
     /// Control that the law asks for, before its limits.
     pub u: Vector<T, 3>,
     /// Control to apply: within its limits, always finite.
@@ -176,6 +179,7 @@ pub struct Controller<T: Real> {
 
 impl<T: Real> Controller<T> {
     /// A controller that starts at its first step.
+    #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
             params,
@@ -185,6 +189,7 @@ impl<T: Real> Controller<T> {
     }
 
     /// Starts anew from these measurements; from the next ones if they are not finite.
+    #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) {
         let start = initial(t, x1, x2, &self.params);
         let finite = start
@@ -207,20 +212,29 @@ impl<T: Real> Controller<T> {
     /// The first step with finite measurements initialises the states; so does the step after one
     /// whose law overflowed although its measurements were finite, since such states are beyond
     /// use.
-    #[inline]
+    #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
-        let state = if self.started.all() {
-            self.state
-        } else {
-            State::select(self.started, &self.state, &initial(t, x1, x2, &self.params))
-        };
-        let law = control(t, x1, x2, &state, &self.params);
+        let starting = measured.and(self.started.not());
+        if starting.any() {
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+            });
+        }
+        let law = control(t, x1, x2, &self.state, &self.params);
         let valid = measured
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
-        self.state = State::select(valid, &law.next, &self.state);
+        self.state = if valid.all() {
+            law.next
+        } else {
+            State::select(valid, &law.next, &self.state)
+        };
         self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
@@ -230,6 +244,7 @@ impl<T: Real> Controller<T> {
             | Status::SATURATED.when(saturated.any());
         Output {
             status,
+            valid,
             u,
             u_sat,
             y_r: law.y_r,
@@ -244,21 +259,40 @@ impl<T: Real> Controller<T> {
     }
 
     /// The states.
+    #[inline(always)]
     pub fn state(&self) -> &State<T> {
         &self.state
     }
 
     /// The parameters.
+    #[inline(always)]
     pub fn params(&self) -> &Params<T> {
         &self.params
     }
 }
 
+/// Initialises the controller where the mask is true.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 3>,
+    x2: Vector<T, 3>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(self.t, self.x1, self.x2, &self.controller.params);
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+    }
+}
+
 /// The controller's states at its first sample.
 ///
-/// Operations: 207 additions, 285 multiplications, 15 divisions, 0 square roots, 19 elementary
+/// Operations: 74 additions, 109 multiplications, 15 divisions, 0 square roots, 18 elementary
 /// functions, 6 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn initial<T: Real>(
     t: T,
     x1: Vector<T, 3>,
@@ -270,69 +304,67 @@ pub fn initial<T: Real>(
     // -- plant model --
     let alpha = x1[0];
     let alpha_deg = alpha / real(0.017453292519943295);
+    let at_alpha_deg = polynomials::at_alpha_deg(alpha_deg);
     let lift = real(97170193.3485195) * params.CL_scale
-        * (polynomials::CL_alpha(alpha_deg, real(10.122243135087704), real(0.0))
-            + polynomials::CL_LE(alpha_deg, real(10.122243135087704), real(0.0))
-            + polynomials::CL_RE(alpha_deg, real(10.122243135087704), real(0.0)));
+        * (at_alpha_deg.CL_alpha + at_alpha_deg.CL_LE + at_alpha_deg.CL_RE);
     let mu = x1[2];
     let beta = x1[1];
-    let t1 = polynomials::CY_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
-        + polynomials::CY_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::CY_RE(alpha_deg, real(10.122243135087704), real(0.0));
     let side = real(97170193.3485195) * params.CY_scale
-        * (t1 + polynomials::CY_RUD(alpha_deg, real(10.122243135087704), real(0.0)));
+        * (at_alpha_deg.CY_beta * beta + at_alpha_deg.CY_LE + at_alpha_deg.CY_RE
+            + at_alpha_deg.CY_RUD);
 
     // -- known dynamics of block 1 (attitude) (11) --
-    let t2 = alpha.sin();
-    let t3 = mu.cos();
-    let t4 = real(1332506.5352200002) * t3;
-    let t5 = beta.cos();
-    let t6 = alpha.cos();
-    let t7 = beta.sin();
-    let t8 = mu.sin();
-    let t9 = beta.tan();
-    let t10 = t9 + real(0.0) * t8;
-    let t11 = real(0.0) * (t2 * t10 - t6 * t7 * real(0.0) * t3);
+    let [sin_alpha, sin_mu] = Vector([alpha, mu]).sin().0;
+    let [cos_alpha, cos_mu, cos_beta] = Vector([alpha, mu, beta]).cos().0;
+    let t1 = real(1332506.5352200002) * cos_mu;
+    let t2 = beta.tan();
     // F_1(x_1 .. x_1)
     let F1 = Vector([
-        (-lift - real(0.0) * t2 + t4) / (real(410460000.0) * t5),
-        (side - real(0.0) * t6 * t7 + real(1332506.5352200002) * t8) / real(410460000.0),
-        (lift * t10 + side * real(0.0) * t3 - t4 * t9 + t11) / real(410460000.0),
+        (t1 - lift) / (real(410460000.0) * cos_beta),
+        (side + real(1332506.5352200002) * sin_mu) / real(410460000.0),
+        (lift * t2 - t1 * t2) / real(410460000.0),
     ]);
-    let t12 = -t9;
+    let t3 = -t2;
+    let t4 = t3 * cos_alpha;
+    let t5 = t3 * sin_alpha;
+    let t6 = -cos_alpha;
+    let t7 = cos_alpha / cos_beta;
+    let t8 = sin_alpha / cos_beta;
     // G_1(x_1 .. x_1)
-    let G1 = Matrix([
-        [t12 * t6, real(1.0), t12 * t2],
-        [t2, real(0.0), -t6],
-        [t6 / t5, real(0.0), t2 / t5],
+    let G1 = Matrix::rows([
+        [t4, real(1.0), t5],
+        [sin_alpha, real(0.0), t6],
+        [t7, real(0.0), t8],
     ]);
 
     // -- reference and constraints --
-    let t13 = t.le(real(4.0));
-    let t14 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
-    let t15 = real(0.9424777960769379) * t;
-    let t16 = real(0.5) * t;
+    let t9 = t.le(real(4.0));
+    let t10 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
+    let t11 = real(0.5) * t;
+    let t12 = real(0.9424777960769379) * t;
+    let t13 = Vector([t, t10, t12, t11]);
+    let [sin_t, sin_t10, sin_t12, sin_t11] = t13.sin().0;
+    let [cos_t, cos_t10, cos_t12, cos_t11] = t13.cos().0;
     // y_r(t)
     let y_r = Vector([
         T::select(
-            t13,
-            (real(2.5) * t14.sin() + real(1.5)) * real(0.017453292519943295),
+            t9,
+            (real(2.5) * sin_t10 + real(1.5)) * real(0.017453292519943295),
             real(0.06981317007977318),
         ),
-        real(0.5) * t15.sin() * real(0.017453292519943295),
-        (real(-2.0) * t.sin() + real(0.5) * t16.cos()) * real(0.017453292519943295),
+        real(0.5) * sin_t12 * real(0.017453292519943295),
+        (real(-2.0) * sin_t + real(0.5) * cos_t11) * real(0.017453292519943295),
     ]);
     // y_r'
     let y_r_dot = Vector([
         T::select(
-            t13,
-            real(0.017453292519943295) * (real(2.5) * (t14.cos() * real(FRAC_PI_4))),
+            t9,
+            real(0.017453292519943295) * (real(2.5) * (cos_t10 * real(FRAC_PI_4))),
             real(0.0),
         ),
+        real(0.017453292519943295) * (real(0.5) * (cos_t12 * real(0.9424777960769379))),
         real(0.017453292519943295)
-            * (real(0.5) * (t15.cos() * real(0.9424777960769379))),
-        real(0.017453292519943295)
-            * (real(-2.0) * t.cos() - real(0.5) * (t16.sin() * real(0.5))),
+            * (real(-2.0) * cos_t - real(0.5) * (sin_t11 * real(0.5))),
     ]);
     // k_1(t)
     let k1 = (real(3.0) * (-t).exp() + real(0.5)) * real(0.017453292519943295);
@@ -344,8 +376,8 @@ pub fn initial<T: Real>(
     // -- given --
     let zeta1: Vector<T, 3> = Vector::zero();
     let W1: Matrix<T, 19, 3> = Matrix::zero();
-    let t17 = x1 * real(10.0);
-    let th1 = -t17;
+    let t14 = x1 * real(10.0);
+    let th1 = -t14;
     let zeta2: Vector<T, 3> = Vector::zero();
     let W2: Matrix<T, 19, 3> = Matrix::zero();
     let eps2 = real(0.0);
@@ -355,27 +387,20 @@ pub fn initial<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t18 = s1 / (k1 * k1);
+    let t15 = s1 / (k1 * k1);
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t18 * t18);
+    let E1_free = real(FRAC_PI_2) * (t15 * t15);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t19 = cosE1 * cosE1;
+    let t16 = cosE1 * cosE1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t19;
-
-    // -- MTPN of block 1 (4) (16) --
-    // P_1 = P_m(z_1), 19 nodes
-    let P1 = polynomials::basis1(x1);
-    let t20: Matrix<T, 3, 19> = Matrix::zero();
-    // A_hat_1 = iota_1 W_1^T P_1
-    let A_hat1 = t20 * P1 * real(0.1);
+    let c1 = e1 * s1 / t16;
 
     // -- disturbance observer of block 1 (20) (49) --
     // D_hat_1 = th_1 + S_1 x_1
-    let D_hat1 = t17 - t17;
+    let D_hat1 = t14 - t14;
 
     // -- norms of block 1 --
     // ||G_1||^2
@@ -395,28 +420,27 @@ pub fn initial<T: Real>(
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 + A_hat1 - y_r_dot + Vector::<T, 3>::zero() + D_hat1 + Lam1;
-    let t21 = G1.solve(bracket1);
+    let bracket1 = F1 - y_r_dot + D_hat1 + Lam1;
+    let t17 = t6 * t7 - sin_alpha * t8;
+    let t18 = (-t8 * bracket1[1] + t6 * bracket1[2]) / t17;
+    let t19 = t17 * bracket1[0] + (t8 * t4 - t7 * t5) * bracket1[1];
+    let t20 = (t19 + (t5 * sin_alpha - t4 * t6) * bracket1[2]) / t17;
+    let t21 = (t7 * bracket1[1] + -sin_alpha * bracket1[2]) / t17;
+    let t22 = Vector([t18, t20, t21]);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t21;
+    let alpha1 = -t22;
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t21;
-
-    // -- disturbance observer of block 2 (20) (49) --
-    // S_2, observer gain
-    let S2: Matrix<T, 6, 3> = Matrix::from_f64([
-        [-1.5, 0.0, 0.0],
-        [1.5, 0.0, 0.0],
-        [0.0, 1.5, 0.0],
-        [0.0, 1.0, 0.0],
-        [0.0, 0.0, -2.0],
-        [0.0, 0.0, 4.0],
-    ]);
+    let e2 = x2 + t22;
 
     // -- given --
-    let th2 = -(S2 * e2);
+    let t23 = real(-1.5) * e2[0];
+    let t24 = real(1.5) * e2[0];
+    let t25 = real(1.5) * e2[1];
+    let t26 = real(-2.0) * e2[2];
+    let t27 = real(4.0) * e2[2];
+    let th2 = -Vector([t23, t24, t25, e2[1], t26, t27]);
     State {
         zeta1,
         zeta2,
@@ -428,6 +452,121 @@ pub fn initial<T: Real>(
         eps2,
         sigma2,
         phi2,
+    }
+}
+
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// Part of `lift`.
+    pub lift_1: T,
+    /// Part of `side`.
+    pub side_1: T,
+    /// Part of `roll`.
+    pub roll_1: T,
+    /// Part of `pitch`.
+    pub pitch_1: T,
+    /// Part of `yaw`.
+    pub yaw_1: T,
+    /// Part of `pitch_delta`.
+    pub pitch_delta_1: T,
+    /// Part of `yaw_delta`.
+    pub yaw_delta_1: T,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 0 additions, 7 multiplications, 0 divisions, 0 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+    let lift_1 = real(97170193.3485195) * params.CL_scale;
+    let side_1 = real(97170193.3485195) * params.CY_scale;
+    let roll_1 = real(1777048495.9577248) * params.Cl_scale;
+    let pitch_1 = real(2369397994.6102996) * params.Cm_scale;
+    let yaw_1 = real(1777048495.9577248) * params.Cn_scale;
+    let pitch_delta_1 = real(24.384) * params.Cm_scale;
+    let yaw_delta_1 = real(18.288) * params.Cn_scale;
+    Prepared {
+        lift_1,
+        side_1,
+        roll_1,
+        pitch_1,
+        yaw_1,
+        pitch_delta_1,
+        yaw_delta_1,
+    }
+}
+
+/// Values of [`clock`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock<T> {
+    /// `y_r(t)`
+    pub y_r: Vector<T, 3>,
+    /// `y_r'`
+    pub y_r_dot: Vector<T, 3>,
+    /// `k_2(t)`
+    pub k2: T,
+    /// `k_1(t)`
+    pub k1: T,
+    /// Part of `E1_free`.
+    pub E1_free_1: T,
+    /// Part of `E2_free`.
+    pub E2_free_1: T,
+}
+
+/// What depends on time and parameters alone: needed once for a sample of all runs with these
+/// parameters. See [`Clock`].
+///
+/// Operations: 5 additions, 24 multiplications, 0 divisions, 0 square roots, 9 elementary
+/// functions, 3 comparisons and selections.
+#[inline(always)]
+pub fn clock<T: Real>(t: T) -> Clock<T> {
+    let real = T::from_f64;
+
+    // -- reference and constraints --
+    let t1 = t.le(real(4.0));
+    let t2 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
+    let t3 = real(0.5) * t;
+    let t4 = real(0.9424777960769379) * t;
+    let t5 = Vector([t, t2, t4, t3]);
+    let [sin_t, sin_t2, sin_t4, sin_t3] = t5.sin().0;
+    let [cos_t, cos_t2, cos_t4, cos_t3] = t5.cos().0;
+    // y_r(t)
+    let y_r = Vector([
+        T::select(
+            t1,
+            (real(2.5) * sin_t2 + real(1.5)) * real(0.017453292519943295),
+            real(0.06981317007977318),
+        ),
+        real(0.5) * sin_t4 * real(0.017453292519943295),
+        (real(-2.0) * sin_t + real(0.5) * cos_t3) * real(0.017453292519943295),
+    ]);
+    // y_r'
+    let y_r_dot = Vector([
+        T::select(
+            t1,
+            real(0.017453292519943295) * (real(2.5) * (cos_t2 * real(FRAC_PI_4))),
+            real(0.0),
+        ),
+        real(0.017453292519943295) * (real(0.5) * (cos_t4 * real(0.9424777960769379))),
+        real(0.017453292519943295)
+            * (real(-2.0) * cos_t - real(0.5) * (sin_t3 * real(0.5))),
+    ]);
+    // k_2(t)
+    let k2 = real(3.0) * (-t).exp() + real(0.5);
+    // k_1(t)
+    let k1 = k2 * real(0.017453292519943295);
+    let E1_free_1 = k1 * k1;
+    let E2_free_1 = k2 * k2;
+    Clock {
+        y_r,
+        y_r_dot,
+        k2,
+        k1,
+        E1_free_1,
+        E2_free_1,
     }
 }
 
@@ -462,222 +601,127 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 1085 additions, 1477 multiplications, 56 divisions, 4 square roots, 27
-/// elementary functions, 21 comparisons and selections.
-#[inline]
-pub fn control<T: Real>(
-    t: T,
+/// Operations: 662 additions, 881 multiplications, 56 divisions, 4 square roots, 17 elementary
+/// functions, 18 comparisons and selections.
+#[inline(always)]
+pub fn law<T: Real>(
     x1: Vector<T, 3>,
     x2: Vector<T, 3>,
     state: &State<T>,
-    params: &Params<T>,
+    prepared: &Prepared<T>,
+    clock: &Clock<T>,
 ) -> ControlOutputs<T> {
     let real = T::from_f64;
 
     // -- plant model --
     let alpha = x1[0];
     let alpha_deg = alpha / real(0.017453292519943295);
-    let lift = real(97170193.3485195) * params.CL_scale
-        * (polynomials::CL_alpha(alpha_deg, real(10.122243135087704), real(0.0))
-            + polynomials::CL_LE(alpha_deg, real(10.122243135087704), real(0.0))
-            + polynomials::CL_RE(alpha_deg, real(10.122243135087704), real(0.0)));
+    let at_alpha_deg_2 = polynomials::at_alpha_deg_2(alpha_deg);
+    let lift = prepared.lift_1
+        * (at_alpha_deg_2.CL_alpha + at_alpha_deg_2.CL_LE + at_alpha_deg_2.CL_RE);
     let mu = x1[2];
     let beta = x1[1];
-    let t1 = polynomials::CY_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
-        + polynomials::CY_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::CY_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let side = real(97170193.3485195) * params.CY_scale
-        * (t1 + polynomials::CY_RUD(alpha_deg, real(10.122243135087704), real(0.0)));
+    let side = prepared.side_1
+        * (at_alpha_deg_2.CY_beta * beta + at_alpha_deg_2.CY_LE + at_alpha_deg_2.CY_RE
+            + at_alpha_deg_2.CY_RUD);
     let q = x2[1];
     let r = x2[2];
     let p = x2[0];
-    let t2 = real(1777048495.9577248) * params.Cl_scale;
-    let t3 = polynomials::Cl_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
-        + polynomials::Cl_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cl_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t4 = t3 + polynomials::Cl_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cl_p(alpha_deg, real(10.122243135087704), real(0.0)) * p
-            * real(18.288) / real(6000.0);
-    let roll = t2
-        * (t4
-            + polynomials::Cl_r(alpha_deg, real(10.122243135087704), real(0.0)) * r
-                * real(18.288) / real(6000.0));
-    let t5 = polynomials::Cm_alpha(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cm_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cm_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t6 = t5 + polynomials::Cm_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cm_q(alpha_deg, real(10.122243135087704), real(0.0)) * q
-            * real(24.384) / real(6000.0);
-    let pitch = real(2369397994.6102996) * params.Cm_scale * t6;
-    let t7 = polynomials::CD_alpha(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::CD_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::CD_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let drag = real(97170193.3485195) * params.CD_scale
-        * (t7 + polynomials::CD_RUD(alpha_deg, real(10.122243135087704), real(0.0)));
-    let t8 = polynomials::Cn_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
-        + polynomials::Cn_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cn_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t9 = t8 + polynomials::Cn_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cn_p(alpha_deg, real(10.122243135087704), real(0.0)) * p
-            * real(18.288) / real(6000.0);
-    let yaw = real(1777048495.9577248) * params.Cn_scale
-        * (t9
-            + polynomials::Cn_r(alpha_deg, real(10.122243135087704), real(0.0)) * r
-                * real(18.288) / real(6000.0));
+    let t1 = at_alpha_deg_2.Cl_beta * beta + at_alpha_deg_2.Cl_LE + at_alpha_deg_2.Cl_RE
+        + at_alpha_deg_2.Cl_RUD + at_alpha_deg_2.Cl_p * p * real(18.288) / real(6000.0);
+    let roll = prepared.roll_1
+        * (t1 + at_alpha_deg_2.Cl_r * r * real(18.288) / real(6000.0));
+    let pitch = prepared.pitch_1
+        * (at_alpha_deg_2.Cm_alpha + at_alpha_deg_2.Cm_LE + at_alpha_deg_2.Cm_RE
+            + at_alpha_deg_2.Cm_RUD
+            + at_alpha_deg_2.Cm_q * q * real(24.384) / real(6000.0));
+    let t2 = at_alpha_deg_2.Cn_beta * beta + at_alpha_deg_2.Cn_LE + at_alpha_deg_2.Cn_RE
+        + at_alpha_deg_2.Cn_RUD + at_alpha_deg_2.Cn_p * p * real(18.288) / real(6000.0);
+    let yaw = prepared.yaw_1
+        * (t2 + at_alpha_deg_2.Cn_r * r * real(18.288) / real(6000.0));
     let dCl = Vector([
-        polynomials::Cl_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cl_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cl_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
+        at_alpha_deg_2.Cl_LE_d3,
+        at_alpha_deg_2.Cl_RE_d3,
+        at_alpha_deg_2.Cl_RUD_d3,
     ]);
-    let roll_delta = dCl * t2;
-    let dCm = Vector([
-        polynomials::Cm_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cm_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cm_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-    ]);
-    let dCD = Vector([
-        polynomials::CD_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CD_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CD_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-    ]);
-    let dCL = Vector([
-        polynomials::CL_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CL_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        real(0.0),
-    ]);
-    let t10 = alpha.sin();
-    let t11 = alpha.cos();
-    let t12 = (dCD * params.CD_scale * t10 + dCL * params.CL_scale * t11) * real(0.0);
-    let pitch_delta = (dCm * (real(24.384) * params.Cm_scale) + t12)
-        * real(97170193.3485195);
+    let roll_delta = dCl * prepared.roll_1;
+    let dCm = Vector([at_alpha_deg_2.Cm_LE_d3, at_alpha_deg_2.Cm_RE_d3, real(0.0)]);
+    let pitch_delta = dCm * prepared.pitch_delta_1 * real(97170193.3485195);
     let dCn = Vector([
-        polynomials::Cn_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cn_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cn_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
+        at_alpha_deg_2.Cn_LE_d3,
+        at_alpha_deg_2.Cn_RE_d3,
+        at_alpha_deg_2.Cn_RUD_d3,
     ]);
-    let dCY = Vector([
-        polynomials::CY_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CY_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CY_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-    ]);
-    let yaw_delta = (dCn * (real(18.288) * params.Cn_scale)
-        + dCY * (real(0.0) * params.CY_scale)) * real(97170193.3485195);
+    let yaw_delta = dCn * prepared.yaw_delta_1 * real(97170193.3485195);
 
     // -- known dynamics of block 1 (attitude) (11) --
-    let t13 = mu.cos();
-    let t14 = real(1332506.5352200002) * t13;
-    let t15 = beta.cos();
-    let t16 = beta.sin();
-    let t17 = mu.sin();
-    let t18 = beta.tan();
-    let t19 = t18 + real(0.0) * t17;
-    let t20 = side * real(0.0);
-    let t21 = real(0.0) * (t10 * t19 - t11 * t16 * real(0.0) * t13);
+    let [sin_alpha, sin_mu] = Vector([alpha, mu]).sin().0;
+    let [cos_alpha, cos_mu, cos_beta] = Vector([alpha, mu, beta]).cos().0;
+    let t3 = real(1332506.5352200002) * cos_mu;
+    let t4 = beta.tan();
     // F_1(x_1 .. x_1)
     let F1 = Vector([
-        (-lift - real(0.0) * t10 + t14) / (real(410460000.0) * t15),
-        (side - real(0.0) * t11 * t16 + real(1332506.5352200002) * t17)
-            / real(410460000.0),
-        (lift * t19 + t20 * t13 - t14 * t18 + t21) / real(410460000.0),
+        (t3 - lift) / (real(410460000.0) * cos_beta),
+        (side + real(1332506.5352200002) * sin_mu) / real(410460000.0),
+        (lift * t4 - t3 * t4) / real(410460000.0),
     ]);
-    let t22 = -t18;
+    let t5 = -t4;
+    let t6 = t5 * cos_alpha;
+    let t7 = t5 * sin_alpha;
+    let t8 = -cos_alpha;
+    let t9 = cos_alpha / cos_beta;
+    let t10 = sin_alpha / cos_beta;
     // G_1(x_1 .. x_1)
-    let G1 = Matrix([
-        [t22 * t11, real(1.0), t22 * t10],
-        [t10, real(0.0), -t11],
-        [t11 / t15, real(0.0), t10 / t15],
+    let G1 = Matrix::rows([
+        [t6, real(1.0), t7],
+        [sin_alpha, real(0.0), t8],
+        [t9, real(0.0), t10],
     ]);
 
     // -- known dynamics of block 2 (rates) (11) --
-    let t23 = real(12202362.0) * p * r + pitch + real(0.0) * (drag * t10 + lift * t11);
     // F_2(x_1 .. x_2)
     let F2 = Vector([
-        (real(0.0) * q * r + roll) / real(1355818.0),
-        t23 / real(13558180.0),
-        (real(-12202362.0) * p * q + yaw + t20) / real(13558180.0),
+        roll / real(1355818.0),
+        (real(12202362.0) * p * r + pitch) / real(13558180.0),
+        (real(-12202362.0) * p * q + yaw) / real(13558180.0),
     ]);
-    // G_2(x_1 .. x_2)
-    let G2: Matrix<T, 3, 3> = Matrix::from_f64([
-        [7.375621211696555e-7, 0.0, 0.0],
-        [0.0, 7.375621211696555e-8, 0.0],
-        [0.0, 0.0, 7.375621211696555e-8],
-    ]);
+    let t11 = roll_delta[0] / real(1355818.0);
+    let t12 = roll_delta[1] / real(1355818.0);
+    let t13 = roll_delta[2] / real(1355818.0);
+    let t14 = pitch_delta[0] / real(13558180.0);
+    let t15 = pitch_delta[1] / real(13558180.0);
+    let t16 = pitch_delta[2] / real(13558180.0);
+    let t17 = yaw_delta[0] / real(13558180.0);
+    let t18 = yaw_delta[1] / real(13558180.0);
+    let t19 = yaw_delta[2] / real(13558180.0);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix([
-        [
-            roll_delta[0] / real(1355818.0),
-            roll_delta[1] / real(1355818.0),
-            roll_delta[2] / real(1355818.0),
-        ],
-        [
-            pitch_delta[0] / real(13558180.0),
-            pitch_delta[1] / real(13558180.0),
-            pitch_delta[2] / real(13558180.0),
-        ],
-        [
-            yaw_delta[0] / real(13558180.0),
-            yaw_delta[1] / real(13558180.0),
-            yaw_delta[2] / real(13558180.0),
-        ],
-    ]);
-
-    // -- reference and constraints --
-    let t24 = t.le(real(4.0));
-    let t25 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
-    let t26 = real(0.9424777960769379) * t;
-    let t27 = real(0.5) * t;
-    // y_r(t)
-    let y_r = Vector([
-        T::select(
-            t24,
-            (real(2.5) * t25.sin() + real(1.5)) * real(0.017453292519943295),
-            real(0.06981317007977318),
-        ),
-        real(0.5) * t26.sin() * real(0.017453292519943295),
-        (real(-2.0) * t.sin() + real(0.5) * t27.cos()) * real(0.017453292519943295),
-    ]);
-    // y_r'
-    let y_r_dot = Vector([
-        T::select(
-            t24,
-            real(0.017453292519943295) * (real(2.5) * (t25.cos() * real(FRAC_PI_4))),
-            real(0.0),
-        ),
-        real(0.017453292519943295)
-            * (real(0.5) * (t26.cos() * real(0.9424777960769379))),
-        real(0.017453292519943295)
-            * (real(-2.0) * t.cos() - real(0.5) * (t27.sin() * real(0.5))),
-    ]);
-    // k_2(t)
-    let k2 = real(3.0) * (-t).exp() + real(0.5);
-    // k_1(t)
-    let k1 = k2 * real(0.017453292519943295);
+    let H2 = Matrix::rows([[t11, t12, t13], [t14, t15, t16], [t17, t18, t19]]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
-    let e1 = x1 - y_r - state.zeta1;
+    let e1 = x1 - clock.y_r - state.zeta1;
 
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t28 = s1 / (k1 * k1);
+    let t20 = s1 / clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t28 * t28);
+    let E1_free = real(FRAC_PI_2) * (t20 * t20);
     // E_1 >= pi/2 - delta
     let violated1 = E1_free.ge(real(1.5697963267948967));
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t29 = cosE1 * cosE1;
+    let t21 = cosE1 * cosE1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t29;
+    let c1 = e1 * s1 / t21;
 
     // -- MTPN of block 1 (4) (16) --
     // P_1 = P_m(z_1), 19 nodes
     let P1 = polynomials::basis1(x1);
     // A_hat_1 = iota_1 W_1^T P_1
-    let A_hat1 = state.W1.transpose() * P1 * real(0.1);
+    let A_hat1 = state.W1.transpose_mul(P1) * real(0.1);
 
     // -- disturbance observer of block 1 (20) (49) --
     // D_hat_1 = th_1 + S_1 x_1
@@ -702,25 +746,29 @@ pub fn control<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t30 = F1 + A_hat1;
-    let t31 = state.zeta1 * real(20.0);
+    let t22 = F1 + A_hat1;
+    let t23 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t30 - y_r_dot + t31 + D_hat1 + Lam1;
+    let bracket1 = t22 - clock.y_r_dot + t23 + D_hat1 + Lam1;
+    let t24 = t8 * t9 - sin_alpha * t10;
+    let t25 = (-t10 * bracket1[1] + t8 * bracket1[2]) / t24;
+    let t26 = t24 * bracket1[0] + (t10 * t6 - t9 * t7) * bracket1[1];
+    let t27 = (t26 + (t7 * sin_alpha - t6 * t8) * bracket1[2]) / t24;
+    let t28 = (t9 * bracket1[1] + -sin_alpha * bracket1[2]) / t24;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -G1.solve(bracket1);
+    let alpha1 = -Vector([t25, t27, t28]);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t31;
+    let zeta1_dot = G1 * state.zeta2 - t23;
 
     // -- weight law of block 1 (32) (65) --
-    let t32: Vector<T, 3> = Vector::from_f64([0.1, 0.1, 0.1]);
     // W_1' = Gamma_1 (P_1 c_1 I_1 - lambda_1 W_1)
-    let W1_dot = P1.outer(t32.hadamard(c1)) - state.W1 * real(0.1);
+    let W1_dot = P1.outer(c1 * real(0.1)) - state.W1 * real(0.1);
 
     // -- observer dynamics of block 1 (21) (50) --
     // th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)
-    let th1_dot = -((D_hat1 + t30 + G1 * x2) * real(10.0));
+    let th1_dot = -((D_hat1 + t22 + G1 * x2) * real(10.0));
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -733,60 +781,64 @@ pub fn control<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t33 = s2 / (k2 * k2);
+    let t29 = s2 / clock.E2_free_1;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t33 * t33);
+    let E2_free = real(FRAC_PI_2) * (t29 * t29);
     // E_2 >= pi/2 - delta
     let violated2 = E2_free.ge(real(1.5697963267948967));
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
     // cos E_2
     let cosE2 = E2.cos();
-    let t34 = cosE2 * cosE2;
+    let t30 = cosE2 * cosE2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * s2 / t34;
+    let c2 = e2 * s2 / t30;
 
     // -- MTPN of block 2 (4) (16) --
     // P_2 = P_m(z_2), 19 nodes
     let P2 = polynomials::basis2(x2);
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = state.W2.transpose() * P2 * real(0.1);
+    let A_hat2 = state.W2.transpose_mul(P2) * real(0.1);
 
     // -- disturbance observer of block 2 (20) (49) --
-    // S_2, observer gain
-    let S2: Matrix<T, 6, 3> = Matrix::from_f64([
-        [-1.5, 0.0, 0.0],
-        [1.5, 0.0, 0.0],
-        [0.0, 1.5, 0.0],
-        [0.0, 1.0, 0.0],
-        [0.0, 0.0, -2.0],
-        [0.0, 0.0, 4.0],
+    let t31 = Vector([
+        real(-1.5) * e2[0],
+        real(1.5) * e2[0],
+        real(1.5) * e2[1],
+        e2[1],
+        real(-2.0) * e2[2],
+        real(4.0) * e2[2],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + S2 * e2;
-    // L_2
-    let L2: Matrix<T, 3, 6> = Matrix::from_f64([
-        [0.0, 2.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 3.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 1.0, 1.0],
-    ]);
+    let w_hat2 = state.th2 + t31;
     // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = L2 * w_hat2;
+    let D_hat2 = Vector([
+        real(2.0) * w_hat2[1],
+        real(3.0) * w_hat2[2],
+        w_hat2[4] + w_hat2[5],
+    ]);
 
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
-    let t35 = real(3.0) / t34;
-    let t36 = real(8.0) * E2_free * E2.sin() / (t34 * cosE2) + t35;
+    let t32 = real(3.0) / t30;
+    let t33 = real(8.0) * E2_free * E2.sin() / (t30 * cosE2) + t32;
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = (t36 * t36 + real(2.0) * (t35 * t35)).sqrt();
+    let Ybar_norm2 = (t33 * t33 + real(2.0) * (t32 * t32)).sqrt();
     // S_2 H_2
-    let SH2 = S2 * H2;
+    let SH2 = Matrix::rows([
+        [real(-1.5) * t11, real(-1.5) * t12, real(-1.5) * t13],
+        [real(1.5) * t11, real(1.5) * t12, real(1.5) * t13],
+        [real(1.5) * t14, real(1.5) * t15, real(1.5) * t16],
+        [t14, t15, t16],
+        [real(-2.0) * t17, real(-2.0) * t18, real(-2.0) * t19],
+        [real(4.0) * t17, real(4.0) * t18, real(4.0) * t19],
+    ]);
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t37 = H_norm2_2 * Ybar_norm2;
+    let t34 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t37 * t37 * real(0.5) + real(12.0)
+    let Psi2 = t34 * t34 * real(0.5) + real(12.0)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
@@ -796,72 +848,85 @@ pub fn control<T: Real>(
         + e2 * real(2.0);
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(75.0);
-    let t38 = e2 * real(0.5);
+    let t35 = e2 * real(0.5);
     // e / (2 cos^2 E) (63)
-    let Lam2_network = t38 / t34;
-    let t39 = t38.map(T::tanh);
+    let Lam2_network = t35 / t30;
+    let t36 = t35.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t39 * state.eps2;
-    let t40 = G_norm2_1 * s_c1;
+    let Lam2_error_bound = t36 * state.eps2;
+    let t37 = G_norm2_1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t40 * t40) * real(0.25) * t34;
-    let t41 = s2 * s2;
-    let t42 = (t41 + real(1.0)).sqrt();
+    let Lam2_coupling = e2 * (t37 * t37) * real(0.25) * t30;
+    let t38 = s2 * s2;
+    let t39 = (t38 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t37 * state.sigma2) / t42;
-    let t43 = Psi2 / (state.phi2 * state.phi2 + t41);
+    let Lam2_noise = e2 * (t34 * state.sigma2) / t39;
+    let t40 = Psi2 / (state.phi2 * state.phi2 + t38);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t43 * t34;
+    let Lam2_diffusion = e2 * t40 * t30;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
 
     // -- control (64) of block 2 --
-    let t44 = F2 + A_hat2;
-    let t45 = state.zeta2 * real(50.0);
+    let t41 = F2 + A_hat2;
+    let t42 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t44 - h1_dot + t45 + D_hat2 + Lam2;
-    let t46 = G2.solve(bracket2);
+    let bracket2 = t41 - h1_dot + t42 + D_hat2 + Lam2;
+    let t43: Vector<T, 3> = Vector::from_f64([
+        7.375621211696555e-7,
+        7.375621211696555e-8,
+        7.375621211696555e-8,
+    ]);
+    let t44 = bracket2.quotient(t43);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t46;
+    let u = -t44;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]), T::max)
-        .zip(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]), T::min);
+        .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
+        .min(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = G2 * (u_sat + t46) - t45;
+    let zeta2_dot = t43.hadamard(u_sat + t44) - t42;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
-    let W2_dot = P2.outer(t32.hadamard(c2)) - state.W2 * real(0.1);
+    let W2_dot = P2.outer(c2 * real(0.1)) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
-    // M_2 - S_2 L_2
-    let w2_closed: Matrix<T, 6, 6> = Matrix::from_f64([
-        [0.0, 6.0, 0.0, 0.0, 0.0, 0.0],
-        [-3.0, -3.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, -4.5, 3.0, 0.0, 0.0],
-        [0.0, 0.0, -6.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 2.0, 5.0],
-        [0.0, 0.0, 0.0, 0.0, -7.0, -4.0],
+    let t45 = Vector([
+        real(6.0) * w_hat2[1],
+        real(-3.0) * w_hat2[0] + real(-3.0) * w_hat2[1],
+        real(-4.5) * w_hat2[2] + real(3.0) * w_hat2[3],
+        real(-6.0) * w_hat2[2],
+        real(2.0) * w_hat2[4] + real(5.0) * w_hat2[5],
+        real(-7.0) * w_hat2[4] + real(-4.0) * w_hat2[5],
+    ]);
+    let t46 = t41 + t43.hadamard(u) - h1_dot + t42;
+    let t47 = Vector([
+        real(-1.5) * t46[0],
+        real(1.5) * t46[0],
+        real(1.5) * t46[1],
+        t46[1],
+        real(-2.0) * t46[2],
+        real(4.0) * t46[2],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = w2_closed * w_hat2 - S2 * (t44 + G2 * u - h1_dot + t45);
+    let th2_dot = t45 - t47;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 / t34 * e2.dot(t39) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 / t30 * e2.dot(t36) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t37 * t41 / t34 / t42 - real(0.1) * state.sigma2;
+    let sigma2_dot = t34 * t38 / t30 / t39 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t43 + real(2.0);
+    let phi2_decay = t40 + real(2.0);
 
     // -- status --
     // some E_i >= pi/2 - delta
@@ -880,17 +945,22 @@ pub fn control<T: Real>(
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
     let zeta2_next = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
-    // Gamma of th2
-    let th2_step: Matrix<T, 6, 6> = Matrix::from_f64([
-        [0.0019999760360430705, 1.1975964129556617e-5, 0.0, 0.0, 0.0, 0.0],
-        [-5.9879820647783075e-6, 0.0019939880539782922, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0019910030471541806, 5.982004556604176e-6, 0.0, 0.0],
-        [0.0, 0.0, -1.1964009113208353e-5, 0.0019999760539890867, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 0.0020039586722187678, 9.986590133519995e-6],
-        [0.0, 0.0, 0.0, 0.0, -1.3981226186927993e-5, 0.0019919747640585435],
+    let t48 = Vector([
+        real(0.0019999760360430705) * th2_dot[0]
+            + real(1.1975964129556617e-5) * th2_dot[1],
+        real(-5.9879820647783075e-6) * th2_dot[0]
+            + real(0.0019939880539782922) * th2_dot[1],
+        real(0.0019910030471541806) * th2_dot[2]
+            + real(5.982004556604176e-6) * th2_dot[3],
+        real(-1.1964009113208353e-5) * th2_dot[2]
+            + real(0.0019999760539890867) * th2_dot[3],
+        real(0.0020039586722187678) * th2_dot[4]
+            + real(9.986590133519995e-6) * th2_dot[5],
+        real(-1.3981226186927993e-5) * th2_dot[4]
+            + real(0.0019919747640585435) * th2_dot[5],
     ]);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + th2_step * th2_dot;
+    let th2_next = state.th2 + t48;
     // W2(t + dt) = W2 + Gamma W2'
     let W2_next = state.W2 + W2_dot * real(0.001999800013332667);
     // eps2(t + dt) = eps2 + Gamma eps2'
@@ -910,13 +980,13 @@ pub fn control<T: Real>(
         u,
         u_sat,
         violated,
-        y_r,
+        y_r: clock.y_r,
         e1,
-        k1,
+        k1: clock.k1,
         alpha1,
         D_hat1,
         e2,
-        k2,
+        k2: clock.k2,
         D_hat2,
         next: State {
             zeta1: zeta1_next,
@@ -931,4 +1001,21 @@ pub fn control<T: Real>(
             phi2: phi2_next,
         },
     }
+}
+
+/// One sample of the control law: control, next states and the signals on the way.
+///
+/// Operations: 667 additions, 912 multiplications, 56 divisions, 4 square roots, 26 elementary
+/// functions, 21 comparisons and selections.
+#[inline(always)]
+pub fn control<T: Real>(
+    t: T,
+    x1: Vector<T, 3>,
+    x2: Vector<T, 3>,
+    state: &State<T>,
+    params: &Params<T>,
+) -> ControlOutputs<T> {
+    let prepared = prepare(params);
+    let clock = clock(t);
+    law(x1, x2, state, &prepared, &clock)
 }

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: b820a6d091cef8813ef2545e53440405227e2546686cc429a611cf74ce8f0a1f
+// SHA-256 of the text below: 28c903a56d0c81d9a887b0505bf35ba33ab213521af70b9d626455edf0c69c4a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// plant: 436 additions, 601 multiplications, 23 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
+// plant: 131 additions, 174 multiplications, 23 divisions, 0 square roots, 9 elementary functions, 0 comparisons and selections
 
 //! `nsv_attitude`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -12,7 +12,7 @@
 use super::params::Params;
 use super::polynomials;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
 
 /// Number of plant states: `alpha` (dimensionless), `beta` (dimensionless), `mu`
@@ -50,16 +50,124 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
-    #[inline]
+    #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        let rate = plant(t, *x, self.u_sat, &self.params);
-        rate.drift + rate.diffusion * self.xi
+        T::outlined(Drift { plant: self, t, x })
     }
 
-    #[inline]
+    #[inline(always)]
     fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
+}
+/// Drift, with the noise that is held between samples.
+struct Drift<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Drift<'_, T> {
+    type Output = Vector<T, STATES>;
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        let rate = plant(self.t, *self.x, self.plant.u_sat, &self.plant.params);
+        rate.drift + diffuse(&rate.diffusion, &self.plant.xi)
+    }
+}
+
+/// Diffusion times noise, without the entries that are always 0.
+#[inline(always)]
+fn diffuse<T: Real>(
+    diffusion: &Matrix<T, STATES, NOISE_CHANNELS>,
+    noise: &Vector<T, NOISE_CHANNELS>,
+) -> Vector<T, STATES> {
+    Vector([
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        diffusion[(3, 0)] * noise[0] + diffusion[(3, 1)] * noise[1]
+            + diffusion[(3, 2)] * noise[2],
+        diffusion[(4, 0)] * noise[0] + diffusion[(4, 1)] * noise[1]
+            + diffusion[(4, 2)] * noise[2],
+        diffusion[(5, 0)] * noise[0] + diffusion[(5, 1)] * noise[1]
+            + diffusion[(5, 2)] * noise[2],
+        diffusion[(6, 3)] * noise[3],
+        diffusion[(7, 4)] * noise[4],
+        diffusion[(8, 5)] * noise[5],
+        diffusion[(9, 6)] * noise[6],
+        diffusion[(10, 7)] * noise[7],
+        diffusion[(11, 8)] * noise[8],
+    ])
+}
+
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// Part of `lift`.
+    pub lift_1: T,
+    /// Part of `side`.
+    pub side_1: T,
+    /// Part of `roll`.
+    pub roll_1: T,
+    /// Part of `pitch`.
+    pub pitch_1: T,
+    /// Part of `yaw`.
+    pub yaw_1: T,
+    /// Part of `pitch_delta`.
+    pub pitch_delta_1: T,
+    /// Part of `yaw_delta`.
+    pub yaw_delta_1: T,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 0 additions, 7 multiplications, 0 divisions, 0 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+    let lift_1 = real(97170193.3485195) * params.CL_scale;
+    let side_1 = real(97170193.3485195) * params.CY_scale;
+    let roll_1 = real(1777048495.9577248) * params.Cl_scale;
+    let pitch_1 = real(2369397994.6102996) * params.Cm_scale;
+    let yaw_1 = real(1777048495.9577248) * params.Cn_scale;
+    let pitch_delta_1 = real(24.384) * params.Cm_scale;
+    let yaw_delta_1 = real(18.288) * params.Cn_scale;
+    Prepared {
+        lift_1,
+        side_1,
+        roll_1,
+        pitch_1,
+        yaw_1,
+        pitch_delta_1,
+        yaw_delta_1,
+    }
+}
+
+/// Values of [`clock`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock<T> {
+    /// `d_1(t)`
+    pub d1: Vector<T, 3>,
+}
+
+/// What depends on time and parameters alone: needed once for a sample of all runs with these
+/// parameters. See [`Clock`].
+///
+/// Operations: 0 additions, 6 multiplications, 0 divisions, 0 square roots, 3 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn clock<T: Real>(t: T) -> Clock<T> {
+    let real = T::from_f64;
+
+    // -- true dynamics of block 1 (attitude) (11) --
+    let t1 = real(2.0) * t;
+    let [sin_t, sin_t1] = Vector([t, t1]).sin().0;
+    let t2 = (real(-0.1) * t).exp();
+    let t3 = real(0.02) * sin_t1 * t2;
+    // d_1(t)
+    let d1 = Vector([t3, real(0.02) * sin_t * t2, t3]);
+    Clock { d1 }
 }
 
 /// Results of [`plant`].
@@ -77,180 +185,101 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 436 additions, 601 multiplications, 23 divisions, 0 square roots, 10 elementary
+/// Operations: 131 additions, 161 multiplications, 23 divisions, 0 square roots, 6 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
-pub fn plant<T: Real>(
-    t: T,
+#[inline(always)]
+pub fn dynamics<T: Real>(
     x: Vector<T, 12>,
     u_sat: Vector<T, 3>,
-    params: &Params<T>,
+    prepared: &Prepared<T>,
+    clock: &Clock<T>,
 ) -> PlantOutputs<T> {
     let real = T::from_f64;
-
-    // -- disturbance observer of block 2 (20) (49) --
-    // L_2
-    let L2: Matrix<T, 3, 6> = Matrix::from_f64([
-        [0.0, 2.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 3.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 1.0, 1.0],
-    ]);
 
     // -- plant model --
     let alpha = x[0];
     let beta = x[1];
     let mu = x[2];
     let alpha_deg = alpha / real(0.017453292519943295);
-    let lift = real(97170193.3485195) * params.CL_scale
-        * (polynomials::CL_alpha(alpha_deg, real(10.122243135087704), real(0.0))
-            + polynomials::CL_LE(alpha_deg, real(10.122243135087704), real(0.0))
-            + polynomials::CL_RE(alpha_deg, real(10.122243135087704), real(0.0)));
-    let t1 = polynomials::CY_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
-        + polynomials::CY_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::CY_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let side = real(97170193.3485195) * params.CY_scale
-        * (t1 + polynomials::CY_RUD(alpha_deg, real(10.122243135087704), real(0.0)));
+    let at_alpha_deg_2 = polynomials::at_alpha_deg_2(alpha_deg);
+    let lift = prepared.lift_1
+        * (at_alpha_deg_2.CL_alpha + at_alpha_deg_2.CL_LE + at_alpha_deg_2.CL_RE);
+    let side = prepared.side_1
+        * (at_alpha_deg_2.CY_beta * beta + at_alpha_deg_2.CY_LE + at_alpha_deg_2.CY_RE
+            + at_alpha_deg_2.CY_RUD);
     let p = x[3];
     let q = x[4];
     let r = x[5];
-    let t2 = real(1777048495.9577248) * params.Cl_scale;
-    let t3 = polynomials::Cl_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
-        + polynomials::Cl_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cl_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t4 = t3 + polynomials::Cl_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cl_p(alpha_deg, real(10.122243135087704), real(0.0)) * p
-            * real(18.288) / real(6000.0);
-    let roll = t2
-        * (t4
-            + polynomials::Cl_r(alpha_deg, real(10.122243135087704), real(0.0)) * r
-                * real(18.288) / real(6000.0));
-    let t5 = polynomials::Cm_alpha(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cm_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cm_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t6 = t5 + polynomials::Cm_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cm_q(alpha_deg, real(10.122243135087704), real(0.0)) * q
-            * real(24.384) / real(6000.0);
-    let pitch = real(2369397994.6102996) * params.Cm_scale * t6;
-    let t7 = polynomials::CD_alpha(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::CD_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::CD_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let drag = real(97170193.3485195) * params.CD_scale
-        * (t7 + polynomials::CD_RUD(alpha_deg, real(10.122243135087704), real(0.0)));
-    let t8 = polynomials::Cn_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
-        + polynomials::Cn_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cn_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t9 = t8 + polynomials::Cn_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cn_p(alpha_deg, real(10.122243135087704), real(0.0)) * p
-            * real(18.288) / real(6000.0);
-    let yaw = real(1777048495.9577248) * params.Cn_scale
-        * (t9
-            + polynomials::Cn_r(alpha_deg, real(10.122243135087704), real(0.0)) * r
-                * real(18.288) / real(6000.0));
+    let t1 = at_alpha_deg_2.Cl_beta * beta + at_alpha_deg_2.Cl_LE + at_alpha_deg_2.Cl_RE
+        + at_alpha_deg_2.Cl_RUD + at_alpha_deg_2.Cl_p * p * real(18.288) / real(6000.0);
+    let roll = prepared.roll_1
+        * (t1 + at_alpha_deg_2.Cl_r * r * real(18.288) / real(6000.0));
+    let pitch = prepared.pitch_1
+        * (at_alpha_deg_2.Cm_alpha + at_alpha_deg_2.Cm_LE + at_alpha_deg_2.Cm_RE
+            + at_alpha_deg_2.Cm_RUD
+            + at_alpha_deg_2.Cm_q * q * real(24.384) / real(6000.0));
+    let t2 = at_alpha_deg_2.Cn_beta * beta + at_alpha_deg_2.Cn_LE + at_alpha_deg_2.Cn_RE
+        + at_alpha_deg_2.Cn_RUD + at_alpha_deg_2.Cn_p * p * real(18.288) / real(6000.0);
+    let yaw = prepared.yaw_1
+        * (t2 + at_alpha_deg_2.Cn_r * r * real(18.288) / real(6000.0));
     let dCl = Vector([
-        polynomials::Cl_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cl_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cl_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
+        at_alpha_deg_2.Cl_LE_d3,
+        at_alpha_deg_2.Cl_RE_d3,
+        at_alpha_deg_2.Cl_RUD_d3,
     ]);
-    let roll_delta = dCl * t2;
-    let dCm = Vector([
-        polynomials::Cm_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cm_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cm_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-    ]);
-    let dCD = Vector([
-        polynomials::CD_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CD_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CD_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-    ]);
-    let dCL = Vector([
-        polynomials::CL_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CL_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        real(0.0),
-    ]);
-    let t10 = alpha.sin();
-    let t11 = alpha.cos();
-    let t12 = (dCD * params.CD_scale * t10 + dCL * params.CL_scale * t11) * real(0.0);
-    let pitch_delta = (dCm * (real(24.384) * params.Cm_scale) + t12)
-        * real(97170193.3485195);
+    let roll_delta = dCl * prepared.roll_1;
+    let dCm = Vector([at_alpha_deg_2.Cm_LE_d3, at_alpha_deg_2.Cm_RE_d3, real(0.0)]);
+    let pitch_delta = dCm * prepared.pitch_delta_1 * real(97170193.3485195);
     let dCn = Vector([
-        polynomials::Cn_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cn_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cn_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
+        at_alpha_deg_2.Cn_LE_d3,
+        at_alpha_deg_2.Cn_RE_d3,
+        at_alpha_deg_2.Cn_RUD_d3,
     ]);
-    let dCY = Vector([
-        polynomials::CY_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CY_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CY_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-    ]);
-    let yaw_delta = (dCn * (real(18.288) * params.Cn_scale)
-        + dCY * (real(0.0) * params.CY_scale)) * real(97170193.3485195);
+    let yaw_delta = dCn * prepared.yaw_delta_1 * real(97170193.3485195);
 
     // -- true dynamics of block 1 (attitude) (11) --
-    let t13 = mu.cos();
-    let t14 = real(1332506.5352200002) * t13;
-    let t15 = beta.cos();
-    let t16 = beta.sin();
-    let t17 = mu.sin();
-    let t18 = beta.tan();
-    let t19 = t18 + real(0.0) * t17;
-    let t20 = side * real(0.0);
-    let t21 = real(0.0) * (t10 * t19 - t11 * t16 * real(0.0) * t13);
+    let [sin_alpha, sin_mu] = Vector([alpha, mu]).sin().0;
+    let [cos_alpha, cos_mu, cos_beta] = Vector([alpha, mu, beta]).cos().0;
+    let t3 = real(1332506.5352200002) * cos_mu;
+    let t4 = beta.tan();
     // F_1 with the plant's parameters
     let F1_plant = Vector([
-        (-lift - real(0.0) * t10 + t14) / (real(410460000.0) * t15),
-        (side - real(0.0) * t11 * t16 + real(1332506.5352200002) * t17)
-            / real(410460000.0),
-        (lift * t19 + t20 * t13 - t14 * t18 + t21) / real(410460000.0),
+        (t3 - lift) / (real(410460000.0) * cos_beta),
+        (side + real(1332506.5352200002) * sin_mu) / real(410460000.0),
+        (lift * t4 - t3 * t4) / real(410460000.0),
     ]);
-    let t22 = -t18;
+    let t5 = -t4;
     // G_1 with the plant's parameters
-    let G1_plant = Matrix([
-        [t22 * t11, real(1.0), t22 * t10],
-        [t10, real(0.0), -t11],
-        [t11 / t15, real(0.0), t10 / t15],
+    let G1_plant = Matrix::rows([
+        [t5 * cos_alpha, real(1.0), t5 * sin_alpha],
+        [sin_alpha, real(0.0), -cos_alpha],
+        [cos_alpha / cos_beta, real(0.0), sin_alpha / cos_beta],
     ]);
-    let t23 = (real(-0.1) * t).exp();
-    let t24 = real(0.02) * (real(2.0) * t).sin() * t23;
-    // d_1(t)
-    let d1 = Vector([t24, real(0.02) * t.sin() * t23, t24]);
 
     // -- given --
     let x2 = Vector([p, q, r]);
-    let w2 = Vector([x[6], x[7], x[8], x[9], x[10], x[11]]);
 
     // -- true dynamics of block 1 (attitude) (11) --
     // F_1 + G_1 x_2 + d_1
-    let x1_flow = F1_plant + G1_plant * x2 + d1;
+    let x1_flow = F1_plant + G1_plant * x2 + clock.d1;
 
     // -- true dynamics of block 2 (rates) (11) --
-    let t25 = real(12202362.0) * p * r + pitch + real(0.0) * (drag * t10 + lift * t11);
     // F_2 with the plant's parameters
     let F2_plant = Vector([
-        (real(0.0) * q * r + roll) / real(1355818.0),
-        t25 / real(13558180.0),
-        (real(-12202362.0) * p * q + yaw + t20) / real(13558180.0),
-    ]);
-    // G_2 with the plant's parameters
-    let G2_plant: Matrix<T, 3, 3> = Matrix::from_f64([
-        [7.375621211696555e-7, 0.0, 0.0],
-        [0.0, 7.375621211696555e-8, 0.0],
-        [0.0, 0.0, 7.375621211696555e-8],
+        roll / real(1355818.0),
+        (real(12202362.0) * p * r + pitch) / real(13558180.0),
+        (real(-12202362.0) * p * q + yaw) / real(13558180.0),
     ]);
     // d_2 = L_2 w_2 (12)
-    let d2 = L2 * w2;
-    let t26: Matrix<T, 6, 6> = Matrix::from_f64([
-        [0.0, 3.0, 0.0, 0.0, 0.0, 0.0],
-        [-3.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 3.0, 0.0, 0.0],
-        [0.0, 0.0, -3.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 0.0, 3.0],
-        [0.0, 0.0, 0.0, 0.0, -3.0, 0.0],
-    ]);
-    // w_2' = M_2 w_2 (12)
-    let w2_flow = t26 * w2;
+    let d2 = Vector([real(2.0) * x[7], real(3.0) * x[8], x[10] + x[11]]);
     // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + G2_plant * u_sat + d2;
-    let t27 = Matrix([
+    let x2_flow = F2_plant
+        + Vector::<
+            T,
+            3,
+        >::from_f64([7.375621211696555e-7, 7.375621211696555e-8, 7.375621211696555e-8])
+            .hadamard(u_sat) + d2;
+    let t6 = Matrix::rows([
         [
             roll_delta[0] / real(1355818.0),
             roll_delta[1] / real(1355818.0),
@@ -268,14 +297,7 @@ pub fn plant<T: Real>(
         ],
     ]);
     // H_2 Sigma_2
-    let HSigma2 = t27
-        .hadamard(
-            Matrix::<
-                T,
-                3,
-                3,
-            >::from_f64([[0.05, 0.05, 0.05], [0.05, 0.05, 0.05], [0.05, 0.05, 0.05]]),
-        );
+    let HSigma2 = t6 * real(0.05);
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // dx/dt without noise
@@ -286,15 +308,15 @@ pub fn plant<T: Real>(
         x2_flow[0],
         x2_flow[1],
         x2_flow[2],
-        w2_flow[0],
-        w2_flow[1],
-        w2_flow[2],
-        w2_flow[3],
-        w2_flow[4],
-        w2_flow[5],
+        real(3.0) * x[7],
+        real(-3.0) * x[6],
+        real(3.0) * x[9],
+        real(-3.0) * x[8],
+        real(3.0) * x[11],
+        real(-3.0) * x[10],
     ]);
     // columns: one per Wiener process
-    let diffusion = Matrix([
+    let diffusion = Matrix::rows([
         [
             real(0.0),
             real(0.0),
@@ -431,7 +453,23 @@ pub fn plant<T: Real>(
     PlantOutputs {
         drift,
         diffusion,
-        d1,
+        d1: clock.d1,
         d2,
     }
+}
+
+/// Drift and diffusion of the plant and its disturbances.
+///
+/// Operations: 131 additions, 174 multiplications, 23 divisions, 0 square roots, 9 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn plant<T: Real>(
+    t: T,
+    x: Vector<T, 12>,
+    u_sat: Vector<T, 3>,
+    params: &Params<T>,
+) -> PlantOutputs<T> {
+    let prepared = prepare(params);
+    let clock = clock(t);
+    dynamics(x, u_sat, &prepared, &clock)
 }

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: d9d69f365c85e6c5ca545a069208915de1d584ea32ea2dc5259c2cc16dc6c97c
+// SHA-256 of the text below: 11dfedd35b7cda4029fc3373939e90835176858df8a682c9746819699ea615e8
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// initial: 7 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
-// control: 47 additions, 67 multiplications, 9 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
+// initial: 5 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// control: 46 additions, 66 multiplications, 9 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
 
 //! `pendulum`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `torque` in kg*m^2/s^2.
@@ -57,6 +57,7 @@ pub struct State<T> {
 
 impl<T: Real> State<T> {
     /// All zero.
+    #[inline(always)]
     pub fn zero() -> Self {
         Self {
             zeta1: Vector::zero(),
@@ -68,7 +69,7 @@ impl<T: Real> State<T> {
     }
 
     /// `a` where the mask is true, else `b`.
-    #[inline]
+    #[inline(always)]
     pub fn select(mask: T::Mask, a: &Self, b: &Self) -> Self {
         Self {
             zeta1: Vector::select(mask, a.zeta1, b.zeta1),
@@ -80,7 +81,7 @@ impl<T: Real> State<T> {
     }
 
     /// Whether every entry is finite.
-    #[inline]
+    #[inline(always)]
     pub fn is_finite(&self) -> T::Mask {
         self.zeta1
             .is_finite()
@@ -96,8 +97,10 @@ impl<T: Real> State<T> {
 /// With `Status::NON_FINITE_INPUT`, only the control is meaningful.
 #[derive(Clone, Copy, Debug)]
 pub struct Output<T: Real> {
-    /// What happened.
+    /// What happened, in any lane.
     pub status: Status,
+    /// Whether the law was finite, so that its control and next states are used.
+    pub valid: T::Mask,
     /// Control that the law asks for, before its limits.
     pub u: Vector<T, 1>,
     /// Control to apply: within its limits, always finite.
@@ -128,6 +131,7 @@ pub struct Controller<T: Real> {
 
 impl<T: Real> Controller<T> {
     /// A controller that starts at its first step.
+    #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
             params,
@@ -137,6 +141,7 @@ impl<T: Real> Controller<T> {
     }
 
     /// Starts anew from these measurements; from the next ones if they are not finite.
+    #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) {
         let start = initial(t, x1, x2);
         let finite = start
@@ -159,20 +164,29 @@ impl<T: Real> Controller<T> {
     /// The first step with finite measurements initialises the states; so does the step after one
     /// whose law overflowed although its measurements were finite, since such states are beyond
     /// use.
-    #[inline]
+    #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
-        let state = if self.started.all() {
-            self.state
-        } else {
-            State::select(self.started, &self.state, &initial(t, x1, x2))
-        };
-        let law = control(t, x1, x2, &state, &self.params);
+        let starting = measured.and(self.started.not());
+        if starting.any() {
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+            });
+        }
+        let law = control(t, x1, x2, &self.state, &self.params);
         let valid = measured
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
-        self.state = State::select(valid, &law.next, &self.state);
+        self.state = if valid.all() {
+            law.next
+        } else {
+            State::select(valid, &law.next, &self.state)
+        };
         self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
@@ -182,6 +196,7 @@ impl<T: Real> Controller<T> {
             | Status::SATURATED.when(saturated.any());
         Output {
             status,
+            valid,
             u,
             u_sat,
             y_r: law.y_r,
@@ -194,27 +209,44 @@ impl<T: Real> Controller<T> {
     }
 
     /// The states.
+    #[inline(always)]
     pub fn state(&self) -> &State<T> {
         &self.state
     }
 
     /// The parameters.
+    #[inline(always)]
     pub fn params(&self) -> &Params<T> {
         &self.params
     }
 }
 
+/// Initialises the controller where the mask is true.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(self.t, self.x1, self.x2);
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+    }
+}
+
 /// The controller's states at its first sample.
 ///
-/// Operations: 7 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary
+/// Operations: 5 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     let real = T::from_f64;
 
     // -- known dynamics of block 1 (position) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 1> = Vector::zero();
     // G_1(x_1 .. x_1)
     let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
 
@@ -263,7 +295,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + Vector::<T, 1>::zero() + Lam1;
+    let bracket1 = Lam1 - y_r_dot;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -G1.solve(bracket1);
     State {
@@ -272,6 +304,71 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
         h1: alpha1,
         W2,
         th2,
+    }
+}
+
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// `inertia`.
+    pub inertia: T,
+    /// `G_2(x_1 .. x_2)`
+    pub G2: Matrix<T, 1, 1>,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 0 additions, 1 multiplications, 1 divisions, 0 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let inertia = params.mass * real(0.25);
+
+    // -- known dynamics of block 2 (speed) (11) --
+    // G_2(x_1 .. x_2)
+    let G2 = Matrix::rows([[real(1.0) / inertia]]);
+    Prepared { inertia, G2 }
+}
+
+/// Values of [`clock`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock<T> {
+    /// `y_r(t)`
+    pub y_r: Vector<T, 1>,
+    /// `y_r'`
+    pub y_r_dot: Vector<T, 1>,
+    /// `k_1(t)`
+    pub k1: T,
+    /// Part of `E1_free`.
+    pub E1_free_1: T,
+}
+
+/// What depends on time and parameters alone: needed once for a sample of all runs with these
+/// parameters. See [`Clock`].
+///
+/// Operations: 1 additions, 6 multiplications, 0 divisions, 0 square roots, 3 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn clock<T: Real>(t: T) -> Clock<T> {
+    let real = T::from_f64;
+
+    // -- reference and constraints --
+    // y_r(t)
+    let y_r = Vector([real(FRAC_PI_2) * t.sin()]);
+    // y_r'
+    let y_r_dot = Vector([real(FRAC_PI_2) * t.cos()]);
+    // k_1(t)
+    let k1 = (real(30.0) * (real(-2.0) * t).exp() + real(6.0))
+        * real(0.017453292519943295);
+    let E1_free_1 = k1 * k1;
+    Clock {
+        y_r,
+        y_r_dot,
+        k1,
+        E1_free_1,
     }
 }
 
@@ -302,53 +399,39 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 47 additions, 67 multiplications, 9 divisions, 0 square roots, 7 elementary
+/// Operations: 45 additions, 59 multiplications, 8 divisions, 0 square roots, 4 elementary
 /// functions, 6 comparisons and selections.
-#[inline]
-pub fn control<T: Real>(
-    t: T,
+#[inline(always)]
+pub fn law<T: Real>(
     x1: Vector<T, 1>,
     x2: Vector<T, 1>,
     state: &State<T>,
-    params: &Params<T>,
+    prepared: &Prepared<T>,
+    clock: &Clock<T>,
 ) -> ControlOutputs<T> {
     let real = T::from_f64;
 
     // -- known dynamics of block 1 (position) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 1> = Vector::zero();
     // G_1(x_1 .. x_1)
     let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
 
     // -- plant model --
     let theta = x1[0];
     let omega = x2[0];
-    let inertia = params.mass * real(0.25);
 
     // -- known dynamics of block 2 (speed) (11) --
     let t1 = theta.sin();
     // F_2(x_1 .. x_2)
-    let F2 = Vector([real(-19.62) * t1 - real(0.1) * omega / inertia]);
-    // G_2(x_1 .. x_2)
-    let G2 = Matrix([[real(1.0) / inertia]]);
-
-    // -- reference and constraints --
-    // y_r(t)
-    let y_r = Vector([real(FRAC_PI_2) * t.sin()]);
-    // y_r'
-    let y_r_dot = Vector([real(FRAC_PI_2) * t.cos()]);
-    // k_1(t)
-    let k1 = (real(30.0) * (real(-2.0) * t).exp() + real(6.0))
-        * real(0.017453292519943295);
+    let F2 = Vector([real(-19.62) * t1 - real(0.1) * omega / prepared.inertia]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
-    let e1 = x1 - y_r - state.zeta1;
+    let e1 = x1 - clock.y_r - state.zeta1;
 
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t2 = s1 / (k1 * k1);
+    let t2 = s1 / clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t2 * t2);
     // E_1 >= pi/2 - delta
@@ -376,13 +459,13 @@ pub fn control<T: Real>(
     // -- virtual control (31) of block 1 --
     let t4 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + t4 + Lam1;
+    let bracket1 = t4 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -G1.solve(bracket1);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t4;
+    let zeta1_dot = state.zeta2 - t4;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -404,7 +487,7 @@ pub fn control<T: Real>(
     // P_2 = P_m(z_2), 6 nodes
     let P2 = polynomials::basis2(z2);
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = state.W2.transpose() * P2;
+    let A_hat2 = state.W2.transpose_mul(P2);
 
     // -- disturbance observer of block 2 (20) (49) --
     // D_hat_2 = th_2 + S_2 x_2
@@ -425,17 +508,15 @@ pub fn control<T: Real>(
     let t6 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
     let bracket2 = t5 - h1_dot + t6 + D_hat2 + Lam2;
-    let t7 = G2.solve(bracket2);
+    let t7 = prepared.G2.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let u = -t7;
     // sat(u), each component limited to +-u_max (8)
-    let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-8.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([8.0]), T::min);
+    let u_sat = u.max(Vector::splat(real(-8.0))).min(Vector::splat(real(8.0)));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = G2 * (u_sat + t7) - t6;
+    let zeta2_dot = prepared.G2 * (u_sat + t7) - t6;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
@@ -443,7 +524,7 @@ pub fn control<T: Real>(
 
     // -- observer dynamics of block 2 (21) (50) --
     // th_2' = -S_2 (D_hat_2 + F_2 + G_2 x_3 + A_hat_2)
-    let th2_dot = -((D_hat2 + t5 + G2 * u_sat) * real(20.0));
+    let th2_dot = -((D_hat2 + t5 + prepared.G2 * u_sat) * real(20.0));
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'
@@ -462,9 +543,9 @@ pub fn control<T: Real>(
         u,
         u_sat,
         violated: violated1,
-        y_r,
+        y_r: clock.y_r,
         e1,
-        k1,
+        k1: clock.k1,
         alpha1,
         e2,
         D_hat2,
@@ -476,4 +557,21 @@ pub fn control<T: Real>(
             th2: th2_next,
         },
     }
+}
+
+/// One sample of the control law: control, next states and the signals on the way.
+///
+/// Operations: 46 additions, 66 multiplications, 9 divisions, 0 square roots, 7 elementary
+/// functions, 6 comparisons and selections.
+#[inline(always)]
+pub fn control<T: Real>(
+    t: T,
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+    state: &State<T>,
+    params: &Params<T>,
+) -> ControlOutputs<T> {
+    let prepared = prepare(params);
+    let clock = clock(t);
+    law(x1, x2, state, &prepared, &clock)
 }

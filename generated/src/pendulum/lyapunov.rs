@@ -1,7 +1,7 @@
-// SHA-256 of the text below: ff121e3b4d49d6fdc13b79874452a0f18f6e5124aa5854e855a9651aae4eafef
+// SHA-256 of the text below: 804f48df904d052f3462c854c35139af09dadb1ab0adbea02b624b4152e4fca5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// lyapunov: 147 additions, 191 multiplications, 25 divisions, 0 square roots, 12 elementary functions, 16 comparisons and selections
+// lyapunov: 144 additions, 188 multiplications, 25 divisions, 0 square roots, 12 elementary functions, 16 comparisons and selections
 
 //! `pendulum`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,9 +29,9 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 147 additions, 191 multiplications, 25 divisions, 0 square roots, 12 elementary
+/// Operations: 144 additions, 188 multiplications, 25 divisions, 0 square roots, 12 elementary
 /// functions, 16 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
     x1: Vector<T, 1>,
@@ -43,8 +43,6 @@ pub fn lyapunov<T: Real>(
     let real = T::from_f64;
 
     // -- known dynamics of block 1 (position) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 1> = Vector::zero();
     // G_1(x_1 .. x_1)
     let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
 
@@ -60,15 +58,17 @@ pub fn lyapunov<T: Real>(
     // F_2(x_1 .. x_2)
     let F2 = Vector([t2 - t3 / inertia]);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix([[real(1.0) / inertia]]);
+    let G2 = Matrix::rows([[real(1.0) / inertia]]);
 
     // -- reference and constraints --
-    let t4 = t.sin();
+    let t4 = real(3.0) * t;
+    let t5 = Vector([t, t4]);
+    let [sin_t, sin_t4] = t5.sin().0;
     // y_r(t)
-    let y_r = Vector([real(FRAC_PI_2) * t4]);
-    let t5 = t.cos();
+    let y_r = Vector([real(FRAC_PI_2) * sin_t]);
+    let [cos_t, cos_t4] = t5.cos().0;
     // y_r'
-    let y_r_dot = Vector([real(FRAC_PI_2) * t5]);
+    let y_r_dot = Vector([real(FRAC_PI_2) * cos_t]);
     let t6 = (real(-2.0) * t).exp();
     // k_1(t)
     let k1 = (real(30.0) * t6 + real(6.0)) * real(0.017453292519943295);
@@ -109,14 +109,14 @@ pub fn lyapunov<T: Real>(
     // -- virtual control (31) of block 1 --
     let t12 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + t12 + Lam1;
+    let bracket1 = t12 - y_r_dot + Lam1;
     let t13 = G1.solve(bracket1);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -t13;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t12;
+    let zeta1_dot = state.zeta2 - t12;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -165,9 +165,7 @@ pub fn lyapunov<T: Real>(
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let u = -t18;
     // sat(u), each component limited to +-u_max (8)
-    let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-8.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([8.0]), T::min);
+    let u_sat = u.max(Vector::splat(real(-8.0))).min(Vector::splat(real(8.0)));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
@@ -177,31 +175,22 @@ pub fn lyapunov<T: Real>(
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
-    // -- true dynamics of block 1 (position) (11) --
-    // F_1 with the plant's parameters
-    let F1_plant: Vector<T, 1> = Vector::zero();
-    // G_1 with the plant's parameters
-    let G1_plant: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-    // F_1 + G_1 x_2 + d_1
-    let x1_flow = F1_plant + G1_plant * x2;
-
     // -- true dynamics of block 2 (speed) (11) --
     let t19 = plant.mass * real(0.25);
     // F_2 with the plant's parameters
     let F2_plant = Vector([t2 - t3 / t19]);
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[real(1.0) / t19]]);
-    let t20 = real(3.0) * t;
+    let G2_plant = Matrix::rows([[real(1.0) / t19]]);
     // d_2(t)
-    let d2 = Vector([real(1.0) + real(2.0) * t20.sin()]);
+    let d2 = Vector([real(1.0) + real(2.0) * sin_t4]);
     // F_2 + G_2 x_3 + d_2
     let x2_flow = F2_plant + G2_plant * u_sat + d2;
 
     // -- Lyapunov function of block 1 (23) (52) --
-    let t21 = t7 * t7 / real(TAU);
-    let t22 = E1.tan();
+    let t20 = t7 * t7 / real(TAU);
+    let t21 = E1.tan();
     // k_1^4/(2 pi) tan E_1
-    let V_T1 = t21 * t22;
+    let V_T1 = t20 * t21;
     // 1/2 ||zeta_1||^2
     let V_zeta1 = state.zeta1.sum_squares() * real(0.5);
     // chi_1 = h_1 - alpha_1 (34)
@@ -212,12 +201,12 @@ pub fn lyapunov<T: Real>(
     // -- Lyapunov function of block 2 (23) (52) --
     // k_2^4/(2 pi) tan E_2
     let V_T2 = s2 * s2 * real(0.25);
-    let t23 = t14 * state.W2;
+    let t22 = t14 * state.W2;
     // tr(W_2^T W_2)/(2 Gamma_2)
-    let V_W2 = t23[(0, 0)] * real(0.5);
-    let t24 = G2_plant - G2;
+    let V_W2 = t22[(0, 0)] * real(0.5);
+    let t23 = G2_plant - G2;
     // D_2 = d_2 + model error of block 2
-    let D2 = d2 + (F2_plant - F2) + t24 * u_sat;
+    let D2 = d2 + (F2_plant - F2) + t23 * u_sat;
     // D_2 - D_hat_2
     let D_error2 = D2 - D_hat2;
     // 1/2 ||theta_2 - th_2||^2
@@ -231,13 +220,13 @@ pub fn lyapunov<T: Real>(
 
     // -- Ito generator (2) --
     // e1' along the flow
-    let e1_flow = x1_flow - y_r_dot - zeta1_dot;
-    let t25 = e1_flow.dot(e1);
+    let e1_flow = x2 - y_r_dot - zeta1_dot;
+    let t24 = e1_flow.dot(e1);
     // s1' along the flow
-    let s1_flow = t25 + t25;
-    let t26 = (t8 + t8) * (s1_flow / t7 - t8 / t7 * ((k1 + k1) * k1_dot));
+    let s1_flow = t24 + t24;
+    let t25 = (t8 + t8) * (s1_flow / t7 - t8 / t7 * ((k1 + k1) * k1_dot));
     // E1_free' along the flow
-    let E1_free_flow = real(FRAC_PI_2) * t26;
+    let E1_free_flow = real(FRAC_PI_2) * t25;
     // E1' along the flow
     let E1_flow = T::select(
         E1_free.lt(real(1.5697963267948967)),
@@ -245,68 +234,68 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t22 * (real(4.0) * (t7 * k1) * k1_dot / real(TAU))
-        + t21 * (E1_flow / t9);
-    let t27 = zeta1_dot.dot(state.zeta1);
+    let V_T1_flow = t21 * (real(4.0) * (t7 * k1) * k1_dot / real(TAU))
+        + t20 * (E1_flow / t9);
+    let t26 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
-    let V_zeta1_flow = (t27 + t27) * real(0.5);
+    let V_zeta1_flow = (t26 + t26) * real(0.5);
     // y_r''
-    let y_r_dot2 = Vector([real(FRAC_PI_2) * (t5 * real(0.0) - t4)]);
-    let t28 = real(1.0).lt(t11);
-    let t29 = T::select(t28, real(1.0), t11);
-    let t30 = t29 * (kernel::sin_cos_over_d1(E1) * E1_flow)
-        + T::select(t28, real(0.0), -(t10 * (t11 / E1_free * E1_free_flow)));
+    let y_r_dot2 = Vector([real(FRAC_PI_2) * -sin_t]);
+    let t27 = real(1.0).lt(t11);
+    let t28 = T::select(t27, real(1.0), t11);
+    let t29 = t28 * (kernel::sin_cos_over_d1(E1) * E1_flow)
+        + T::select(t27, real(0.0), -(t10 * (t11 / E1_free * E1_free_flow)));
     // Lam0_1' along the flow
     let Lam0_1_flow = Vector([
-        real(5.0) * e1[0] * t30 + t10 * t29 * (real(5.0) * e1_flow[0])
+        real(5.0) * e1[0] * t29 + t10 * t28 * (real(5.0) * e1_flow[0])
             + real(4.0) * e1_flow[0],
     ]);
     // cosE1' along the flow
     let cosE1_flow = -(E1.sin() * E1_flow);
-    let t31 = s1 * e1[0] / t9 / t9 * ((cosE1 + cosE1) * cosE1_flow);
+    let t30 = s1 * e1[0] / t9 / t9 * ((cosE1 + cosE1) * cosE1_flow);
     // c1' along the flow
-    let c1_flow = Vector([(e1[0] * s1_flow + s1 * e1_flow[0]) / t9 - t31]);
+    let c1_flow = Vector([(e1[0] * s1_flow + s1 * e1_flow[0]) / t9 - t30]);
     // Lam1_filter' along the flow
     let Lam1_filter_flow = c1_flow * real(0.5);
     // Lam1' along the flow
     let Lam1_flow = Lam0_1_flow + Lam1_filter_flow;
     // bracket1' along the flow
     let bracket1_flow = zeta1_dot * real(20.0) - y_r_dot2 + Lam1_flow;
-    let t32 = G1.solve(bracket1_flow);
+    let t31 = G1.solve(bracket1_flow);
     // alpha1' along the flow
-    let alpha1_flow = -t32;
+    let alpha1_flow = -t31;
     // chi1' along the flow
-    let chi1_flow = h1_dot + t32;
-    let t33 = chi1_flow.dot(chi1);
+    let chi1_flow = h1_dot + t31;
+    let t32 = chi1_flow.dot(chi1);
     // V_chi1' along the flow
-    let V_chi1_flow = (t33 + t33) * real(0.5);
+    let V_chi1_flow = (t32 + t32) * real(0.5);
     // e2' along the flow
     let e2_flow = x2_flow - h1_dot - zeta2_dot;
-    let t34 = e2_flow.dot(e2);
+    let t33 = e2_flow.dot(e2);
     // s2' along the flow
-    let s2_flow = t34 + t34;
-    let t35 = s2_flow * s2;
+    let s2_flow = t33 + t33;
+    let t34 = s2_flow * s2;
     // V_T2' along the flow
-    let V_T2_flow = (t35 + t35) * real(0.25);
-    let t36 = W2_dot.transpose();
-    let t37 = t36 * state.W2 + t14 * W2_dot;
+    let V_T2_flow = (t34 + t34) * real(0.25);
+    let t35 = W2_dot.transpose();
+    let t36 = t35 * state.W2 + t14 * W2_dot;
     // V_W2' along the flow
-    let V_W2_flow = t37[(0, 0)] * real(0.5);
+    let V_W2_flow = t36[(0, 0)] * real(0.5);
     // d2'
-    let d2_dot = Vector([real(2.0) * (t20.cos() * real(3.0))]);
-    let t38 = theta.cos() * x1_flow[0];
-    let t39 = real(19.62) * t38;
-    let t40 = real(0.1) * x2_flow[0];
+    let d2_dot = Vector([real(2.0) * (cos_t4 * real(3.0))]);
+    let t37 = theta.cos() * x2[0];
+    let t38 = real(19.62) * t37;
+    let t39 = real(0.1) * x2_flow[0];
     // F2_plant' along the flow
-    let F2_plant_flow = Vector([-(t39 + t40 / t19)]);
+    let F2_plant_flow = Vector([-(t38 + t39 / t19)]);
     // F2' along the flow
-    let F2_flow = Vector([-(t39 + t40 / inertia)]);
+    let F2_flow = Vector([-(t38 + t39 / inertia)]);
     // z2' along the flow
-    let z2_flow = Vector([t38, x2_flow[0]]);
+    let z2_flow = Vector([t37, x2_flow[0]]);
     // P2' along the flow
     let P2_flow = polynomials::basis2_rate(z2, z2_flow);
     // A_hat2' along the flow
-    let A_hat2_flow = t36 * P2 + t14 * P2_flow;
+    let A_hat2_flow = t35 * P2 + t14 * P2_flow;
     // h1_dot' along the flow
     let h1_dot_flow = (alpha1_flow - h1_dot) / real(0.02);
     // D_hat2' along the flow
@@ -317,9 +306,9 @@ pub fn lyapunov<T: Real>(
     let c2_flow = e2 * s2_flow + e2_flow * s2;
     // Lam2_disturbance' along the flow
     let Lam2_disturbance_flow = c2_flow * real(0.5);
-    let t41 = c1_flow.dot(c1);
+    let t40 = c1_flow.dot(c1);
     // s_c1' along the flow
-    let s_c1_flow = t41 + t41;
+    let s_c1_flow = t40 + t40;
     // Lam2_coupling' along the flow
     let Lam2_coupling_flow = Vector([
         (e2[0] * ((s_c1 + s_c1) * s_c1_flow) + t15 * e2_flow[0]) * real(0.25),
@@ -331,25 +320,25 @@ pub fn lyapunov<T: Real>(
         + D_hat2_flow + Lam2_flow;
     // u' along the flow
     let u_flow = -G2.solve(bracket2_flow);
-    let t42 = real(-8.0).lt(u[0]);
+    let t41 = real(-8.0).lt(u[0]);
     // u_sat' along the flow
     let u_sat_flow = Vector([
         T::select(
-            T::select(t42, u[0], real(-8.0)).lt(real(8.0)),
-            T::select(t42, u_flow[0], real(0.0)),
+            T::select(t41, u[0], real(-8.0)).lt(real(8.0)),
+            T::select(t41, u_flow[0], real(0.0)),
             real(0.0),
         ),
     ]);
     // D2' along the flow
-    let D2_flow = d2_dot + (F2_plant_flow - F2_flow) + t24 * u_sat_flow;
+    let D2_flow = d2_dot + (F2_plant_flow - F2_flow) + t23 * u_sat_flow;
     // D_error2' along the flow
     let D_error2_flow = D2_flow - D_hat2_flow;
-    let t43 = D_error2_flow.dot(D_error2);
+    let t42 = D_error2_flow.dot(D_error2);
     // V_D2' along the flow
-    let V_D2_flow = (t43 + t43) * real(0.5);
-    let t44 = zeta2_dot.dot(state.zeta2);
+    let V_D2_flow = (t42 + t42) * real(0.5);
+    let t43 = zeta2_dot.dot(state.zeta2);
     // V_zeta2' along the flow
-    let V_zeta2_flow = (t44 + t44) * real(0.5);
+    let V_zeta2_flow = (t43 + t43) * real(0.5);
     // LV = V_t + V_x f + 1/2 sum_j g_j^T V_xx g_j
     let LV = V_T1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow + V_W2_flow + V_D2_flow
         + V_zeta2_flow;

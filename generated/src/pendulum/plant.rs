@@ -1,7 +1,7 @@
-// SHA-256 of the text below: acd37f255a5306a78382073101ad841c760e1c4f5cfc5a483ba618ea234a6cf8
+// SHA-256 of the text below: e81d3fbe948dbbbaef97441d51ff190574bdff4bc8a9c34837a7f4b9edcebb45
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// plant: 5 additions, 7 multiplications, 2 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 4 additions, 6 multiplications, 2 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `pendulum`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -11,7 +11,7 @@
 
 use super::params::Params;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
 
 /// Number of plant states: `theta` (dimensionless), `omega` (1/s).
@@ -33,15 +33,76 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
-    #[inline]
+    #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        plant(t, *x, self.u_sat, &self.params).drift
+        T::outlined(Drift { plant: self, t, x })
     }
 
-    #[inline]
+    #[inline(always)]
     fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
+}
+/// Drift.
+struct Drift<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Drift<'_, T> {
+    type Output = Vector<T, STATES>;
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
+    }
+}
+
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// `inertia`.
+    pub inertia: T,
+    /// `G_2 with the plant's parameters`
+    pub G2_plant: Matrix<T, 1, 1>,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 0 additions, 1 multiplications, 1 divisions, 0 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let inertia = params.mass * real(0.25);
+
+    // -- true dynamics of block 2 (speed) (11) --
+    // G_2 with the plant's parameters
+    let G2_plant = Matrix::rows([[real(1.0) / inertia]]);
+    Prepared { inertia, G2_plant }
+}
+
+/// Values of [`clock`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock<T> {
+    /// `d_2(t)`
+    pub d2: Vector<T, 1>,
+}
+
+/// What depends on time and parameters alone: needed once for a sample of all runs with these
+/// parameters. See [`Clock`].
+///
+/// Operations: 1 additions, 2 multiplications, 0 divisions, 0 square roots, 1 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn clock<T: Real>(t: T) -> Clock<T> {
+    let real = T::from_f64;
+
+    // -- true dynamics of block 2 (speed) (11) --
+    // d_2(t)
+    let d2 = Vector([real(1.0) + real(2.0) * (real(3.0) * t).sin()]);
+    Clock { d2 }
 }
 
 /// Results of [`plant`].
@@ -55,47 +116,50 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 5 additions, 7 multiplications, 2 divisions, 0 square roots, 2 elementary
+/// Operations: 3 additions, 3 multiplications, 1 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
+pub fn dynamics<T: Real>(
+    x: Vector<T, 2>,
+    u_sat: Vector<T, 1>,
+    prepared: &Prepared<T>,
+    clock: &Clock<T>,
+) -> PlantOutputs<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let omega = x[1];
+    let theta = x[0];
+
+    // -- true dynamics of block 2 (speed) (11) --
+    // F_2 with the plant's parameters
+    let F2_plant = Vector([
+        real(-19.62) * theta.sin() - real(0.1) * omega / prepared.inertia,
+    ]);
+    // F_2 + G_2 x_3 + d_2
+    let x2_flow = F2_plant + prepared.G2_plant * u_sat + clock.d2;
+
+    // -- packed plant state: x_1 .. x_n, then the exosystems --
+    // dx/dt without noise
+    let drift = Vector([omega, x2_flow[0]]);
+    PlantOutputs {
+        drift,
+        d2: clock.d2,
+    }
+}
+
+/// Drift and diffusion of the plant and its disturbances.
+///
+/// Operations: 4 additions, 6 multiplications, 2 divisions, 0 square roots, 2 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
 pub fn plant<T: Real>(
     t: T,
     x: Vector<T, 2>,
     u_sat: Vector<T, 1>,
     params: &Params<T>,
 ) -> PlantOutputs<T> {
-    let real = T::from_f64;
-
-    // -- true dynamics of block 1 (position) (11) --
-    // F_1 with the plant's parameters
-    let F1_plant: Vector<T, 1> = Vector::zero();
-    // G_1 with the plant's parameters
-    let G1_plant: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
-    // -- plant model --
-    let omega = x[1];
-    let theta = x[0];
-    let inertia = params.mass * real(0.25);
-
-    // -- given --
-    let x2 = Vector([omega]);
-
-    // -- true dynamics of block 1 (position) (11) --
-    // F_1 + G_1 x_2 + d_1
-    let x1_flow = F1_plant + G1_plant * x2;
-
-    // -- true dynamics of block 2 (speed) (11) --
-    // F_2 with the plant's parameters
-    let F2_plant = Vector([real(-19.62) * theta.sin() - real(0.1) * omega / inertia]);
-    // G_2 with the plant's parameters
-    let G2_plant = Matrix([[real(1.0) / inertia]]);
-    // d_2(t)
-    let d2 = Vector([real(1.0) + real(2.0) * (real(3.0) * t).sin()]);
-    // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + G2_plant * u_sat + d2;
-
-    // -- packed plant state: x_1 .. x_n, then the exosystems --
-    // dx/dt without noise
-    let drift = Vector([x1_flow[0], x2_flow[0]]);
-    PlantOutputs { drift, d2 }
+    let prepared = prepare(params);
+    let clock = clock(t);
+    dynamics(x, u_sat, &prepared, &clock)
 }

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 309435921d1c9b3e7ee71a76009ba5bb2bd1d5c63d8addc09e3584131cd1e5d2
+// SHA-256 of the text below: 509be2d2c61450892d711cf9ab89a656a324821f04cea481d08fa12d6a457e7d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// initial: 25 additions, 42 multiplications, 7 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
-// control: 283 additions, 376 multiplications, 23 divisions, 0 square roots, 13 elementary functions, 13 comparisons and selections
+// initial: 13 additions, 31 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// control: 244 additions, 330 multiplications, 21 divisions, 0 square roots, 13 elementary functions, 13 comparisons and selections
 
 //! `two_link_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `shoulder` in kg*m^2/s^2, `elbow` in kg*m^2/s^2.
@@ -62,6 +62,7 @@ pub struct State<T> {
 
 impl<T: Real> State<T> {
     /// All zero.
+    #[inline(always)]
     pub fn zero() -> Self {
         Self {
             zeta1: Vector::zero(),
@@ -74,7 +75,7 @@ impl<T: Real> State<T> {
     }
 
     /// `a` where the mask is true, else `b`.
-    #[inline]
+    #[inline(always)]
     pub fn select(mask: T::Mask, a: &Self, b: &Self) -> Self {
         Self {
             zeta1: Vector::select(mask, a.zeta1, b.zeta1),
@@ -87,7 +88,7 @@ impl<T: Real> State<T> {
     }
 
     /// Whether every entry is finite.
-    #[inline]
+    #[inline(always)]
     pub fn is_finite(&self) -> T::Mask {
         self.zeta1
             .is_finite()
@@ -104,8 +105,10 @@ impl<T: Real> State<T> {
 /// With `Status::NON_FINITE_INPUT`, only the control is meaningful.
 #[derive(Clone, Copy, Debug)]
 pub struct Output<T: Real> {
-    /// What happened.
+    /// What happened, in any lane.
     pub status: Status,
+    /// Whether the law was finite, so that its control and next states are used.
+    pub valid: T::Mask,
     /// Control that the law asks for, before its limits.
     pub u: Vector<T, 2>,
     /// Control to apply: within its limits, always finite.
@@ -138,6 +141,7 @@ pub struct Controller<T: Real> {
 
 impl<T: Real> Controller<T> {
     /// A controller that starts at its first step.
+    #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
             params,
@@ -147,6 +151,7 @@ impl<T: Real> Controller<T> {
     }
 
     /// Starts anew from these measurements; from the next ones if they are not finite.
+    #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) {
         let start = initial(t, x1, x2);
         let finite = start
@@ -169,20 +174,29 @@ impl<T: Real> Controller<T> {
     /// The first step with finite measurements initialises the states; so does the step after one
     /// whose law overflowed although its measurements were finite, since such states are beyond
     /// use.
-    #[inline]
+    #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
-        let state = if self.started.all() {
-            self.state
-        } else {
-            State::select(self.started, &self.state, &initial(t, x1, x2))
-        };
-        let law = control(t, x1, x2, &state, &self.params);
+        let starting = measured.and(self.started.not());
+        if starting.any() {
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+            });
+        }
+        let law = control(t, x1, x2, &self.state, &self.params);
         let valid = measured
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
-        self.state = State::select(valid, &law.next, &self.state);
+        self.state = if valid.all() {
+            law.next
+        } else {
+            State::select(valid, &law.next, &self.state)
+        };
         self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
@@ -192,6 +206,7 @@ impl<T: Real> Controller<T> {
             | Status::SATURATED.when(saturated.any());
         Output {
             status,
+            valid,
             u,
             u_sat,
             y_r: law.y_r,
@@ -205,29 +220,42 @@ impl<T: Real> Controller<T> {
     }
 
     /// The states.
+    #[inline(always)]
     pub fn state(&self) -> &State<T> {
         &self.state
     }
 
     /// The parameters.
+    #[inline(always)]
     pub fn params(&self) -> &Params<T> {
         &self.params
     }
 }
 
+/// Initialises the controller where the mask is true.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 2>,
+    x2: Vector<T, 2>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(self.t, self.x1, self.x2);
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+    }
+}
+
 /// The controller's states at its first sample.
 ///
-/// Operations: 25 additions, 42 multiplications, 7 divisions, 0 square roots, 6 elementary
+/// Operations: 13 additions, 31 multiplications, 5 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let real = T::from_f64;
-
-    // -- known dynamics of block 1 (joints) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 2> = Vector::zero();
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 2, 2> = Matrix::from_f64([[1.0, 0.0], [0.0, 1.0]]);
 
     // -- reference and constraints --
     let t1 = real(2.0) * t;
@@ -276,27 +304,21 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + Vector::<T, 2>::zero() + Lam1;
-    let t6 = G1.solve(bracket1);
+    let bracket1 = Lam1 - y_r_dot;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t6;
+    let alpha1 = -bracket1;
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t6;
-
-    // -- disturbance observer of block 2 (20) (49) --
-    // S_2, observer gain
-    let S2: Matrix<T, 5, 2> = Matrix::from_f64([
-        [12.0, 0.0],
-        [36.0, 0.0],
-        [0.0, 8.0],
-        [0.0, 2.0],
-        [0.0, 11.0],
-    ]);
+    let e2 = x2 + bracket1;
 
     // -- given --
-    let th2 = -(S2 * e2);
+    let t6 = real(12.0) * e2[0];
+    let t7 = real(36.0) * e2[0];
+    let t8 = real(8.0) * e2[1];
+    let t9 = real(2.0) * e2[1];
+    let t10 = real(11.0) * e2[1];
+    let th2 = -Vector([t6, t7, t8, t9, t10]);
     State {
         zeta1,
         zeta2,
@@ -304,6 +326,101 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
         W2,
         th2,
         eps2,
+    }
+}
+
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// `a_2`.
+    pub a_2: T,
+    /// `a_3`.
+    pub a_3: T,
+    /// `a_4`.
+    pub a_4: T,
+    /// `a_1`.
+    pub a_1: T,
+    /// Part of `M_11`.
+    pub M_11_1: T,
+    /// Part of `M_11`.
+    pub M_11_2: T,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 3 additions, 6 multiplications, 0 divisions, 0 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let t1 = params.m_e * real(0.36);
+    let a_2 = real(0.25) + t1;
+    let t2 = params.m_e * real(0.6);
+    let a_3 = t2 * real(0.8660254037844386);
+    let a_4 = t2 * real(0.5);
+    let a_1 = real(0.62) + t1 + params.m_e;
+    let M_11_1 = real(2.0) * a_3;
+    let M_11_2 = real(2.0) * a_4;
+    Prepared {
+        a_2,
+        a_3,
+        a_4,
+        a_1,
+        M_11_1,
+        M_11_2,
+    }
+}
+
+/// Values of [`clock`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock<T> {
+    /// `y_r(t)`
+    pub y_r: Vector<T, 2>,
+    /// `y_r'`
+    pub y_r_dot: Vector<T, 2>,
+    /// `k_1(t)`
+    pub k1: T,
+    /// `k_2(t)`
+    pub k2: T,
+    /// Part of `E1_free`.
+    pub E1_free_1: T,
+    /// Part of `E2_free`.
+    pub E2_free_1: T,
+}
+
+/// What depends on time and parameters alone: needed once for a sample of all runs with these
+/// parameters. See [`Clock`].
+///
+/// Operations: 3 additions, 11 multiplications, 0 divisions, 0 square roots, 3 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn clock<T: Real>(t: T) -> Clock<T> {
+    let real = T::from_f64;
+
+    // -- reference and constraints --
+    let t1 = real(2.0) * t;
+    let t2 = real(1.0) - t1.cos();
+    // y_r(t)
+    let y_r = Vector([real(0.5235987755982989) * t2, real(FRAC_PI_4) * t2]);
+    let t3 = t1.sin() * real(2.0);
+    // y_r'
+    let y_r_dot = Vector([real(0.5235987755982989) * t3, real(FRAC_PI_4) * t3]);
+    let t4 = (real(-2.0) * t).exp();
+    // k_1(t)
+    let k1 = real(0.3) * t4 + real(0.05);
+    // k_2(t)
+    let k2 = real(4.0) * t4 + real(1.0);
+    let E1_free_1 = k1 * k1;
+    let E2_free_1 = k2 * k2;
+    Clock {
+        y_r,
+        y_r_dot,
+        k1,
+        k2,
+        E1_free_1,
+        E2_free_1,
     }
 }
 
@@ -336,40 +453,28 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 283 additions, 376 multiplications, 23 divisions, 0 square roots, 13 elementary
+/// Operations: 238 additions, 313 multiplications, 21 divisions, 0 square roots, 10 elementary
 /// functions, 13 comparisons and selections.
-#[inline]
-pub fn control<T: Real>(
-    t: T,
+#[inline(always)]
+pub fn law<T: Real>(
     x1: Vector<T, 2>,
     x2: Vector<T, 2>,
     state: &State<T>,
-    params: &Params<T>,
+    prepared: &Prepared<T>,
+    clock: &Clock<T>,
 ) -> ControlOutputs<T> {
     let real = T::from_f64;
 
-    // -- known dynamics of block 1 (joints) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 2> = Vector::zero();
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 2, 2> = Matrix::from_f64([[1.0, 0.0], [0.0, 1.0]]);
-
     // -- plant model --
-    let t1 = params.m_e * real(0.36);
-    let a_2 = real(0.25) + t1;
-    let t2 = params.m_e * real(0.6);
-    let a_3 = t2 * real(0.8660254037844386);
     let q2 = x1[1];
-    let a_4 = t2 * real(0.5);
-    let t3 = q2.cos();
-    let t4 = q2.sin();
-    let M_12 = a_2 + a_3 * t3 + a_4 * t4;
-    let a_1 = real(0.62) + t1 + params.m_e;
-    let M_11 = a_1 + real(2.0) * a_3 * t3 + real(2.0) * a_4 * t4;
-    let det_M = M_11 * a_2 - M_12 * M_12;
-    let t5 = -M_12;
-    let inverse_M = Matrix([[a_2, t5], [t5, M_11]]) / det_M;
-    let coriolis = a_3 * t4 - a_4 * t3;
+    let t1 = q2.cos();
+    let t2 = q2.sin();
+    let M_12 = prepared.a_2 + prepared.a_3 * t1 + prepared.a_4 * t2;
+    let M_11 = prepared.a_1 + prepared.M_11_1 * t1 + prepared.M_11_2 * t2;
+    let det_M = M_11 * prepared.a_2 - M_12 * M_12;
+    let t3 = -M_12;
+    let inverse_M = Matrix::rows([[prepared.a_2, t3], [t3, M_11]]) / det_M;
+    let coriolis = prepared.a_3 * t2 - prepared.a_4 * t1;
     let v2 = x2[1];
     let v1 = x2[0];
     let torque = Vector([-v2 * v1 - (v1 + v2) * v2, v1 * v1]) * coriolis;
@@ -378,39 +483,25 @@ pub fn control<T: Real>(
     // F_2(x_1 .. x_2)
     let F2 = -inverse_M * torque;
 
-    // -- reference and constraints --
-    let t6 = real(2.0) * t;
-    let t7 = real(1.0) - t6.cos();
-    // y_r(t)
-    let y_r = Vector([real(0.5235987755982989) * t7, real(FRAC_PI_4) * t7]);
-    let t8 = t6.sin() * real(2.0);
-    // y_r'
-    let y_r_dot = Vector([real(0.5235987755982989) * t8, real(FRAC_PI_4) * t8]);
-    let t9 = (real(-2.0) * t).exp();
-    // k_1(t)
-    let k1 = real(0.3) * t9 + real(0.05);
-    // k_2(t)
-    let k2 = real(4.0) * t9 + real(1.0);
-
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
-    let e1 = x1 - y_r - state.zeta1;
+    let e1 = x1 - clock.y_r - state.zeta1;
 
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t10 = s1 / (k1 * k1);
+    let t4 = s1 / clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t10 * t10);
+    let E1_free = real(FRAC_PI_2) * (t4 * t4);
     // E_1 >= pi/2 - delta
     let violated1 = E1_free.ge(real(1.5697963267948967));
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t11 = cosE1 * cosE1;
+    let t5 = cosE1 * cosE1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t11;
+    let c1 = e1 * s1 / t5;
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -425,15 +516,15 @@ pub fn control<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t12 = state.zeta1 * real(20.0);
+    let t6 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + t12 + Lam1;
+    let bracket1 = t6 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -G1.solve(bracket1);
+    let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t12;
+    let zeta1_dot = state.zeta2 - t6;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -446,18 +537,18 @@ pub fn control<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t13 = s2 / (k2 * k2);
+    let t7 = s2 / clock.E2_free_1;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t13 * t13);
+    let E2_free = real(FRAC_PI_2) * (t7 * t7);
     // E_2 >= pi/2 - delta
     let violated2 = E2_free.ge(real(1.5697963267948967));
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
     // cos E_2
     let cosE2 = E2.cos();
-    let t14 = cosE2 * cosE2;
+    let t8 = cosE2 * cosE2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * s2 / t14;
+    let c2 = e2 * s2 / t8;
 
     // -- MTPN of block 2 (4) (16) --
     // z_2, network inputs
@@ -465,26 +556,20 @@ pub fn control<T: Real>(
     // P_2 = P_m(z_2), 20 nodes
     let P2 = polynomials::basis2(z2);
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = state.W2.transpose() * P2;
+    let A_hat2 = state.W2.transpose_mul(P2);
 
     // -- disturbance observer of block 2 (20) (49) --
-    // S_2, observer gain
-    let S2: Matrix<T, 5, 2> = Matrix::from_f64([
-        [12.0, 0.0],
-        [36.0, 0.0],
-        [0.0, 8.0],
-        [0.0, 2.0],
-        [0.0, 11.0],
-    ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + S2 * e2;
-    // L_2
-    let L2: Matrix<T, 2, 5> = Matrix::from_f64([
-        [1.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 1.0, 1.0, 0.0],
-    ]);
+    let w_hat2 = state.th2
+        + Vector([
+            real(12.0) * e2[0],
+            real(36.0) * e2[0],
+            real(8.0) * e2[1],
+            real(2.0) * e2[1],
+            real(11.0) * e2[1],
+        ]);
     // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = L2 * w_hat2;
+    let D_hat2 = Vector([w_hat2[0], w_hat2[2] + w_hat2[3]]);
 
     // -- robust feedback of block 2 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -494,52 +579,59 @@ pub fn control<T: Real>(
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(0.9999999999999998);
     // e / (2 cos^2 E) (63)
-    let Lam2_network = e2 * real(0.5) / t14;
-    let t15 = e2.map(T::tanh);
+    let Lam2_network = e2 * real(0.5) / t8;
+    let t9 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t15 * state.eps2;
+    let Lam2_error_bound = t9 * state.eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25) * t14;
+    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25) * t8;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling;
 
     // -- control (64) of block 2 --
-    let t16 = F2 + A_hat2;
-    let t17 = state.zeta2 * real(50.0);
+    let t10 = F2 + A_hat2;
+    let t11 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t16 - h1_dot + t17 + D_hat2 + Lam2;
-    let t18 = inverse_M.solve(bracket2);
+    let bracket2 = t10 - h1_dot + t11 + D_hat2 + Lam2;
+    let t12 = inverse_M.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t18;
+    let u = -t12;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 2>::from_f64([-60.0, -30.0]), T::max)
-        .zip(Vector::<T, 2>::from_f64([60.0, 30.0]), T::min);
+        .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
+        .min(Vector::<T, 2>::from_f64([60.0, 30.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = inverse_M * (u_sat + t18) - t17;
+    let zeta2_dot = inverse_M * (u_sat + t12) - t11;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
-    // M_2 - S_2 L_2
-    let w2_closed: Matrix<T, 5, 5> = Matrix::from_f64([
-        [-12.0, 1.0, 0.0, 0.0, 0.0],
-        [-36.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, -8.0, -8.0, 0.0],
-        [0.0, 0.0, -2.0, -2.0, 3.0],
-        [0.0, 0.0, -11.0, -14.0, 0.0],
+    let t13 = Vector([
+        real(-12.0) * w_hat2[0] + w_hat2[1],
+        real(-36.0) * w_hat2[0],
+        real(-8.0) * w_hat2[2] + real(-8.0) * w_hat2[3],
+        real(-2.0) * w_hat2[2] + real(-2.0) * w_hat2[3] + real(3.0) * w_hat2[4],
+        real(-11.0) * w_hat2[2] + real(-14.0) * w_hat2[3],
     ]);
+    let t14 = t10 + inverse_M * u - h1_dot + t11;
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = w2_closed * w_hat2 - S2 * (t16 + inverse_M * u - h1_dot + t17);
+    let th2_dot = t13
+        - Vector([
+            real(12.0) * t14[0],
+            real(36.0) * t14[0],
+            real(8.0) * t14[1],
+            real(2.0) * t14[1],
+            real(11.0) * t14[1],
+        ]);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 / t14 * e2.dot(t15) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 / t8 * e2.dot(t9) - state.eps2);
 
     // -- status --
     // some E_i >= pi/2 - delta
@@ -578,12 +670,12 @@ pub fn control<T: Real>(
         u,
         u_sat,
         violated,
-        y_r,
+        y_r: clock.y_r,
         e1,
-        k1,
+        k1: clock.k1,
         alpha1,
         e2,
-        k2,
+        k2: clock.k2,
         D_hat2,
         next: State {
             zeta1: zeta1_next,
@@ -594,4 +686,21 @@ pub fn control<T: Real>(
             eps2: eps2_next,
         },
     }
+}
+
+/// One sample of the control law: control, next states and the signals on the way.
+///
+/// Operations: 244 additions, 330 multiplications, 21 divisions, 0 square roots, 13 elementary
+/// functions, 13 comparisons and selections.
+#[inline(always)]
+pub fn control<T: Real>(
+    t: T,
+    x1: Vector<T, 2>,
+    x2: Vector<T, 2>,
+    state: &State<T>,
+    params: &Params<T>,
+) -> ControlOutputs<T> {
+    let prepared = prepare(params);
+    let clock = clock(t);
+    law(x1, x2, state, &prepared, &clock)
 }

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 9d2b153f9feb4263d19bda609e27e12e2e4c86a45b9306ffa464444fa985d815
+// SHA-256 of the text below: 97f7b43194d7c787a6bccea25c5614c52d292c379e62d83529f7bd884cbb0bbc
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// lyapunov: 602 additions, 733 multiplications, 48 divisions, 0 square roots, 16 elementary functions, 18 comparisons and selections
+// lyapunov: 523 additions, 638 multiplications, 44 divisions, 0 square roots, 16 elementary functions, 18 comparisons and selections
 
 //! `two_link_arm`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,9 +29,9 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 602 additions, 733 multiplications, 48 divisions, 0 square roots, 16 elementary
+/// Operations: 523 additions, 638 multiplications, 44 divisions, 0 square roots, 16 elementary
 /// functions, 18 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
     x1: Vector<T, 2>,
@@ -42,12 +42,6 @@ pub fn lyapunov<T: Real>(
     plant: &Params<T>,
 ) -> LyapunovOutputs<T> {
     let real = T::from_f64;
-
-    // -- known dynamics of block 1 (joints) (11) --
-    // F_1(x_1 .. x_1)
-    let F1: Vector<T, 2> = Vector::zero();
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 2, 2> = Matrix::from_f64([[1.0, 0.0], [0.0, 1.0]]);
 
     // -- plant model --
     let t1 = params.m_e * real(0.36);
@@ -63,7 +57,7 @@ pub fn lyapunov<T: Real>(
     let M_11 = a_1 + real(2.0) * a_3 * t3 + real(2.0) * a_4 * t4;
     let det_M = M_11 * a_2 - M_12 * M_12;
     let t5 = -M_12;
-    let inverse_M = Matrix([[a_2, t5], [t5, M_11]]) / det_M;
+    let inverse_M = Matrix::rows([[a_2, t5], [t5, M_11]]) / det_M;
     let coriolis = a_3 * t4 - a_4 * t3;
     let v2 = x2[1];
     let v1 = x2[0];
@@ -80,20 +74,19 @@ pub fn lyapunov<T: Real>(
     let t9 = real(1.0) - t8;
     // y_r(t)
     let y_r = Vector([real(0.5235987755982989) * t9, real(FRAC_PI_4) * t9]);
-    let t10 = t7.sin();
-    let t11 = t10 * real(2.0);
+    let t10 = t7.sin() * real(2.0);
     // y_r'
-    let y_r_dot = Vector([real(0.5235987755982989) * t11, real(FRAC_PI_4) * t11]);
-    let t12 = (real(-2.0) * t).exp();
+    let y_r_dot = Vector([real(0.5235987755982989) * t10, real(FRAC_PI_4) * t10]);
+    let t11 = (real(-2.0) * t).exp();
     // k_1(t)
-    let k1 = real(0.3) * t12 + real(0.05);
-    let t13 = t12 * real(-2.0);
+    let k1 = real(0.3) * t11 + real(0.05);
+    let t12 = t11 * real(-2.0);
     // k1'
-    let k1_dot = real(0.3) * t13;
+    let k1_dot = real(0.3) * t12;
     // k_2(t)
-    let k2 = real(4.0) * t12 + real(1.0);
+    let k2 = real(4.0) * t11 + real(1.0);
     // k2'
-    let k2_dot = real(4.0) * t13;
+    let k2_dot = real(4.0) * t12;
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -102,23 +95,23 @@ pub fn lyapunov<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t14 = k1 * k1;
-    let t15 = s1 / t14;
+    let t13 = k1 * k1;
+    let t14 = s1 / t13;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t15 * t15);
+    let E1_free = real(FRAC_PI_2) * (t14 * t14);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t16 = cosE1 * cosE1;
+    let t15 = cosE1 * cosE1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t16;
+    let c1 = e1 * s1 / t15;
 
     // -- robust feedback of block 1 (31) (63) --
-    let t17 = kernel::sin_cos_over(E1);
-    let t18 = real(1.5697963267948967) / E1_free;
+    let t16 = kernel::sin_cos_over(E1);
+    let t17 = real(1.5697963267948967) / E1_free;
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0) * (t17 * real(1.0).min(t18)) + e1 * real(4.0);
+    let Lam0_1 = e1 * real(5.0) * (t16 * real(1.0).min(t17)) + e1 * real(4.0);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
     // Lam_1, sum of the terms above
@@ -127,16 +120,15 @@ pub fn lyapunov<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t19 = state.zeta1 * real(20.0);
+    let t18 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + t19 + Lam1;
-    let t20 = G1.solve(bracket1);
+    let bracket1 = t18 - y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t20;
+    let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t19;
+    let zeta1_dot = state.zeta2 - t18;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -149,45 +141,39 @@ pub fn lyapunov<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t21 = k2 * k2;
-    let t22 = s2 / t21;
+    let t19 = k2 * k2;
+    let t20 = s2 / t19;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t22 * t22);
+    let E2_free = real(FRAC_PI_2) * (t20 * t20);
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
     // cos E_2
     let cosE2 = E2.cos();
-    let t23 = cosE2 * cosE2;
+    let t21 = cosE2 * cosE2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * s2 / t23;
+    let c2 = e2 * s2 / t21;
 
     // -- MTPN of block 2 (4) (16) --
     // z_2, network inputs
     let z2 = Vector([v1, v2, q2]);
     // P_2 = P_m(z_2), 20 nodes
     let P2 = polynomials::basis2(z2);
-    let t24 = state.W2.transpose();
+    let t22 = state.W2.transpose();
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = t24 * P2;
+    let A_hat2 = t22 * P2;
 
     // -- disturbance observer of block 2 (20) (49) --
-    // S_2, observer gain
-    let S2: Matrix<T, 5, 2> = Matrix::from_f64([
-        [12.0, 0.0],
-        [36.0, 0.0],
-        [0.0, 8.0],
-        [0.0, 2.0],
-        [0.0, 11.0],
-    ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + S2 * e2;
-    // L_2
-    let L2: Matrix<T, 2, 5> = Matrix::from_f64([
-        [1.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 1.0, 1.0, 0.0],
-    ]);
+    let w_hat2 = state.th2
+        + Vector([
+            real(12.0) * e2[0],
+            real(36.0) * e2[0],
+            real(8.0) * e2[1],
+            real(2.0) * e2[1],
+            real(11.0) * e2[1],
+        ]);
     // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = L2 * w_hat2;
+    let D_hat2 = Vector([w_hat2[0], w_hat2[2] + w_hat2[3]]);
 
     // -- robust feedback of block 2 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -197,60 +183,59 @@ pub fn lyapunov<T: Real>(
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(0.9999999999999998);
     // e / (2 cos^2 E) (63)
-    let Lam2_network = e2 * real(0.5) / t23;
-    let t25 = e2.map(T::tanh);
+    let Lam2_network = e2 * real(0.5) / t21;
+    let t23 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t25 * state.eps2;
+    let Lam2_error_bound = t23 * state.eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25) * t23;
+    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25) * t21;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling;
 
     // -- control (64) of block 2 --
-    let t26 = F2 + A_hat2;
-    let t27 = state.zeta2 * real(50.0);
+    let t24 = F2 + A_hat2;
+    let t25 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t26 - h1_dot + t27 + D_hat2 + Lam2;
-    let t28 = inverse_M.solve(bracket2);
+    let bracket2 = t24 - h1_dot + t25 + D_hat2 + Lam2;
+    let t26 = inverse_M.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t28;
+    let u = -t26;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 2>::from_f64([-60.0, -30.0]), T::max)
-        .zip(Vector::<T, 2>::from_f64([60.0, 30.0]), T::min);
+        .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
+        .min(Vector::<T, 2>::from_f64([60.0, 30.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = inverse_M * (u_sat + t28) - t27;
+    let zeta2_dot = inverse_M * (u_sat + t26) - t25;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
-    // M_2 - S_2 L_2
-    let w2_closed: Matrix<T, 5, 5> = Matrix::from_f64([
-        [-12.0, 1.0, 0.0, 0.0, 0.0],
-        [-36.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, -8.0, -8.0, 0.0],
-        [0.0, 0.0, -2.0, -2.0, 3.0],
-        [0.0, 0.0, -11.0, -14.0, 0.0],
+    let t27 = Vector([
+        real(-12.0) * w_hat2[0] + w_hat2[1],
+        real(-36.0) * w_hat2[0],
+        real(-8.0) * w_hat2[2] + real(-8.0) * w_hat2[3],
+        real(-2.0) * w_hat2[2] + real(-2.0) * w_hat2[3] + real(3.0) * w_hat2[4],
+        real(-11.0) * w_hat2[2] + real(-14.0) * w_hat2[3],
     ]);
+    let t28 = t24 + inverse_M * u - h1_dot + t25;
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = w2_closed * w_hat2 - S2 * (t26 + inverse_M * u - h1_dot + t27);
+    let th2_dot = t27
+        - Vector([
+            real(12.0) * t28[0],
+            real(36.0) * t28[0],
+            real(8.0) * t28[1],
+            real(2.0) * t28[1],
+            real(11.0) * t28[1],
+        ]);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 / t23 * e2.dot(t25) - state.eps2);
-
-    // -- true dynamics of block 1 (joints) (11) --
-    // F_1 with the plant's parameters
-    let F1_plant: Vector<T, 2> = Vector::zero();
-    // G_1 with the plant's parameters
-    let G1_plant: Matrix<T, 2, 2> = Matrix::from_f64([[1.0, 0.0], [0.0, 1.0]]);
-    // F_1 + G_1 x_2 + d_1
-    let x1_flow = F1_plant + G1_plant * x2;
+    let eps2_dot = real(0.1) * (s2 / t21 * e2.dot(t23) - state.eps2);
 
     // -- true dynamics of block 2 (rates) (11) --
     let t29 = plant.m_e * real(0.36);
@@ -263,43 +248,42 @@ pub fn lyapunov<T: Real>(
     let t36 = real(0.62) + t29 + plant.m_e + real(2.0) * t32 * t3 + real(2.0) * t33 * t4;
     let t37 = t36 * t30 - t34 * t34;
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[t30, t35], [t35, t36]]) / t37;
+    let G2_plant = Matrix::rows([[t30, t35], [t35, t36]]) / t37;
     // F_2 with the plant's parameters
     let F2_plant = -G2_plant * (t6 * (t32 * t4 - t33 * t3));
     // d_2 = L_2 w_2 (12)
-    let d2 = L2 * w2;
-    let t38: Matrix<T, 5, 5> = Matrix::from_f64([
-        [0.0, 1.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 3.0],
-        [0.0, 0.0, 0.0, -3.0, 0.0],
-    ]);
+    let d2 = Vector([w2[0], w2[2] + w2[3]]);
     // w_2' = M_2 w_2 (12)
-    let w2_flow = t38 * w2;
+    let w2_flow = Vector([
+        w2[1],
+        real(0.0),
+        real(0.0),
+        real(3.0) * w2[4],
+        real(-3.0) * w2[3],
+    ]);
     // F_2 + G_2 x_3 + d_2
     let x2_flow = F2_plant + G2_plant * u_sat + d2;
 
     // -- Lyapunov function of block 1 (23) (52) --
-    let t39 = t14 * t14 / real(TAU);
-    let t40 = E1.tan();
+    let t38 = t13 * t13 / real(TAU);
+    let t39 = E1.tan();
     // k_1^4/(2 pi) tan E_1
-    let V_T1 = t39 * t40;
+    let V_T1 = t38 * t39;
     // 1/2 ||zeta_1||^2
     let V_zeta1 = state.zeta1.sum_squares() * real(0.5);
     // chi_1 = h_1 - alpha_1 (34)
-    let chi1 = state.h1 + t20;
+    let chi1 = state.h1 + bracket1;
     // 1/2 ||chi_1||^2
     let V_chi1 = chi1.sum_squares() * real(0.5);
 
     // -- Lyapunov function of block 2 (23) (52) --
-    let t41 = t21 * t21 / real(TAU);
-    let t42 = E2.tan();
+    let t40 = t19 * t19 / real(TAU);
+    let t41 = E2.tan();
     // k_2^4/(2 pi) tan E_2
-    let V_T2 = t41 * t42;
-    let t43 = t24 * state.W2;
+    let V_T2 = t40 * t41;
+    let t42 = t22 * state.W2;
     // tr(W_2^T W_2)/(2 Gamma_2)
-    let V_W2 = (t43[(0, 0)] + t43[(1, 1)]) * real(0.5);
+    let V_W2 = (t42[(0, 0)] + t42[(1, 1)]) * real(0.5);
     // w_2 - w_hat_2
     let w_error2 = w2 - w_hat2;
     // 1/2 ||theta_2 - th_2||^2
@@ -315,13 +299,13 @@ pub fn lyapunov<T: Real>(
 
     // -- Ito generator (2) --
     // e1' along the flow
-    let e1_flow = x1_flow - y_r_dot - zeta1_dot;
-    let t44 = e1_flow.dot(e1);
+    let e1_flow = x2 - y_r_dot - zeta1_dot;
+    let t43 = e1_flow.dot(e1);
     // s1' along the flow
-    let s1_flow = t44 + t44;
-    let t45 = (t15 + t15) * (s1_flow / t14 - t15 / t14 * ((k1 + k1) * k1_dot));
+    let s1_flow = t43 + t43;
+    let t44 = (t14 + t14) * (s1_flow / t13 - t14 / t13 * ((k1 + k1) * k1_dot));
     // E1_free' along the flow
-    let E1_free_flow = real(FRAC_PI_2) * t45;
+    let E1_free_flow = real(FRAC_PI_2) * t44;
     // E1' along the flow
     let E1_flow = T::select(
         E1_free.lt(real(1.5697963267948967)),
@@ -329,34 +313,34 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t40 * (real(4.0) * (t14 * k1) * k1_dot / real(TAU))
-        + t39 * (E1_flow / t16);
-    let t46 = zeta1_dot.dot(state.zeta1);
+    let V_T1_flow = t39 * (real(4.0) * (t13 * k1) * k1_dot / real(TAU))
+        + t38 * (E1_flow / t15);
+    let t45 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
-    let V_zeta1_flow = (t46 + t46) * real(0.5);
-    let t47 = real(2.0) * (t8 * real(2.0)) + t10 * real(0.0);
+    let V_zeta1_flow = (t45 + t45) * real(0.5);
+    let t46 = real(2.0) * (t8 * real(2.0));
     // y_r''
-    let y_r_dot2 = Vector([real(0.5235987755982989) * t47, real(FRAC_PI_4) * t47]);
-    let t48 = real(1.0).lt(t18);
-    let t49 = T::select(t48, real(1.0), t18);
-    let t50 = t49 * (kernel::sin_cos_over_d1(E1) * E1_flow)
-        + T::select(t48, real(0.0), -(t17 * (t18 / E1_free * E1_free_flow)));
-    let t51 = t17 * t49;
+    let y_r_dot2 = Vector([real(0.5235987755982989) * t46, real(FRAC_PI_4) * t46]);
+    let t47 = real(1.0).lt(t17);
+    let t48 = T::select(t47, real(1.0), t17);
+    let t49 = t48 * (kernel::sin_cos_over_d1(E1) * E1_flow)
+        + T::select(t47, real(0.0), -(t16 * (t17 / E1_free * E1_free_flow)));
+    let t50 = t16 * t48;
     // Lam0_1' along the flow
     let Lam0_1_flow = Vector([
-        real(5.0) * e1[0] * t50 + t51 * (real(5.0) * e1_flow[0])
+        real(5.0) * e1[0] * t49 + t50 * (real(5.0) * e1_flow[0])
             + real(4.0) * e1_flow[0],
-        real(5.0) * e1[1] * t50 + t51 * (real(5.0) * e1_flow[1]) + real(4.0) * e1_flow[1],
+        real(5.0) * e1[1] * t49 + t50 * (real(5.0) * e1_flow[1]) + real(4.0) * e1_flow[1],
     ]);
     // cosE1' along the flow
     let cosE1_flow = -(E1.sin() * E1_flow);
-    let t52 = (cosE1 + cosE1) * cosE1_flow;
-    let t53 = s1 * e1[0] / t16 / t16 * t52;
-    let t54 = s1 * e1[1] / t16 / t16 * t52;
+    let t51 = (cosE1 + cosE1) * cosE1_flow;
+    let t52 = s1 * e1[0] / t15 / t15 * t51;
+    let t53 = s1 * e1[1] / t15 / t15 * t51;
     // c1' along the flow
     let c1_flow = Vector([
-        (e1[0] * s1_flow + s1 * e1_flow[0]) / t16 - t53,
-        (e1[1] * s1_flow + s1 * e1_flow[1]) / t16 - t54,
+        (e1[0] * s1_flow + s1 * e1_flow[0]) / t15 - t52,
+        (e1[1] * s1_flow + s1 * e1_flow[1]) / t15 - t53,
     ]);
     // Lam1_filter' along the flow
     let Lam1_filter_flow = c1_flow * real(0.5);
@@ -365,18 +349,18 @@ pub fn lyapunov<T: Real>(
     // bracket1' along the flow
     let bracket1_flow = zeta1_dot * real(20.0) - y_r_dot2 + Lam1_flow;
     // chi1' along the flow
-    let chi1_flow = h1_dot + G1.solve(bracket1_flow);
-    let t55 = chi1_flow.dot(chi1);
+    let chi1_flow = h1_dot + bracket1_flow;
+    let t54 = chi1_flow.dot(chi1);
     // V_chi1' along the flow
-    let V_chi1_flow = (t55 + t55) * real(0.5);
+    let V_chi1_flow = (t54 + t54) * real(0.5);
     // e2' along the flow
     let e2_flow = x2_flow - h1_dot - zeta2_dot;
-    let t56 = e2_flow.dot(e2);
+    let t55 = e2_flow.dot(e2);
     // s2' along the flow
-    let s2_flow = t56 + t56;
-    let t57 = (t22 + t22) * (s2_flow / t21 - t22 / t21 * ((k2 + k2) * k2_dot));
+    let s2_flow = t55 + t55;
+    let t56 = (t20 + t20) * (s2_flow / t19 - t20 / t19 * ((k2 + k2) * k2_dot));
     // E2_free' along the flow
-    let E2_free_flow = real(FRAC_PI_2) * t57;
+    let E2_free_flow = real(FRAC_PI_2) * t56;
     // E2' along the flow
     let E2_flow = T::select(
         E2_free.lt(real(1.5697963267948967)),
@@ -384,24 +368,31 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T2' along the flow
-    let V_T2_flow = t42 * (real(4.0) * (t21 * k2) * k2_dot / real(TAU))
-        + t41 * (E2_flow / t23);
-    let t58 = W2_dot.transpose() * state.W2 + t24 * W2_dot;
+    let V_T2_flow = t41 * (real(4.0) * (t19 * k2) * k2_dot / real(TAU))
+        + t40 * (E2_flow / t21);
+    let t57 = W2_dot.transpose() * state.W2 + t22 * W2_dot;
     // V_W2' along the flow
-    let V_W2_flow = (t58[(0, 0)] + t58[(1, 1)]) * real(0.5);
+    let V_W2_flow = (t57[(0, 0)] + t57[(1, 1)]) * real(0.5);
     // w_hat2' along the flow
-    let w_hat2_flow = th2_dot + S2 * e2_flow;
+    let w_hat2_flow = th2_dot
+        + Vector([
+            real(12.0) * e2_flow[0],
+            real(36.0) * e2_flow[0],
+            real(8.0) * e2_flow[1],
+            real(2.0) * e2_flow[1],
+            real(11.0) * e2_flow[1],
+        ]);
     // w_error2' along the flow
     let w_error2_flow = w2_flow - w_hat2_flow;
-    let t59 = w_error2_flow.dot(w_error2);
+    let t58 = w_error2_flow.dot(w_error2);
     // V_D2' along the flow
-    let V_D2_flow = (t59 + t59) * real(0.5);
-    let t60 = zeta2_dot.dot(state.zeta2);
+    let V_D2_flow = (t58 + t58) * real(0.5);
+    let t59 = zeta2_dot.dot(state.zeta2);
     // V_zeta2' along the flow
-    let V_zeta2_flow = (t60 + t60) * real(0.5);
-    let t61 = eps2_dot * state.eps2;
+    let V_zeta2_flow = (t59 + t59) * real(0.5);
+    let t60 = eps2_dot * state.eps2;
     // V_eps2' along the flow
-    let V_eps2_flow = (t61 + t61) / real(0.2);
+    let V_eps2_flow = (t60 + t60) / real(0.2);
     // LV = V_t + V_x f + 1/2 sum_j g_j^T V_xx g_j
     let LV = V_T1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow + V_W2_flow + V_D2_flow
         + V_zeta2_flow + V_eps2_flow;

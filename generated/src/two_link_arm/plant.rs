@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 4700293c1b1bde50ac92999c65acf7cdc8db3b7b0bff20cc6a5ecd59ed45cd7c
+// SHA-256 of the text below: 113f435d7cf6a5a578420195759aa03bb8a22bb815e3a09c2a5815b2a1e21887
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// plant: 51 additions, 66 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 20 additions, 29 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `two_link_arm`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -11,7 +11,7 @@
 
 use super::params::Params;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
 
 /// Number of plant states: `q1` (dimensionless), `q2` (dimensionless), `v1` (1/s), `v2` (1/s),
@@ -34,14 +34,71 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
-    #[inline]
+    #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        plant(t, *x, self.u_sat, &self.params).drift
+        T::outlined(Drift { plant: self, t, x })
     }
 
-    #[inline]
+    #[inline(always)]
     fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
+    }
+}
+/// Drift.
+struct Drift<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Drift<'_, T> {
+    type Output = Vector<T, STATES>;
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
+    }
+}
+
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// `a_2`.
+    pub a_2: T,
+    /// `a_3`.
+    pub a_3: T,
+    /// `a_4`.
+    pub a_4: T,
+    /// `a_1`.
+    pub a_1: T,
+    /// Part of `M_11`.
+    pub M_11_1: T,
+    /// Part of `M_11`.
+    pub M_11_2: T,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 3 additions, 6 multiplications, 0 divisions, 0 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let t1 = params.m_e * real(0.36);
+    let a_2 = real(0.25) + t1;
+    let t2 = params.m_e * real(0.6);
+    let a_3 = t2 * real(0.8660254037844386);
+    let a_4 = t2 * real(0.5);
+    let a_1 = real(0.62) + t1 + params.m_e;
+    let M_11_1 = real(2.0) * a_3;
+    let M_11_2 = real(2.0) * a_4;
+    Prepared {
+        a_2,
+        a_3,
+        a_4,
+        a_1,
+        M_11_1,
+        M_11_2,
     }
 }
 
@@ -56,87 +113,65 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 51 additions, 66 multiplications, 4 divisions, 0 square roots, 2 elementary
+/// Operations: 17 additions, 23 multiplications, 4 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
-pub fn plant<T: Real>(
-    _t: T,
+#[inline(always)]
+pub fn dynamics<T: Real>(
     x: Vector<T, 9>,
     u_sat: Vector<T, 2>,
-    params: &Params<T>,
+    prepared: &Prepared<T>,
 ) -> PlantOutputs<T> {
     let real = T::from_f64;
-
-    // -- disturbance observer of block 2 (20) (49) --
-    // L_2
-    let L2: Matrix<T, 2, 5> = Matrix::from_f64([
-        [1.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 1.0, 1.0, 0.0],
-    ]);
-
-    // -- true dynamics of block 1 (joints) (11) --
-    // F_1 with the plant's parameters
-    let F1_plant: Vector<T, 2> = Vector::zero();
-    // G_1 with the plant's parameters
-    let G1_plant: Matrix<T, 2, 2> = Matrix::from_f64([[1.0, 0.0], [0.0, 1.0]]);
 
     // -- plant model --
     let v1 = x[2];
     let v2 = x[3];
-    let t1 = params.m_e * real(0.36);
-    let a_2 = real(0.25) + t1;
-    let t2 = params.m_e * real(0.6);
-    let a_3 = t2 * real(0.8660254037844386);
     let q2 = x[1];
-    let a_4 = t2 * real(0.5);
-    let t3 = q2.cos();
-    let t4 = q2.sin();
-    let M_12 = a_2 + a_3 * t3 + a_4 * t4;
-    let a_1 = real(0.62) + t1 + params.m_e;
-    let M_11 = a_1 + real(2.0) * a_3 * t3 + real(2.0) * a_4 * t4;
-    let det_M = M_11 * a_2 - M_12 * M_12;
-    let t5 = -M_12;
-    let inverse_M = Matrix([[a_2, t5], [t5, M_11]]) / det_M;
-    let coriolis = a_3 * t4 - a_4 * t3;
+    let t1 = q2.cos();
+    let t2 = q2.sin();
+    let M_12 = prepared.a_2 + prepared.a_3 * t1 + prepared.a_4 * t2;
+    let M_11 = prepared.a_1 + prepared.M_11_1 * t1 + prepared.M_11_2 * t2;
+    let det_M = M_11 * prepared.a_2 - M_12 * M_12;
+    let t3 = -M_12;
+    let inverse_M = Matrix::rows([[prepared.a_2, t3], [t3, M_11]]) / det_M;
+    let coriolis = prepared.a_3 * t2 - prepared.a_4 * t1;
     let torque = Vector([-v2 * v1 - (v1 + v2) * v2, v1 * v1]) * coriolis;
-
-    // -- given --
-    let x2 = Vector([v1, v2]);
-    let w2 = Vector([x[4], x[5], x[6], x[7], x[8]]);
-
-    // -- true dynamics of block 1 (joints) (11) --
-    // F_1 + G_1 x_2 + d_1
-    let x1_flow = F1_plant + G1_plant * x2;
 
     // -- true dynamics of block 2 (rates) (11) --
     // F_2 with the plant's parameters
     let F2_plant = -inverse_M * torque;
     // d_2 = L_2 w_2 (12)
-    let d2 = L2 * w2;
-    let t6: Matrix<T, 5, 5> = Matrix::from_f64([
-        [0.0, 1.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 3.0],
-        [0.0, 0.0, 0.0, -3.0, 0.0],
-    ]);
-    // w_2' = M_2 w_2 (12)
-    let w2_flow = t6 * w2;
+    let d2 = Vector([x[4], x[6] + x[7]]);
     // F_2 + G_2 x_3 + d_2
     let x2_flow = F2_plant + inverse_M * u_sat + d2;
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // dx/dt without noise
     let drift = Vector([
-        x1_flow[0],
-        x1_flow[1],
+        v1,
+        v2,
         x2_flow[0],
         x2_flow[1],
-        w2_flow[0],
-        w2_flow[1],
-        w2_flow[2],
-        w2_flow[3],
-        w2_flow[4],
+        x[5],
+        real(0.0),
+        real(0.0),
+        real(3.0) * x[8],
+        real(-3.0) * x[7],
     ]);
     PlantOutputs { drift, d2 }
+}
+
+/// Drift and diffusion of the plant and its disturbances.
+///
+/// Operations: 20 additions, 29 multiplications, 4 divisions, 0 square roots, 2 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn plant<T: Real>(
+    _t: T,
+    x: Vector<T, 9>,
+    u_sat: Vector<T, 2>,
+    params: &Params<T>,
+) -> PlantOutputs<T> {
+    let prepared = prepare(params);
+    dynamics(x, u_sat, &prepared)
 }

@@ -11,6 +11,7 @@
 extern crate std;
 
 mod elementary;
+pub mod entries;
 pub mod lanes;
 pub mod rare;
 pub mod real;

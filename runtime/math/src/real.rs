@@ -2,10 +2,13 @@
 //!
 //! Comparisons give masks and choices are selects, so the same text runs lane by lane without a branch.
 
+use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use crate::entries::{Each, Each2, single};
+
 /// Truth value of each lane.
-pub trait Mask: Copy {
+pub trait Mask: Copy + Debug {
     /// The same truth value in every lane.
     fn splat(value: bool) -> Self;
     /// Both.
@@ -33,9 +36,11 @@ pub trait Mask: Copy {
 }
 
 /// The representation of each lane as an unsigned integer of the lane's size, for range reduction and random numbers. Arithmetic wraps.
-pub trait Bits: Copy {
+pub trait Bits: Copy + Debug {
     /// The low bits of `value` in every lane.
     fn splat(value: u64) -> Self;
+    /// The low bits of `value(i)` in each lane i.
+    fn from_lanes(value: impl FnMut(usize) -> u64) -> Self;
     /// Bitwise and.
     fn and(self, other: Self) -> Self;
     /// Bitwise or.
@@ -54,9 +59,19 @@ pub trait Bits: Copy {
     fn mul_wide(self, other: Self) -> (Self, Self);
 }
 
+/// A part of a computation that [`Real::outlined`] makes a function of its own, to split large bodies or to share one of them. It is a trait
+/// of its own because a closure might be left outside that function, where its instructions are not enabled.
+pub trait Part {
+    /// What it gives.
+    type Output;
+    /// The computation; `#[inline(always)]` in every implementation.
+    fn run(self) -> Self::Output;
+}
+
 /// Real numbers in floating point. Arithmetic is IEEE 754, rounded to nearest, never fused.
 pub trait Real:
     Copy
+    + Debug
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
@@ -70,6 +85,8 @@ pub trait Real:
 
     /// Number of lanes; 1 for a scalar.
     const LANES: usize;
+    /// Binary digits of the significand: 53 in double precision, 24 in single.
+    const MANTISSA_DIGITS: u32;
 
     /// The nearest value to `value`, in every lane.
     fn from_f64(value: f64) -> Self;
@@ -85,9 +102,20 @@ pub trait Real:
     fn from_bits(bits: Self::Bits) -> Self;
     /// The representation.
     fn to_bits(self) -> Self::Bits;
-    /// The result of `f`, in a function of its own that is compiled for the instruction set of this type. It splits large bodies of
-    /// generated code.
-    fn outlined<R>(f: impl FnOnce() -> R) -> R;
+    /// The result of a part, in a function of its own that is compiled for the instruction set of this type.
+    fn outlined<P: Part>(part: P) -> P::Output;
+
+    /// `f` of each entry.
+    #[inline(always)]
+    fn each(f: impl Each, entries: &mut [Self]) {
+        single::each(f, entries);
+    }
+
+    /// `f` of each entry and the other at the same place; there are as many others.
+    #[inline(always)]
+    fn each2(f: impl Each2, entries: &mut [Self], others: &[Self]) {
+        single::each2(f, entries, others);
+    }
 
     /// Less; false for NaN.
     fn lt(self, other: Self) -> Self::Mask;

@@ -1,6 +1,10 @@
 //! `f32` and `f64` as numbers of one lane.
 
-use crate::real::{Bits, Mask, Real};
+#[cfg(target_arch = "x86_64")]
+use crate::entries::{Each, Each2, packed};
+#[cfg(target_arch = "x86_64")]
+use crate::lanes::x86;
+use crate::real::{Bits, Mask, Part, Real};
 use crate::sqrt::{sqrt_f32, sqrt_f64};
 
 impl Mask for bool {
@@ -42,6 +46,11 @@ macro_rules! bits {
             #[inline(always)]
             fn splat(value: u64) -> Self {
                 value as $integer
+            }
+
+            #[inline(always)]
+            fn from_lanes(mut value: impl FnMut(usize) -> u64) -> Self {
+                value(0) as $integer
             }
 
             #[inline(always)]
@@ -115,12 +124,14 @@ pub(crate) use elementary;
 
 /// Implements [`Real`] for a scalar.
 macro_rules! scalar {
-    ($float:ident, $bits:ty, $format:ident, $sqrt:path) => {
+    ($float:ident, $bits:ty, $format:ident, $sqrt:path,
+     $wide:ident[$w:literal], $middle:ident[$m:literal], $narrow:ident[$n:literal]) => {
         impl Real for $float {
             type Mask = bool;
             type Bits = $bits;
 
             const LANES: usize = 1;
+            const MANTISSA_DIGITS: u32 = $float::MANTISSA_DIGITS;
 
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
@@ -158,8 +169,24 @@ macro_rules! scalar {
             }
 
             #[inline(never)]
-            fn outlined<R>(f: impl FnOnce() -> R) -> R {
-                f()
+            fn outlined<P: Part>(part: P) -> P::Output {
+                part.run()
+            }
+
+            #[cfg(target_arch = "x86_64")]
+            #[inline(always)]
+            fn each(f: impl Each, entries: &mut [Self]) {
+                packed::each::<Self, x86::$wide, x86::$middle, x86::$narrow, $w, $m, $n>(
+                    f, entries,
+                );
+            }
+
+            #[cfg(target_arch = "x86_64")]
+            #[inline(always)]
+            fn each2(f: impl Each2, entries: &mut [Self], others: &[Self]) {
+                packed::each2::<Self, x86::$wide, x86::$middle, x86::$narrow, $w, $m, $n>(
+                    f, entries, others,
+                );
             }
 
             #[inline(always)]
@@ -212,8 +239,8 @@ macro_rules! scalar {
     };
 }
 
-scalar!(f64, u64, Double, sqrt_f64);
-scalar!(f32, u32, Single, sqrt_f32);
+scalar!(f64, u64, Double, sqrt_f64, F64x8[8], F64x4[4], F64x2[2]);
+scalar!(f32, u32, Single, sqrt_f32, F32x16[16], F32x8[8], F32x4[4]);
 
 #[cfg(test)]
 mod tests {

@@ -1,9 +1,10 @@
 //! Column vectors.
 
-use core::ops::{Add, Div, Index, IndexMut, Mul, Neg, Sub};
+use core::ops::{Index, IndexMut};
 
-use super::{Matrix, array, rows, sum};
-use crate::real::{Mask, Real};
+use super::elementwise::{elementwise, operators};
+use super::{Each, Each2, Matrix, PARTIAL, add_defects, dot};
+use crate::real::Real;
 
 /// A column of `N` numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,88 +17,80 @@ impl<T: Real, const N: usize> Vector<T, N> {
         Self([value; N])
     }
 
-    /// Zeros.
-    #[inline(always)]
-    pub fn zero() -> Self {
-        Self::splat(T::zero())
-    }
-
     /// Entries from literals.
     #[inline(always)]
     pub fn from_f64(entries: [f64; N]) -> Self {
-        Self(array(|i| T::from_f64(entries[i])))
+        let mut vector = Self::zero();
+        let mut i = 0;
+        while i < N {
+            vector.0[i] = T::from_f64(entries[i]);
+            i += 1;
+        }
+        vector
+    }
+
+    elementwise!();
+
+    /// `f` of each entry.
+    #[inline(always)]
+    pub fn each(mut self, f: impl Each) -> Self {
+        T::each(f, &mut self.0);
+        self
+    }
+
+    /// `f` of the entries at each place.
+    #[inline(always)]
+    pub fn each2(mut self, f: impl Each2, other: &Self) -> Self {
+        T::each2(f, &mut self.0, &other.0);
+        self
     }
 
     /// `a` where the mask is true, else `b`.
     #[inline(always)]
     pub fn select(mask: T::Mask, a: Self, b: Self) -> Self {
-        a.zip(b, |a, b| T::select(mask, a, b))
+        let mut result = a;
+        let mut i = 0;
+        while i < N {
+            result.0[i] = T::select(mask, a.0[i], b.0[i]);
+            i += 1;
+        }
+        result
     }
 
-    /// `f` of each entry.
-    #[inline(always)]
-    pub fn map(self, f: impl Fn(T) -> T) -> Self {
-        Self(array(|i| f(self.0[i])))
-    }
-
-    /// `f` of the entries at each place.
-    #[inline(always)]
-    pub fn zip(self, other: Self, f: impl Fn(T, T) -> T) -> Self {
-        Self(array(|i| f(self.0[i], other.0[i])))
-    }
-
-    /// `v_i s`.
-    #[inline(always)]
-    pub fn scale(self, factor: T) -> Self {
-        self.map(|x| x * factor)
-    }
-
-    /// `v_i + s`.
-    #[inline(always)]
-    pub fn add_scalar(self, term: T) -> Self {
-        self.map(|x| x + term)
-    }
-
-    /// Elementwise product `a_i b_i`.
-    #[inline(always)]
-    pub fn hadamard(self, other: Self) -> Self {
-        self.zip(other, |a, b| a * b)
-    }
-
-    /// Elementwise quotient `a_i / b_i`.
-    #[inline(always)]
-    pub fn quotient(self, other: Self) -> Self {
-        self.zip(other, |a, b| a / b)
-    }
-
-    /// Inner product `a_0 b_0 + a_1 b_1 + ...`, left to right.
+    /// Inner product `a_0 b_0 + a_1 b_1 + ...`, by the rule of [sums](super).
     #[inline(always)]
     pub fn dot(self, other: Self) -> T {
-        sum::<T, N>(|i| self.0[i] * other.0[i])
+        dot(&self.0, &other.0)
     }
 
-    /// `v_0 v_0 + v_1 v_1 + ...`, left to right.
+    /// `v_0 v_0 + v_1 v_1 + ...`, by the rule of [sums](super).
     #[inline(always)]
     pub fn sum_squares(self) -> T {
-        self.dot(self)
+        dot(&self.0, &self.0)
     }
 
     /// `a b^T`: entry (i, j) is `a_i b_j`.
     #[inline(always)]
     pub fn outer<const C: usize>(self, other: Vector<T, C>) -> Matrix<T, N, C> {
-        Matrix(rows(|i, j| self.0[i] * other.0[j]))
+        let mut product = Matrix::zero();
+        let mut j = 0;
+        while j < C {
+            *product.column_mut(j) = self * other.0[j];
+            j += 1;
+        }
+        product
     }
 
     /// Whether every entry is finite.
     #[inline(always)]
-    pub fn is_finite(self) -> T::Mask {
-        let mut all = T::Mask::splat(true);
-        for i in 0..N {
-            all = all.and(self.0[i].is_finite());
-        }
-        all
+    pub fn is_finite(&self) -> T::Mask {
+        let mut sums = [T::zero(); PARTIAL];
+        add_defects(&mut sums, &self.0);
+        super::sum(&sums).eq(T::zero())
     }
 }
+
+operators!(Vector<T, N>, const N: usize);
 
 impl<T, const N: usize> Index<usize> for Vector<T, N> {
     type Output = T;
@@ -112,51 +105,5 @@ impl<T, const N: usize> IndexMut<usize> for Vector<T, N> {
     #[inline(always)]
     fn index_mut(&mut self, i: usize) -> &mut T {
         &mut self.0[i]
-    }
-}
-
-impl<T: Real, const N: usize> Add for Vector<T, N> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        self.zip(other, |a, b| a + b)
-    }
-}
-
-impl<T: Real, const N: usize> Sub for Vector<T, N> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        self.zip(other, |a, b| a - b)
-    }
-}
-
-impl<T: Real, const N: usize> Neg for Vector<T, N> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn neg(self) -> Self {
-        self.map(|x| -x)
-    }
-}
-
-impl<T: Real, const N: usize> Mul<T> for Vector<T, N> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, factor: T) -> Self {
-        self.scale(factor)
-    }
-}
-
-impl<T: Real, const N: usize> Div<T> for Vector<T, N> {
-    type Output = Self;
-
-    /// `v_i / s`, a division for each entry.
-    #[inline(always)]
-    fn div(self, divisor: T) -> Self {
-        self.map(|x| x / divisor)
     }
 }

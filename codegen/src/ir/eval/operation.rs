@@ -80,7 +80,9 @@ impl Tables {
                     linear::sum_of_products(value(a).iter().copied().zip(value(b).iter().copied()))
             }
             Op::Outer(a, b) => linear::product(value(a), value(b), 1, value(b).len(), out),
-            Op::SumSquares(a) => out[0] = linear::sum_of_products(value(a).iter().map(|&x| (x, x))),
+            Op::SumSquares(a) => {
+                out[0] = linear::sum_of_squares(value(a), columns(program.shape(a)))
+            }
             Op::Solve(a, b) => linear::solve(value(a), value(b), out),
             Op::SingularVector(a) => {
                 linear::singular_vector(value(a), columns(program.shape(a)), out)
@@ -89,6 +91,12 @@ impl Tables {
                 let arguments: Vec<f64> =
                     arguments.iter().map(|&argument| first(argument)).collect();
                 out[0] = self.polynomials[id.0 as usize].eval(&arguments);
+            }
+            Op::Family(id, z) => {
+                let (members, z) = (&program.families[id.0 as usize].members, first(z));
+                for (entry, member) in out.iter_mut().zip(members) {
+                    *entry = member.eval(z);
+                }
             }
             Op::Basis(id, z) => self.monomials(id, [value(z); 3], 0, out),
             Op::BasisRate(id, z, z1) => {

@@ -3,10 +3,10 @@
 use core::array::from_fn;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::real::{Bits, Mask, Real};
+use crate::real::{Bits, Mask, Part, Real};
 
 /// `N` things of one kind.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub struct Array<S, const N: usize>([S; N]);
 
 /// Two numbers in double precision.
@@ -62,6 +62,11 @@ impl<S: Bits, const N: usize> Bits for Array<S, N> {
     #[inline(always)]
     fn splat(value: u64) -> Self {
         Array([S::splat(value); N])
+    }
+
+    #[inline(always)]
+    fn from_lanes(mut value: impl FnMut(usize) -> u64) -> Self {
+        Array(from_fn(|i| S::splat(value(i))))
     }
 
     #[inline(always)]
@@ -162,6 +167,7 @@ impl<S: Real<Mask = bool>, const N: usize> Real for Array<S, N> {
     type Bits = Array<S::Bits, N>;
 
     const LANES: usize = N;
+    const MANTISSA_DIGITS: u32 = S::MANTISSA_DIGITS;
 
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
@@ -199,8 +205,8 @@ impl<S: Real<Mask = bool>, const N: usize> Real for Array<S, N> {
     }
 
     #[inline(never)]
-    fn outlined<R>(f: impl FnOnce() -> R) -> R {
-        f()
+    fn outlined<P: Part>(part: P) -> P::Output {
+        part.run()
     }
 
     #[inline(always)]

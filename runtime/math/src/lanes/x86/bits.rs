@@ -6,15 +6,26 @@ use crate::real::Bits;
 
 /// Vectors of unsigned integers.
 macro_rules! bits {
-    ($bits:ident($register:ty), $and:ident, $or:ident, $xor:ident, $add:ident, $sub:ident, $shl:ident, $shr:ident,
+    ($bits:ident($register:ty), [$integer:ty; $count:literal], $and:ident, $or:ident, $xor:ident, $add:ident, $sub:ident, $shl:ident, $shr:ident,
      |$value:ident| $splat:expr, |$a:ident, $b:ident| $mul_wide:expr) => {
-        #[derive(Clone, Copy)]
+        #[derive(Clone, Copy, Debug)]
         pub struct $bits(pub(super) $register);
 
         impl Bits for $bits {
             #[inline(always)]
             fn splat($value: u64) -> Self {
                 Self(unsafe { $splat })
+            }
+
+            #[inline(always)]
+            fn from_lanes(mut value: impl FnMut(usize) -> u64) -> Self {
+                let mut lanes = [0; $count];
+                let mut i = 0;
+                while i < $count {
+                    lanes[i] = value(i) as $integer;
+                    i += 1;
+                }
+                Self(unsafe { core::mem::transmute::<[$integer; $count], $register>(lanes) })
             }
 
             #[inline(always)]
@@ -64,9 +75,10 @@ macro_rules! bits {
 
 /// Integers of 64 bits: one product of low halves in each lane.
 macro_rules! bits64 {
-    ($bits:ident($register:ty), $and:ident, $or:ident, $xor:ident, $add:ident, $sub:ident, $shl:ident, $shr:ident, $splat:ident, $mul:ident) => {
+    ($bits:ident($register:ty), [$integer:ty; $count:literal], $and:ident, $or:ident, $xor:ident, $add:ident, $sub:ident, $shl:ident, $shr:ident, $splat:ident, $mul:ident) => {
         bits!(
             $bits($register),
+            [$integer; $count],
             $and,
             $or,
             $xor,
@@ -88,10 +100,11 @@ macro_rules! bits64 {
 
 /// Integers of 32 bits: products of the even and of the odd lanes, put together again.
 macro_rules! bits32 {
-    ($bits:ident($register:ty), $and:ident, $or:ident, $xor:ident, $add:ident, $sub:ident, $shl:ident, $shr:ident, $splat:ident,
+    ($bits:ident($register:ty), [$integer:ty; $count:literal], $and:ident, $or:ident, $xor:ident, $add:ident, $sub:ident, $shl:ident, $shr:ident, $splat:ident,
      $mul:ident, $shl64:ident, $shr64:ident, $splat64:ident) => {
         bits!(
             $bits($register),
+            [$integer; $count],
             $and,
             $or,
             $xor,
@@ -114,6 +127,7 @@ macro_rules! bits32 {
 
 bits64!(
     B64x2(__m128i),
+    [u64; 2],
     _mm_and_si128,
     _mm_or_si128,
     _mm_xor_si128,
@@ -126,6 +140,7 @@ bits64!(
 );
 bits64!(
     B64x4(__m256i),
+    [u64; 4],
     _mm256_and_si256,
     _mm256_or_si256,
     _mm256_xor_si256,
@@ -138,6 +153,7 @@ bits64!(
 );
 bits64!(
     B64x8(__m512i),
+    [u64; 8],
     _mm512_and_si512,
     _mm512_or_si512,
     _mm512_xor_si512,
@@ -150,6 +166,7 @@ bits64!(
 );
 bits32!(
     B32x4(__m128i),
+    [u32; 4],
     _mm_and_si128,
     _mm_or_si128,
     _mm_xor_si128,
@@ -165,6 +182,7 @@ bits32!(
 );
 bits32!(
     B32x8(__m256i),
+    [u32; 8],
     _mm256_and_si256,
     _mm256_or_si256,
     _mm256_xor_si256,
@@ -180,6 +198,7 @@ bits32!(
 );
 bits32!(
     B32x16(__m512i),
+    [u32; 16],
     _mm512_and_si512,
     _mm512_or_si512,
     _mm512_xor_si512,

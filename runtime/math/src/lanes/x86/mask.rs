@@ -7,7 +7,7 @@ use crate::real::Mask;
 /// Masks that are vectors of all ones or all zeros.
 macro_rules! vector_mask {
     ($mask:ident($register:ty), [$integer:ty; $lanes:literal], $load:ident, $and:ident, $or:ident, $xor:ident, $movemask:ident) => {
-        #[derive(Clone, Copy)]
+        #[derive(Clone, Copy, Debug)]
         pub struct $mask(pub(super) $register);
 
         impl Mask for $mask {
@@ -90,7 +90,7 @@ vector_mask!(
 /// Masks of one bit for each lane.
 macro_rules! bit_mask {
     ($mask:ident($integer:ty)) => {
-        #[derive(Clone, Copy)]
+        #[derive(Clone, Copy, Debug)]
         pub struct $mask(pub(super) $integer);
 
         impl Mask for $mask {

@@ -6,7 +6,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use super::bits::*;
 use super::choice::*;
 use super::mask::*;
-use crate::real::Real;
+use crate::entries::packed::Register;
+use crate::real::{Part, Real};
 use crate::scalar::elementary;
 
 /// An operator as one instruction.
@@ -28,7 +29,7 @@ macro_rules! lanes {
     ($lanes:ident($register:ty), $mask:ident, $bits:ident, [$element:ty; $count:literal], $feature:literal, $format:ident,
      $add:ident, $sub:ident, $mul:ident, $div:ident, $sqrt:ident, $splat:ident, $load:ident, $store:ident,
      $xor:ident, $andnot:ident, $lt:ident, $le:ident, $eq:ident, $ne:ident, $select:ident, $to_bits:ident, $from_bits:ident) => {
-        #[derive(Clone, Copy)]
+        #[derive(Clone, Copy, Debug)]
         pub struct $lanes($register);
 
         operator!($lanes: Add add $add, Sub sub $sub, Mul mul $mul, Div div $div);
@@ -42,11 +43,24 @@ macro_rules! lanes {
             }
         }
 
+        impl Register<$element, $count> for $lanes {
+            #[inline(always)]
+            fn load(entries: &[$element; $count]) -> Self {
+                Self(unsafe { $load(entries.as_ptr()) })
+            }
+
+            #[inline(always)]
+            fn store(self, entries: &mut [$element; $count]) {
+                unsafe { $store(entries.as_mut_ptr(), self.0) };
+            }
+        }
+
         impl Real for $lanes {
             type Mask = $mask;
             type Bits = $bits;
 
             const LANES: usize = $count;
+            const MANTISSA_DIGITS: u32 = <$element>::MANTISSA_DIGITS;
 
             #[inline(always)]
             fn from_f64(value: f64) -> Self {
@@ -92,13 +106,13 @@ macro_rules! lanes {
             }
 
             #[inline(always)]
-            fn outlined<R>(f: impl FnOnce() -> R) -> R {
+            fn outlined<P: Part>(part: P) -> P::Output {
                 #[inline(never)]
                 #[target_feature(enable = $feature)]
-                fn compiled<R>(f: impl FnOnce() -> R) -> R {
-                    f()
+                fn compiled<P: Part>(part: P) -> P::Output {
+                    part.run()
                 }
-                unsafe { compiled(f) }
+                unsafe { compiled(part) }
             }
 
             #[inline(always)]

@@ -1,0 +1,156 @@
+//! A program as functions that can be called as often as each needs: once for a run, once for a sample, once for a sample of each run; and
+//! one function that calls them all.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use crate::emit::comment::{Comments, code};
+use crate::emit::function::{Function, Record, Results};
+use crate::emit::names::{Fields, ident};
+use crate::emit::record::{self, Field};
+use crate::ir::{Program, ValueId};
+use crate::opt::hoist::{Pieces, hoist};
+
+/// The function of a program in pieces.
+pub(crate) struct Split<'a> {
+    whole: &'a Function<'a>,
+    pieces: Pieces,
+}
+
+const PREPARE: &str =
+    "What depends on the parameters alone: needed once for a run. See [`Prepared`].";
+const CLOCK: &str = "What depends on time and parameters alone: needed once for a sample of all runs with these parameters. See [`Clock`].";
+
+impl<'a> Split<'a> {
+    /// Splits a function; the piece that gives its results is called `rest`.
+    pub(crate) fn new(whole: &'a Function<'a>, rest: &str) -> Split<'a> {
+        let mut pieces = hoist(whole.program);
+        pieces.rest.name = rest.to_owned();
+        Split { whole, pieces }
+    }
+
+    /// The pieces with their structs, and the function that calls them; the function alone if it has no pieces.
+    pub(crate) fn items(&self, comments: &mut Comments) -> Vec<TokenStream> {
+        let Pieces {
+            prepare,
+            clock,
+            rest,
+        } = &self.pieces;
+        if prepare.is_none() && clock.is_none() {
+            return self.whole.items(comments);
+        }
+        let (prepared, at) = (fields(prepare), fields(clock));
+        let record = |prefix, ty, fields| Record { prefix, ty, fields };
+        let mut records = self.whole.records.to_vec();
+        records.extend([
+            record("prepared", "Prepared", &prepared),
+            record("clock", "Clock", &at),
+        ]);
+        let own = self.whole.output_fields();
+        let results = self.whole.results_type().to_string();
+        let mut items = Vec::new();
+        let mut calls = Vec::new();
+        let arguments = self.whole.argument_names();
+        let mut add =
+            |items: &mut Vec<TokenStream>, program: &Program, docs: &[String], results| {
+                let function = Function {
+                    program,
+                    docs,
+                    records: &records,
+                    results,
+                    tables: self.whole.tables,
+                };
+                calls.push(call(&function, &arguments));
+                items.push(function.function(comments));
+            };
+        if let Some(prepare) = prepare {
+            items.push(definition(
+                prepare,
+                "Prepared",
+                "Values of [`prepare`].",
+                &prepared,
+            ));
+            let results = Results::Existing("Prepared", &prepared);
+            add(&mut items, prepare, &[PREPARE.to_owned()], results);
+        }
+        if let Some(clock) = clock {
+            items.push(definition(clock, "Clock", "Values of [`clock`].", &at));
+            add(
+                &mut items,
+                clock,
+                &[CLOCK.to_owned()],
+                Results::Existing("Clock", &at),
+            );
+        }
+        items.extend(self.whole.own_results());
+        let existing = Results::Existing(&results, &own);
+        add(&mut items, rest, self.whole.docs, existing);
+        items.push(self.whole.calling(&self.body(&calls)));
+        items
+    }
+
+    /// Calls of the pieces one after another.
+    fn body(&self, calls: &[TokenStream]) -> TokenStream {
+        let mut calls = calls.iter();
+        let mut bind = |piece: &Option<Program>, name: &str| {
+            let name = ident(name);
+            piece.as_ref().map(|_| {
+                let call = calls.next();
+                quote!(let #name = #call;)
+            })
+        };
+        let prepared = bind(&self.pieces.prepare, "prepared");
+        let clock = bind(&self.pieces.clock, "clock");
+        let rest = calls.next();
+        quote!(#prepared #clock #rest)
+    }
+}
+
+/// A call of a piece where the arguments of the whole are variables.
+fn call(piece: &Function<'_>, arguments: &[(String, Ident)]) -> TokenStream {
+    let name = piece.name();
+    let variable = |argument: String| {
+        let of_whole = arguments.iter().find(|(known, _)| *known == argument);
+        match of_whole {
+            Some((_, variable)) => quote!(#variable),
+            None => {
+                let variable = ident(&argument);
+                quote!(&#variable)
+            }
+        }
+    };
+    let arguments = piece.arguments().into_iter().map(variable);
+    quote!(#name(#(#arguments),*))
+}
+
+/// The fields of a piece's results.
+fn fields(piece: &Option<Program>) -> Fields {
+    let outputs = piece.iter().flat_map(|piece| &piece.outputs);
+    Fields::new(outputs.map(|(name, _)| name.as_str()))
+}
+
+fn definition(piece: &Program, ty: &str, about: &str, fields: &Fields) -> TokenStream {
+    let field = |(name, id): &(String, ValueId)| Field {
+        name: fields.get(name).clone(),
+        shape: piece.shape(*id),
+        docs: vec![field_doc(piece, name, *id)],
+    };
+    let fields: Vec<Field> = piece.outputs.iter().map(field).collect();
+    record::definition(ty, &[about.to_owned()], &fields)
+}
+
+/// The equation of a value, or the quantity that it is a part of.
+fn field_doc(piece: &Program, name: &str, id: ValueId) -> String {
+    let instruction = piece.instruction(id);
+    let origin = instruction
+        .origin
+        .and_then(|origin| piece.origins.get(origin));
+    match origin {
+        Some(origin) if !origin.equation.is_empty() => code(&origin.equation),
+        _ if instruction.name.is_some() => format!("{}.", code(name)),
+        _ => {
+            let quantity = name.trim_end_matches(|c: char| c.is_ascii_digit());
+            format!("Part of {}.", code(quantity.trim_end_matches('_')))
+        }
+    }
+}
