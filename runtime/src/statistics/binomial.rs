@@ -56,16 +56,19 @@ fn log_front(a: f64, b: f64, x: f64) -> f64 {
     deviance + width + stirling_error(n) - stirling_error(a) - stirling_error(b)
 }
 
-/// What Stirling's formula leaves of the gamma function: `ln gamma(x) - ((x - 1/2) ln x - x + ln(2 pi) / 2)`, to 1e-13.
+/// What Stirling's formula leaves of the gamma function: `s(x) = ln gamma(x) - ((x - 1/2) ln x - x + ln(2 pi) / 2)`, to 1e-13; by its series
+/// from 16 on, and below by `s(x) = s(x + 1) + (x + 1/2) ln(1 + 1/x) - 1`.
 fn stirling_error(x: f64) -> f64 {
-    if x < 16.0 {
-        return libm::lgamma(x) - ((x - 0.5) * x.ln() - x + 0.5 * std::f64::consts::TAU.ln());
+    let (mut x, mut error) = (x, 0.0);
+    while x < 16.0 {
+        error += (x + 0.5) * (1.0 / x).ln_1p() - 1.0;
+        x += 1.0;
     }
     let square = x * x;
     let series = 1.0 / 12.0
         - (1.0 / 360.0 - (1.0 / 1260.0 - (1.0 / 1680.0 - 1.0 / 1188.0 / square) / square) / square)
             / square;
-    series / x
+    error + series / x
 }
 
 /// Continued fraction `1 / (1 + d_1 / (1 + d_2 / (1 + ...)))` of the incomplete beta function by Lentz's method, with
