@@ -1,8 +1,8 @@
-// SHA-256 of the text below: f51bfd886e9c68443e4cb1581c2a5ace683a7d895b6247dafe29ef412c42a0c4
+// SHA-256 of the text below: e6dd670fbb0572c6c9b1f9fc93bcc2313f1d0b9c412835bcc07883ec3f31d8f9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
+// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // initial: 260 additions, 295 multiplications, 32 divisions, 0 square roots, 17 elementary functions, 18 comparisons and selections
-// control: 2305 additions, 2655 multiplications, 75 divisions, 3 square roots, 24 elementary functions, 49 comparisons and selections
+// control: 2293 additions, 2640 multiplications, 75 divisions, 3 square roots, 24 elementary functions, 49 comparisons and selections
 
 //! `underwater_vehicle`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -433,7 +433,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 2305 additions, 2655 multiplications, 75 divisions, 3 square roots, 24
+/// Operations: 2293 additions, 2640 multiplications, 75 divisions, 3 square roots, 24
 /// elementary functions, 49 comparisons and selections.
 #[inline]
 pub fn control<T: Real>(
@@ -496,56 +496,41 @@ pub fn control<T: Real>(
     let surge = x2[0];
     let sway = x2[1];
     let heave = x2[2];
+    let t15 = q * heave - r * sway;
+    let t16 = r * surge - p * heave;
+    let carried = Vector([t15, t16, p * sway - q * surge]);
     let added_momentum = Vector([
         real(5.5) * surge,
         real(12.7) * sway,
         real(14.57) * heave,
     ]) * params.added_scale;
-    let t15 = Vector([
+    let t17 = Vector([
         (real(4.03) + real(18.18) * surge.abs()) * surge,
         (real(6.22) + real(21.66) * sway.abs()) * sway,
         (real(5.18) + real(36.99) * heave.abs()) * heave,
     ]);
-    let drag = t15 * params.drag_scale;
-    let t16 = q * heave - r * sway;
-    let t17 = r * surge - p * heave;
-    let t18 = p * sway - q * surge;
-    let t19 = r * real(0.0);
-    let t20 = q * real(0.02) - t19;
-    let t21 = t19 - p * real(0.02);
-    let t22 = p * real(0.0) - q * real(0.0);
-    let t23 = Vector([q * t22 - r * t21, r * t20 - p * t22, p * t21 - q * t20]);
-    let t24 = Vector([
+    let drag = t17 * params.drag_scale;
+    let t18 = Vector([p * r, q * r, -(p * p) - q * q]) * real(0.02);
+    let t19 = Vector([
         q * added_momentum[2] - r * added_momentum[1],
         r * added_momentum[0] - p * added_momentum[2],
         p * added_momentum[1] - q * added_momentum[0],
     ]);
-    let force = down_axis * real(-1.9849999999999852)
-        - (Vector([t16, t17, t18]) + t23) * real(11.5) - t24 - drag;
-    let t25 = Vector([
+    let force = down_axis * real(-1.9849999999999852) - (carried + t18) * real(11.5)
+        - t19 - drag;
+    let t20 = Vector([
         (real(0.07) + real(1.55) * p.abs()) * p,
         (real(0.07) + real(1.55) * q.abs()) * q,
         (real(0.07) + real(1.55) * r.abs()) * r,
     ]);
-    let drag_torque = t25 * params.torque_scale;
-    let t26 = real(0.0) * t11;
-    let t27 = Vector([
-        t26 - real(0.02) * t10,
-        real(0.02) * t9 - t26,
-        real(0.0) * t10 - real(0.0) * t9,
-    ]);
-    let t28 = real(0.0) * t18;
-    let t29 = Vector([
-        t28 - real(0.02) * t17,
-        real(0.02) * t16 - t28,
-        real(0.0) * t17 - real(0.0) * t16,
-    ]);
-    let t30 = Vector([
+    let drag_torque = t20 * params.torque_scale;
+    let t21 = Vector([
         sway * added_momentum[2] - heave * added_momentum[1],
         heave * added_momentum[0] - surge * added_momentum[2],
         surge * added_momentum[1] - sway * added_momentum[0],
     ]);
-    let moment = t27 * real(112.81500000000001) - t29 * real(11.5) - t30 - drag_torque;
+    let moment = Vector([t16 - real(9.81) * t10, real(9.81) * t9 - t15, real(0.0)])
+        * real(0.23) - t21 - drag_torque;
     let shaking: Matrix<T, 6, 6> = Matrix::from_f64([
         [0.1, 0.0, 0.0, 0.0, 0.0, 0.0],
         [0.0, 0.1, 0.0, 0.0, 0.0, 0.0],
@@ -563,34 +548,34 @@ pub fn control<T: Real>(
     let H2 = inverse_M * shaking;
 
     // -- reference and constraints --
-    let t31 = real(0.3) * t;
-    let t32 = t31.sin();
-    let t33 = real(2.0) * t32;
-    let t34 = t * t;
-    let t35 = (real(-0.02) * (t34 * t)).exp();
-    let t36 = real(1.0) - t35;
-    let t37 = t31.cos();
-    let t38 = real(2.0) * (real(1.0) - t37);
-    let t39 = real(0.2) * t;
-    let t40 = t39.cos();
-    let t41 = real(1.0) - t40;
-    let t42 = real(0.4) * t;
-    let t43 = real(0.26179938779914946) * t42.sin();
-    let t44 = real(0.4363323129985824) * t32;
-    let t45 = t39.sin();
-    let t46 = real(1.0471975511965979) * t45;
+    let t22 = real(0.3) * t;
+    let t23 = t22.sin();
+    let t24 = real(2.0) * t23;
+    let t25 = t * t;
+    let t26 = (real(-0.02) * (t25 * t)).exp();
+    let t27 = real(1.0) - t26;
+    let t28 = t22.cos();
+    let t29 = real(2.0) * (real(1.0) - t28);
+    let t30 = real(0.2) * t;
+    let t31 = t30.cos();
+    let t32 = real(1.0) - t31;
+    let t33 = real(0.4) * t;
+    let t34 = real(0.26179938779914946) * t33.sin();
+    let t35 = real(0.4363323129985824) * t23;
+    let t36 = t30.sin();
+    let t37 = real(1.0471975511965979) * t36;
     // y_r(t)
-    let y_r = Vector([t33 * t36, t38 * t36, t41 * t36, t43 * t36, t44 * t36, t46 * t36]);
-    let t47 = t37 * real(0.3);
-    let t48 = t35 * (real(-0.02) * (real(3.0) * t34));
+    let y_r = Vector([t24 * t27, t29 * t27, t32 * t27, t34 * t27, t35 * t27, t37 * t27]);
+    let t38 = t28 * real(0.3);
+    let t39 = t26 * (real(-0.02) * (real(3.0) * t25));
     // y_r'
     let y_r_dot = Vector([
-        t36 * (real(2.0) * t47) - t33 * t48,
-        t36 * (real(2.0) * (t32 * real(0.3))) - t38 * t48,
-        t36 * (t45 * real(0.2)) - t41 * t48,
-        t36 * (real(0.26179938779914946) * (t42.cos() * real(0.4))) - t43 * t48,
-        t36 * (real(0.4363323129985824) * t47) - t44 * t48,
-        t36 * (real(1.0471975511965979) * (t40 * real(0.2))) - t46 * t48,
+        t27 * (real(2.0) * t38) - t24 * t39,
+        t27 * (real(2.0) * (t23 * real(0.3))) - t29 * t39,
+        t27 * (t36 * real(0.2)) - t32 * t39,
+        t27 * (real(0.26179938779914946) * (t33.cos() * real(0.4))) - t34 * t39,
+        t27 * (real(0.4363323129985824) * t38) - t35 * t39,
+        t27 * (real(1.0471975511965979) * (t31 * real(0.2))) - t37 * t39,
     ]);
     // k_1(t)
     let k1 = real(0.4) * (real(-0.3) * t).exp() + real(0.1);
@@ -602,18 +587,18 @@ pub fn control<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t49 = s1 / (k1 * k1);
+    let t40 = s1 / (k1 * k1);
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t49 * t49);
+    let E1_free = real(FRAC_PI_2) * (t40 * t40);
     // E_1 >= pi/2 - delta
     let violated1 = E1_free.ge(real(1.5697963267948967));
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t50 = cosE1 * cosE1;
+    let t41 = cosE1 * cosE1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t50;
+    let c1 = e1 * s1 / t41;
 
     // -- disturbance observer of block 1 (20) (49) --
     // D_hat_1 = th_1 + S_1 x_1
@@ -638,15 +623,15 @@ pub fn control<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t51 = state.zeta1 * real(5.0);
+    let t42 = state.zeta1 * real(5.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + t51 + D_hat1 + Lam1;
+    let bracket1 = F1 - y_r_dot + t42 + D_hat1 + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -J.solve(bracket1);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = J * state.zeta2 - t51;
+    let zeta1_dot = J * state.zeta2 - t42;
 
     // -- observer dynamics of block 1 (21) (50) --
     // th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)
@@ -711,9 +696,9 @@ pub fn control<T: Real>(
     let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t52 = H_norm2_2 * Ybar_norm2;
+    let t43 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t52 * t52 * real(0.5) + real(0.30000000000000004)
+    let Psi2 = t43 * t43 * real(0.5) + real(0.30000000000000004)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
@@ -723,31 +708,31 @@ pub fn control<T: Real>(
     let Lam2_disturbance = c2 * real(3.0);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t53 = e2.map(T::tanh);
+    let t44 = e2.map(T::tanh);
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t53 * state.eps2;
-    let t54 = G_norm2_1 * s_c1;
+    let Lam2_error_bound = t44 * state.eps2;
+    let t45 = G_norm2_1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t54 * t54) * real(0.25);
-    let t55 = s2 * s2;
-    let t56 = (t55 + real(1.0)).sqrt();
+    let Lam2_coupling = e2 * (t45 * t45) * real(0.25);
+    let t46 = s2 * s2;
+    let t47 = (t46 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t52 * state.sigma2) / t56;
-    let t57 = Psi2 / (state.phi2 * state.phi2 + t55);
+    let Lam2_noise = e2 * (t43 * state.sigma2) / t47;
+    let t48 = Psi2 / (state.phi2 * state.phi2 + t46);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t57;
+    let Lam2_diffusion = e2 * t48;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
 
     // -- control (64) of block 2 --
-    let t58 = F2 + A_hat2;
-    let t59 = state.zeta2 * real(10.0);
+    let t49 = F2 + A_hat2;
+    let t50 = state.zeta2 * real(10.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t58 - h1_dot + t59 + D_hat2 + Lam2;
-    let t60 = inverse_M.solve(bracket2);
+    let bracket2 = t49 - h1_dot + t50 + D_hat2 + Lam2;
+    let t51 = inverse_M.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t60;
+    let u = -t51;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .zip(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]), T::max)
@@ -755,7 +740,7 @@ pub fn control<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = inverse_M * (u_sat + t60) - t59;
+    let zeta2_dot = inverse_M * (u_sat + t51) - t50;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
@@ -778,20 +763,20 @@ pub fn control<T: Real>(
         [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, -6.0],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = w2_closed * w_hat2 - S2 * (t58 + inverse_M * u - h1_dot + t59);
+    let th2_dot = w2_closed * w_hat2 - S2 * (t49 + inverse_M * u - h1_dot + t50);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 * e2.dot(t53) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 * e2.dot(t44) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t52 * t55 / t56 - real(0.1) * state.sigma2;
+    let sigma2_dot = t43 * t46 / t47 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t57 + real(0.5);
+    let phi2_decay = t48 + real(0.5);
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 08be851d1a3e562b7a4c9669b2e69cd7f176eef68e418ca6dee1565898a25ed7
+// SHA-256 of the text below: 39b3dfea80c2baa37c2dcd116c513b03a41ae2078a6b7f9babc5ed13f0e295c9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
+// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
 //! `underwater_vehicle`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 802b6b70b43b746700e3af7d24ab50317c528097fa902fe5105da101e188893d
+// SHA-256 of the text below: 9f3346bd1f73ba6f19ad7e4e46fdbb5cae1eb25ef878b1613acc97ee929eca0c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
-// plant: 552 additions, 642 multiplications, 10 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
+// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
+// plant: 540 additions, 627 multiplications, 10 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
 
 //! `underwater_vehicle`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -90,7 +90,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 552 additions, 642 multiplications, 10 divisions, 0 square roots, 10 elementary
+/// Operations: 540 additions, 627 multiplications, 10 divisions, 0 square roots, 10 elementary
 /// functions, 0 comparisons and selections.
 #[inline]
 pub fn plant<T: Real>(
@@ -173,56 +173,41 @@ pub fn plant<T: Real>(
         [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(1.0) / I],
     ]);
     let down_axis = Vector([t10, t11, t12]);
+    let t16 = q * heave - r * sway;
+    let t17 = r * surge - p * heave;
+    let carried = Vector([t16, t17, p * sway - q * surge]);
     let added_momentum = Vector([
         real(5.5) * surge,
         real(12.7) * sway,
         real(14.57) * heave,
     ]) * params.added_scale;
-    let t16 = Vector([
+    let t18 = Vector([
         (real(4.03) + real(18.18) * surge.abs()) * surge,
         (real(6.22) + real(21.66) * sway.abs()) * sway,
         (real(5.18) + real(36.99) * heave.abs()) * heave,
     ]);
-    let drag = t16 * params.drag_scale;
-    let t17 = q * heave - r * sway;
-    let t18 = r * surge - p * heave;
-    let t19 = p * sway - q * surge;
-    let t20 = r * real(0.0);
-    let t21 = q * real(0.02) - t20;
-    let t22 = t20 - p * real(0.02);
-    let t23 = p * real(0.0) - q * real(0.0);
-    let t24 = Vector([q * t23 - r * t22, r * t21 - p * t23, p * t22 - q * t21]);
-    let t25 = Vector([
+    let drag = t18 * params.drag_scale;
+    let t19 = Vector([p * r, q * r, -(p * p) - q * q]) * real(0.02);
+    let t20 = Vector([
         q * added_momentum[2] - r * added_momentum[1],
         r * added_momentum[0] - p * added_momentum[2],
         p * added_momentum[1] - q * added_momentum[0],
     ]);
-    let force = down_axis * real(-1.9849999999999852)
-        - (Vector([t17, t18, t19]) + t24) * real(11.5) - t25 - drag;
-    let t26 = Vector([
+    let force = down_axis * real(-1.9849999999999852) - (carried + t19) * real(11.5)
+        - t20 - drag;
+    let t21 = Vector([
         (real(0.07) + real(1.55) * p.abs()) * p,
         (real(0.07) + real(1.55) * q.abs()) * q,
         (real(0.07) + real(1.55) * r.abs()) * r,
     ]);
-    let drag_torque = t26 * params.torque_scale;
-    let t27 = real(0.0) * t12;
-    let t28 = Vector([
-        t27 - real(0.02) * t11,
-        real(0.02) * t10 - t27,
-        real(0.0) * t11 - real(0.0) * t10,
-    ]);
-    let t29 = real(0.0) * t19;
-    let t30 = Vector([
-        t29 - real(0.02) * t18,
-        real(0.02) * t17 - t29,
-        real(0.0) * t18 - real(0.0) * t17,
-    ]);
-    let t31 = Vector([
+    let drag_torque = t21 * params.torque_scale;
+    let t22 = Vector([
         sway * added_momentum[2] - heave * added_momentum[1],
         heave * added_momentum[0] - surge * added_momentum[2],
         surge * added_momentum[1] - sway * added_momentum[0],
     ]);
-    let moment = t28 * real(112.81500000000001) - t30 * real(11.5) - t31 - drag_torque;
+    let moment = Vector([t17 - real(9.81) * t11, real(9.81) * t10 - t16, real(0.0)])
+        * real(0.23) - t22 - drag_torque;
     let shaking: Matrix<T, 6, 6> = Matrix::from_f64([
         [0.1, 0.0, 0.0, 0.0, 0.0, 0.0],
         [0.0, 0.1, 0.0, 0.0, 0.0, 0.0],
@@ -259,7 +244,7 @@ pub fn plant<T: Real>(
         * Vector([force[0], force[1], force[2], moment[0], moment[1], moment[2]]);
     // d_2 = L_2 w_2 (12)
     let d2 = L2 * w2;
-    let t32: Matrix<T, 12, 12> = Matrix::from_f64([
+    let t23: Matrix<T, 12, 12> = Matrix::from_f64([
         [0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         [-1.0, -0.2, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
@@ -274,7 +259,7 @@ pub fn plant<T: Real>(
         [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0, -0.2],
     ]);
     // w_2' = M_2 w_2 (12)
-    let w2_flow = t32 * w2;
+    let w2_flow = t23 * w2;
     // F_2 + G_2 x_3 + d_2
     let x2_flow = F2_plant + inverse_M * u_sat + d2;
     // H_2 Sigma_2

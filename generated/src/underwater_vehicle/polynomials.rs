@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 975b6662fb37a5cf83777ca2b9733e4f2565cbf7819439a22d69a4feb95634c8
+// SHA-256 of the text below: b8505b8f74485f9d916cf8d4d55114408816228ce903445b1b897bb46e1ac51b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
+// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
 //! `underwater_vehicle`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

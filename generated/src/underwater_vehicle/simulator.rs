@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 0f38644cf253cc0193956ffea2493d3c14ce74eb52e10c19a95269f077563dda
+// SHA-256 of the text below: 319f43edc578b6984119da496a101ebccfd860a8ad4ce5e02cf4891e24c75b5e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
+// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
 //! `underwater_vehicle`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]
