@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 14d425ccc8546114182a37e1899f3b72f229009a8f654848094b4b5b8330521d
+// SHA-256 of the text below: e053b499ff392e3d0b6e0a39e3416e472305806eb878a274155e695ead03d2d3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
+// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // initial: 37 additions, 60 multiplications, 12 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 104 additions, 131 multiplications, 15 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
 

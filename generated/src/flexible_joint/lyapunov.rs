@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 3f364765a08645a3dde30a251b7166e739151a8caa07622e25d466a70ad2fbbe
+// SHA-256 of the text below: c1979e857050ad96e621f944844b01922713184d2df6bb9d76761edb7a821484
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
+// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // lyapunov: 266 additions, 317 multiplications, 39 divisions, 0 square roots, 14 elementary functions, 12 comparisons and selections
 
 //! `flexible_joint`: Lyapunov function and its generator.

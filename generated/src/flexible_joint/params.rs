@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 953a043d45a0b9883872d9548c0575a74ccc87aaa4a6294470117d666dfc7a69
+// SHA-256 of the text below: ac486ac696fcceadbb56d9f90b5c5d2230eefcb99248183bf7ed010f26f1afa5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
+// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
 //! `flexible_joint`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: f86df9be6b9b5728a06a8aa5e04f0285763aabc4dc03aad9bd8ce35c29c929f3
+// SHA-256 of the text below: 5b2132f3e9e982b180a6b9ea363696c6226fb8984bc9aa46239ead3f32a47c7b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
+// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // plant: 18 additions, 22 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `flexible_joint`: plant and disturbances.

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: e47dc1f1532d839af2539f290cb1516c8689ddbc996543edd36f653a1f6a0aa0
+// SHA-256 of the text below: c8b7d04639c0d7295d5bd2e40bf2aecd9fc35fc34de05b9b47b0fae255f2a0cd
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
+// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
 //! `flexible_joint`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: a5e7c71c5a85c2440da96e1924969f554553cc74ad9f656babfc0ef9a962274a
+// SHA-256 of the text below: b4aaf05980404b3de206e26b80daf2cd58e8bb4017950115c06cb07732a2cf51
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
+// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
 //! `flexible_joint`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]
