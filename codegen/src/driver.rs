@@ -9,7 +9,7 @@ use crate::derive::{Partials, derive};
 use crate::emit::{Artifact, module};
 use crate::ir::Program;
 use crate::lower::Programs;
-use crate::opt::optimise;
+use crate::opt::{Arithmetic, optimise_with};
 use crate::seal::seal;
 
 /// What a model compiles to.
@@ -21,13 +21,23 @@ pub struct Compiled {
     pub eval: Program,
 }
 
+/// Derives and lowers: the programs before any optimisation.
+pub fn lower(model: &Model, partials: &mut dyn Partials) -> Result<Programs, DeriveError> {
+    Ok(Programs::new(&derive(model, partials)?))
+}
+
 /// Derives, lowers, optimises and emits: every phase behind the check.
-pub fn compile(model: &Model, partials: &mut dyn Partials) -> Result<Compiled, DeriveError> {
-    let law = derive(model, partials)?;
-    let programs = Programs::new(&law);
+pub fn compile(
+    model: &Model,
+    partials: &mut dyn Partials,
+    arithmetic: Arithmetic,
+) -> Result<Compiled, DeriveError> {
+    let programs = lower(model, partials)?;
+    let optimise = |program| optimise_with(program, arithmetic);
     let artifact = Artifact {
         model,
         version: env!("CARGO_PKG_VERSION"),
+        arithmetic,
         initial: optimise(programs.initial),
         control: optimise(programs.control),
         plant: optimise(programs.plant),

@@ -40,9 +40,9 @@ impl Grid {
         sample.is_multiple_of(self.stride)
     }
 
-    /// Appends the grid's signals out of a row of telemetry.
-    pub(crate) fn pick(&self, row: &[f64], picked: &mut Vec<f64>) {
-        picked.extend(self.signals.iter().map(|&i| row[i]));
+    /// Appends the grid's signals, given by their position in a row of telemetry.
+    pub(crate) fn pick(&self, signal: impl Fn(usize) -> f64, picked: &mut Vec<f64>) {
+        picked.extend(self.signals.iter().map(|&i| signal(i)));
     }
 }
 

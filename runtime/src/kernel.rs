@@ -63,7 +63,7 @@ const THIRD: [f64; 12] = [
 ];
 
 /// `sin E cos E / E`, 1 at 0: `sin z / z` with `z = E + E`, which is accurate at every `z` but 0.
-#[inline]
+#[inline(always)]
 pub fn sin_cos_over<T: Real>(e: T) -> T {
     let z = e + e;
     T::select(z.eq(T::zero()), T::one(), z.sin() / z)
@@ -71,7 +71,7 @@ pub fn sin_cos_over<T: Real>(e: T) -> T {
 
 /// First derivative of [`sin_cos_over`]: `S'(z) + S'(z)` with `z = E + E`, and `S'(z) = z P(z z)` by Horner's scheme for `|z| < 2`, else
 /// `(cos z - sin z / z) / z`.
-#[inline]
+#[inline(always)]
 pub fn sin_cos_over_d1<T: Real>(e: T) -> T {
     let z = e + e;
     let [s1, _, _] = recursion(z);
@@ -81,7 +81,7 @@ pub fn sin_cos_over_d1<T: Real>(e: T) -> T {
 
 /// Second derivative of [`sin_cos_over`]: `4 S''(z)` with `z = E + E`, and `S''(z) = P(z z)` for `|z| < 2`, else
 /// `-(s0 + (s1 + s1) / z)` with `s0 = sin z / z`, `s1 = (cos z - s0) / z`.
-#[inline]
+#[inline(always)]
 pub fn sin_cos_over_d2<T: Real>(e: T) -> T {
     let z = e + e;
     let [_, s2, _] = recursion(z);
@@ -90,7 +90,7 @@ pub fn sin_cos_over_d2<T: Real>(e: T) -> T {
 
 /// Third derivative of [`sin_cos_over`]: `8 S'''(z)` with `z = E + E`, and `S'''(z) = z P(z z)` for `|z| < 2`, else
 /// `-(s1 + (g + g) / z)` with `g = s2 - s1 / z` and s1, s2 as in [`sin_cos_over_d2`].
-#[inline]
+#[inline(always)]
 pub fn sin_cos_over_d3<T: Real>(e: T) -> T {
     let z = e + e;
     let [_, _, s3] = recursion(z);
@@ -98,13 +98,13 @@ pub fn sin_cos_over_d3<T: Real>(e: T) -> T {
 }
 
 /// `tan E / E`, 1 at 0.
-#[inline]
+#[inline(always)]
 pub fn tan_over<T: Real>(e: T) -> T {
     T::select(e.eq(T::zero()), T::one(), e.tan() / e)
 }
 
 /// The first three derivatives of `sin z / z` by recursion; NaN at 0. What the caller drops is not computed once inlined.
-#[inline]
+#[inline(always)]
 fn recursion<T: Real>(z: T) -> [T; 3] {
     let s0 = z.sin() / z;
     let s1 = (z.cos() - s0) / z;
@@ -115,19 +115,19 @@ fn recursion<T: Real>(z: T) -> [T; 3] {
 }
 
 /// The series where `|z|` is below the limit, else the recursion.
-#[inline]
+#[inline(always)]
 fn below_limit<T: Real>(z: T, series: T, recursion: T) -> T {
     T::select(z.abs().lt(T::from_f64(SERIES_LIMIT)), series, recursion)
 }
 
 /// `c_0 + x (c_1 + x (c_2 + ...))`, from the last coefficient: `r = r x + c`.
-#[inline]
+#[inline(always)]
 fn horner<T: Real>(coefficients: &[f64; 12], x: T) -> T {
-    let [lower @ .., last] = coefficients;
-    lower
-        .iter()
-        .rev()
-        .fold(T::from_f64(*last), |r, &c| r * x + T::from_f64(c))
+    let mut r = T::from_f64(coefficients[11]);
+    for n in (0..11).rev() {
+        r = r * x + T::from_f64(coefficients[n]);
+    }
+    r
 }
 
 #[cfg(test)]

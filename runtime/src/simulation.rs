@@ -1,50 +1,61 @@
-//! One run, sample by sample.
+//! Runs, sample by sample.
 
-use crate::closed_loop::{ClosedLoop, Options};
+use std::vec::Vec;
 
-/// A run on its way through the samples 0 to the last, at times 0 to the horizon. It stops before a sample at which the loop is not finite.
-pub(crate) struct Simulation<L> {
-    closed_loop: L,
-    next: u64,
-    last: u64,
-    diverged: bool,
-}
+use crate::closed_loop::{ClosedLoop, Options, Runs};
+use crate::real::{Mask, Real};
 
 /// Number of sample times in a duration, to the nearest.
 pub(crate) fn samples_in<L: ClosedLoop>(seconds: f64) -> u64 {
     (seconds / L::SAMPLE_TIME).round() as u64
 }
 
-impl<L: ClosedLoop> Simulation<L> {
-    /// A run at its initial state.
-    pub(crate) fn new(options: &Options, last: u64) -> Self {
-        Self {
-            closed_loop: L::new(options),
-            next: 0,
-            last,
-            diverged: false,
+/// Simulates the runs in the lanes of `T` over the samples 0 to `last`, until each run has ended: a run ends before a sample at which its
+/// loop is not finite. `visit` gets the sample's number, the loops after their control, and the runs that have got there; telemetry is
+/// valid at the samples that are `observed`. Tells which runs came to the last sample.
+#[inline(always)]
+pub(crate) fn simulate<T: Real, L: ClosedLoop>(
+    options: &Options,
+    last: u64,
+    observed: impl Fn(u64) -> bool,
+    mut visit: impl FnMut(u64, &L::Runs<T>, T::Mask),
+) -> T::Mask {
+    let mut runs = L::Runs::<T>::new(options);
+    let mut alive = T::Mask::splat(true);
+    let mut sample = 0;
+    while sample <= last {
+        if sample > 0 {
+            T::outlined(|| runs.advance());
         }
+        T::outlined(|| runs.control(observed(sample)));
+        alive = alive.and(runs.is_finite());
+        if !alive.any() {
+            break;
+        }
+        visit(sample, &runs, alive);
+        sample += 1;
     }
+    alive
+}
 
-    /// Moves to the next sample and computes the control there: its number and the loop, until the run ends.
-    pub(crate) fn next_sample(&mut self) -> Option<(u64, &L)> {
-        if self.diverged || self.next > self.last {
-            return None;
-        }
-        if self.next > 0 {
-            self.closed_loop.advance();
-        }
-        self.closed_loop.control();
-        if !self.closed_loop.is_finite() {
-            self.diverged = true;
-            return None;
-        }
-        self.next += 1;
-        Some((self.next - 1, &self.closed_loop))
-    }
-
-    /// Whether the run stopped because its state was not finite.
-    pub(crate) fn diverged(&self) -> bool {
-        self.diverged
-    }
+/// Simulates one run and hands the telemetry of each sample to `row`, until that fails.
+pub(crate) fn telemetry<L: ClosedLoop, E>(
+    options: &Options,
+    last: u64,
+    mut row: impl FnMut(&[f64]) -> Result<(), E>,
+) -> Result<(), E> {
+    let mut values: Vec<f64> = std::vec![0.0; L::SIGNALS.len()];
+    let mut outcome = Ok(());
+    simulate::<f64, L>(
+        options,
+        last,
+        |_| true,
+        |_, run, _| {
+            if outcome.is_ok() {
+                run.telemetry(&mut values);
+                outcome = row(&values);
+            }
+        },
+    );
+    outcome
 }

@@ -5,7 +5,7 @@ use nsv_runtime::noise::Noise;
 
 /// Numbers without structure, each a function of the place.
 fn matrix<const R: usize, const C: usize>(seed: u64) -> Matrix<f64, R, C> {
-    let noise = Noise::process(seed, 0);
+    let noise = Noise::<f64>::process(seed, 0);
     Matrix(std::array::from_fn(|i| {
         std::array::from_fn(|j| noise.normal(i as u64, j as u32))
     }))
@@ -25,7 +25,7 @@ fn reductions_run_left_to_right_from_the_first_product() {
     let expected = ((a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]) + a[3] * b[3];
     assert_eq!(a.dot(b), expected);
     // Starting from +0 instead would lose the sign of a negative zero.
-    assert!(Vector([-0.0]).dot(Vector([1.0])).is_sign_negative());
+    assert!(Vector([-0.0_f64]).dot(Vector([1.0])).is_sign_negative());
     assert_eq!(Vector::<f64, 0>([]).dot(Vector([])), 0.0);
 }
 
@@ -177,7 +177,7 @@ fn solutions_solve() {
     check::<4>();
     check::<6>();
     assert!(
-        !Matrix([[1.0, 2.0], [2.0, 4.0]])
+        !Matrix([[1.0_f64, 2.0], [2.0, 4.0]])
             .solve(Vector([1.0, 1.0]))
             .is_finite()
     );

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use nsv_codegen::casadi::Provider;
 use nsv_codegen::driver::{compile, library};
+use nsv_codegen::opt::Arithmetic;
 use nsv_tests::specification::{model, provider, repository, specifications};
 
 /// Module, title and files of a specification.
@@ -14,8 +15,8 @@ fn generate(
     provider: &mut Provider<'_>,
 ) -> (String, String, BTreeMap<String, String>) {
     let model = model(path);
-    let compiled =
-        compile(&model, provider).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let compiled = compile(&model, provider, Arithmetic::Strict)
+        .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     (model.name, model.title, compiled.files)
 }
 

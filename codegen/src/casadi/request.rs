@@ -155,6 +155,7 @@ impl Builder<'_> {
             Op::SumSquares(_) => ("sum_squares", Vec::new()),
             Op::Solve(..)
             | Op::SingularVector(_)
+            | Op::Family(..)
             | Op::Basis(..)
             | Op::BasisRate(..)
             | Op::BasisRate2(..) => {

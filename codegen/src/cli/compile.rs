@@ -4,7 +4,9 @@ use std::path::{Path, PathBuf};
 
 use nsv_codegen::casadi::{Mode, Provider, Settings};
 use nsv_codegen::derive::error::DeriveError;
-use nsv_codegen::driver::{Compiled, compile as compile_model};
+use nsv_codegen::driver::{self, Compiled};
+use nsv_codegen::lower::Programs;
+use nsv_codegen::opt::Arithmetic;
 use nsv_spec::diagnostic::Diagnostics;
 use nsv_spec::model::Model;
 
@@ -48,8 +50,48 @@ pub(crate) enum Partials {
     Committed,
 }
 
+/// What optimisation may change.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub(crate) enum Math {
+    /// Nothing: results keep every bit of the equations as they are evaluated
+    #[default]
+    Strict,
+    /// Roundings: fewer operations, results differ by a few units in the last place
+    Fast,
+}
+
+impl From<Math> for Arithmetic {
+    fn from(math: Math) -> Arithmetic {
+        match math {
+            Math::Strict => Arithmetic::Strict,
+            Math::Fast => Arithmetic::Fast,
+        }
+    }
+}
+
 /// The code of a model.
-pub(crate) fn compile(spec: &Path, model: &Model, partials: Partials) -> Result<Compiled, Failure> {
+pub(crate) fn compile(
+    spec: &Path,
+    model: &Model,
+    partials: Partials,
+    math: Math,
+) -> Result<Compiled, Failure> {
+    provided(spec, partials, |provider| {
+        driver::compile(model, provider, math.into())
+    })
+}
+
+/// The programs of a model before optimisation.
+pub(crate) fn lower(spec: &Path, model: &Model, partials: Partials) -> Result<Programs, Failure> {
+    provided(spec, partials, |provider| driver::lower(model, provider))
+}
+
+/// Does what needs partial derivatives and keeps the new ones where they belong.
+fn provided<T>(
+    spec: &Path,
+    partials: Partials,
+    work: impl FnOnce(&mut Provider<'_>) -> Result<T, DeriveError>,
+) -> Result<T, Failure> {
     let mode = match partials {
         Partials::Stored => Mode::Offline,
         Partials::Cached | Partials::Committed => Mode::Provision,
@@ -63,14 +105,13 @@ pub(crate) fn compile(spec: &Path, model: &Model, partials: Partials) -> Result<
         }
     };
     let mut provider = Provider::new(Settings::from_environment(exports(spec), mode), progress);
-    let compiled =
-        compile_model(model, &mut provider).map_err(|error| Failure::new(exit(&error), &error))?;
+    let done = work(&mut provider).map_err(|error| Failure::new(exit(&error), &error))?;
     if partials == Partials::Committed {
         provider
             .commit()
             .map_err(|error| Failure::new(Exit::Environment, error))?;
     }
-    Ok(compiled)
+    Ok(done)
 }
 
 /// The folder of stored derivatives: `partials` beside the specification.

@@ -9,7 +9,7 @@ use nsv_codegen::ir::{Program, Shape, Type, Values};
 use nsv_spec::model::{Disturbance, Model};
 use serde_json::{Map, Value};
 
-use super::compile::{Partials, compile, load};
+use super::compile::{Math, Partials, compile, load};
 use super::failure::{Exit, Failure};
 use super::output;
 
@@ -29,7 +29,7 @@ pub(crate) struct Args {
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let model = load(&args.spec)?;
     let given = read(&args.at)?;
-    let program = compile(&args.spec, &model, Partials::Cached)?.eval;
+    let program = compile(&args.spec, &model, Partials::Cached, Math::Strict)?.eval;
     let values = inputs(&program, &given, &defaults(&model))
         .map_err(|faults| rejected(&args.at, &faults))?;
     let outputs = eval(&program, &values)

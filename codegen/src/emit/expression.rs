@@ -3,6 +3,7 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
+use crate::emit::family::FamilyNames;
 use crate::emit::methods::{comparison_name, function_name, kernel_name, operator_name};
 use crate::emit::names::ident;
 use crate::emit::types::{constant, index};
@@ -60,6 +61,8 @@ pub(crate) struct Names<'a> {
     pub(crate) variables: Vec<Option<Ident>>,
     /// Function of each polynomial, by position.
     pub(crate) polynomials: Vec<TokenStream>,
+    /// Each family, by position.
+    pub(crate) families: Vec<Option<FamilyNames>>,
     /// Functions of each basis, by position: value, rate, second rate.
     pub(crate) bases: Vec<[TokenStream; 3]>,
     /// Parameter of closures, which no variable is called.
@@ -70,7 +73,13 @@ impl Names<'_> {
     /// The value where it is used: its variable, or the formula.
     pub(crate) fn operand(&self, id: ValueId) -> Fragment {
         match &self.variables[id.0 as usize] {
-            Some(variable) => Fragment::postfix(quote!(#variable)),
+            Some(variable) => Fragment::postfix(match self.family(id) {
+                Some(family) => {
+                    let fields = &family.fields;
+                    quote!(Vector([#(#variable.#fields),*]))
+                }
+                None => quote!(#variable),
+            }),
             None => self.formula(id),
         }
     }
@@ -106,16 +115,7 @@ impl Names<'_> {
             Op::Not(a) => self.method(*a, "not", &[]),
             Op::Select(condition, a, b) => self.select(ty, *condition, *a, *b),
             Op::Array(items) => self.array(ty, items),
-            Op::Element(a, row, column) => {
-                let (array, row, column) =
-                    (self.at(*a, Level::Postfix), index(*row), index(*column));
-                let matrix = matches!(self.program.shape(*a), Shape::Matrix(..));
-                if matrix {
-                    quote!(#array[(#row, #column)])
-                } else {
-                    quote!(#array[#row])
-                }
-            }
+            Op::Element(a, row, column) => self.element(*a, *row, *column),
             Op::MatMul(a, b) => return self.infix(Level::Product, *a, &quote!(*), *b),
             Op::Transpose(a) => self.method(*a, "transpose", &[]),
             Op::Dot(a, b) => self.method(*a, "dot", &[*b]),
@@ -130,6 +130,11 @@ impl Names<'_> {
             Op::Polynomial(polynomial, arguments) => {
                 self.call(&self.polynomials[polynomial.0 as usize], arguments)
             }
+            Op::Family(_, z) => {
+                let names = self.family(id).expect("invariant: the value of a family");
+                let function = &names.function;
+                self.call(&quote!(polynomials::#function), &[*z])
+            }
             Op::Basis(basis, z) => self.call(&self.bases[basis.0 as usize][0], &[*z]),
             Op::BasisRate(basis, z, rate) => {
                 self.call(&self.bases[basis.0 as usize][1], &[*z, *rate])
@@ -138,6 +143,28 @@ impl Names<'_> {
                 self.call(&self.bases[basis.0 as usize][2], &[*z, *rate, *rate2])
             }
         })
+    }
+
+    /// The names of the family whose values these are.
+    pub(crate) fn family(&self, id: ValueId) -> Option<&FamilyNames> {
+        match self.program.instruction(id).op {
+            Op::Family(family, _) => self.families[family.0 as usize].as_ref(),
+            _ => None,
+        }
+    }
+
+    fn element(&self, array: ValueId, row: usize, column: usize) -> TokenStream {
+        if let Some(family) = self.family(array) {
+            let (values, field) = (&self.variables[array.0 as usize], &family.fields[row]);
+            return quote!(#values.#field);
+        }
+        let matrix = matches!(self.program.shape(array), Shape::Matrix(..));
+        let (array, row, column) = (self.at(array, Level::Postfix), index(row), index(column));
+        if matrix {
+            quote!(#array[(#row, #column)])
+        } else {
+            quote!(#array[#row])
+        }
     }
 
     fn at(&self, id: ValueId, level: Level) -> TokenStream {

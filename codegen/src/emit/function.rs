@@ -128,7 +128,7 @@ impl Function<'_> {
         let docs = docs(&lines);
         quote! {
             #docs
-            #[inline]
+            #[inline(always)]
             pub fn #name<T: Real>(#(#parameters),*) -> #ty<T> {
                 #prologue
                 #body
@@ -180,11 +180,15 @@ impl Function<'_> {
             variables[id.0 as usize] = Some(variable);
         }
         let mut next = 0;
-        for id in plan.steps.iter().flat_map(|step| &step.temporaries) {
-            variables[id.0 as usize].get_or_insert_with(|| scope.temporary(&mut next));
+        for &id in plan.steps.iter().flat_map(|step| &step.temporaries) {
+            variables[id.0 as usize].get_or_insert_with(|| match program.instruction(id).op {
+                Op::Family(family, _) => scope.claim(&program.families[family.0 as usize].name),
+                _ => scope.temporary(&mut next),
+            });
         }
-        let (polynomials, bases) = (
+        let (polynomials, families, bases) = (
             self.tables.polynomial_paths(program),
+            self.tables.family_names(program),
             self.tables.basis_paths(program),
         );
         (
@@ -193,6 +197,7 @@ impl Function<'_> {
                 inputs,
                 variables,
                 polynomials,
+                families,
                 bases,
                 entry,
             },

@@ -4,6 +4,8 @@ pub(crate) use nsv_spec::model::Dispersion;
 use nsv_spec::model::{Disturbance, Model, NoiseModel, Scheme};
 use nsv_spec::unit::Dimension;
 
+use crate::opt::Arithmetic;
+
 /// The model as far as emission is concerned.
 #[derive(Clone, Debug)]
 pub(crate) struct Interface {
@@ -15,6 +17,8 @@ pub(crate) struct Interface {
     pub(crate) hash: String,
     /// Version of the generator.
     pub(crate) version: String,
+    /// What the optimiser was allowed to change.
+    pub(crate) arithmetic: Arithmetic,
     /// Run-time parameters.
     pub(crate) parameters: Vec<Parameter>,
     /// Blocks, outermost first.
@@ -89,12 +93,13 @@ pub(crate) struct Input {
 
 impl Interface {
     /// The interface of a model.
-    pub(crate) fn of(model: &Model, version: &str) -> Interface {
+    pub(crate) fn of(model: &Model, version: &str, arithmetic: Arithmetic) -> Interface {
         Interface {
             name: model.name.clone(),
             title: model.title.clone(),
             hash: model.hash.clone(),
             version: version.to_owned(),
+            arithmetic,
             parameters: model.parameters.iter().map(parameter).collect(),
             blocks: model.blocks.iter().map(block).collect(),
             inputs: model.inputs.iter().map(input).collect(),

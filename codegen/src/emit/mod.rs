@@ -8,6 +8,7 @@ mod basis;
 mod comment;
 mod controller;
 mod expression;
+mod family;
 mod function;
 mod interface;
 mod literal;

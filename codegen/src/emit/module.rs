@@ -18,7 +18,7 @@ use crate::emit::source::Source;
 use crate::emit::state::state_fields;
 use crate::emit::{lyapunov, params};
 use crate::ir::Program;
-use crate::opt::cost;
+use crate::opt::{Arithmetic, cost};
 
 /// Everything that a module is emitted from.
 #[derive(Clone, Debug)]
@@ -27,6 +27,8 @@ pub struct Artifact<'a> {
     pub model: &'a Model,
     /// Version of the generator.
     pub version: &'a str,
+    /// What the optimiser was allowed to change.
+    pub arithmetic: Arithmetic,
     /// Initial states of the controller.
     pub initial: Program,
     /// One sample of the law.
@@ -45,7 +47,10 @@ pub fn module(artifact: &Artifact<'_>) -> BTreeMap<String, String> {
         plant: &artifact.plant,
         lyapunov: &artifact.lyapunov,
     };
-    files(&Interface::of(artifact.model, artifact.version), &programs)
+    files(
+        &Interface::of(artifact.model, artifact.version, artifact.arithmetic),
+        &programs,
+    )
 }
 
 /// The text of the library that has the given modules: name and title of each.
@@ -101,7 +106,7 @@ pub(crate) const FUNCTION_IMPORTS: [&str; 10] = [
 /// What the files may mention besides.
 const IMPORTS: [(&str, &[&str]); 6] = [
     ("params", &["nsv_runtime::noise::Noise"]),
-    ("polynomials", &[]),
+    ("polynomials", &["nsv_runtime::polynomial::horner"]),
     (
         "controller",
         &[
@@ -131,10 +136,10 @@ const IMPORTS: [(&str, &[&str]); 6] = [
         &[
             "nsv_runtime::closed_loop::ClosedLoop",
             "nsv_runtime::closed_loop::Options",
+            "nsv_runtime::closed_loop::Runs",
             "nsv_runtime::noise::Noise",
             "nsv_runtime::sde",
             "nsv_runtime::sde::Scheme",
-            "nsv_runtime::status::Status",
             "super::controller::Controller",
             "super::controller::Output",
             "super::controller::SAMPLE_TIME",
@@ -153,9 +158,9 @@ const IMPORTS: [(&str, &[&str]); 6] = [
 /// The texts of the files.
 pub(crate) fn files(interface: &Interface, programs: &Programs<'_>) -> BTreeMap<String, String> {
     let library = Library::of(&[
-        programs.initial,
         programs.control,
         programs.plant,
+        programs.initial,
         programs.lyapunov,
     ]);
     let fields = params::fields(interface);
@@ -294,6 +299,12 @@ impl Texts<'_> {
             ),
             format!("specification sha256 {}", clean(&self.interface.hash)),
         ];
+        if self.interface.arithmetic == Arithmetic::Fast {
+            header.push(
+                "math fast: sums and products are reassociated, results differ from `--math strict` by roundings"
+                    .to_owned(),
+            );
+        }
         header.extend(
             programs
                 .iter()

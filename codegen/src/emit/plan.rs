@@ -108,7 +108,9 @@ fn bound(program: &Program, live: &[bool], labels: &BTreeMap<ValueId, String>) -
             continue;
         }
         weights[index] = weigh(&instruction.op, &mut weights, &mut bound);
-        bound[index] |= uses[index] > 1 || repeated[index];
+        // The values of a family have names, which are taken from a variable.
+        let family = matches!(instruction.op, Op::Family(..));
+        bound[index] |= uses[index] > 1 || repeated[index] || family;
         if bound[index] {
             weights[index] = 1;
         }

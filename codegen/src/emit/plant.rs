@@ -9,10 +9,11 @@ use crate::emit::comment::{Comments, code, docs};
 use crate::emit::function::{Function, Record, Results};
 use crate::emit::interface::Interface;
 use crate::emit::literal::row;
-use crate::emit::names::Fields;
+use crate::emit::names::{Fields, ident};
 use crate::emit::polynomial::Library;
 use crate::emit::types::index;
-use crate::ir::{Program, Shape};
+use crate::ir::build::size;
+use crate::ir::{Op, Program, Shape, ValueId};
 
 /// The plant's program and names.
 pub(crate) struct Plant<'a> {
@@ -54,6 +55,7 @@ impl Plant<'_> {
         let mut items = self.constants();
         items.push(self.plant_struct());
         items.push(self.equation(&function));
+        items.extend(self.diffuse());
         items.extend(function.items(comments));
         items
     }
@@ -136,41 +138,91 @@ impl Plant<'_> {
     }
 
     fn equation(&self, function: &Function<'_>) -> TokenStream {
-        let channels = noise_channels(self.plant);
-        let call = call(function);
-        let drift = if self.held() {
-            quote!(let rate = #call; rate.drift + rate.diffusion * self.xi)
+        let (held, call) = (self.held(), call(function));
+        let wiener = noise_channels(self.plant) > 0 && !held;
+        let drift = if held {
+            quote!({ let rate = #call; rate.drift + diffuse(&rate.diffusion, &self.xi) })
         } else {
             quote!(#call.drift)
         };
-        let wiener = channels > 0 && !self.held();
         let (columns, diffusion) = if wiener {
-            (quote!(NOISE_CHANNELS), quote!(#call.diffusion))
+            (
+                quote!(NOISE_CHANNELS),
+                quote!(T::outlined(|| #call.diffusion)),
+            )
         } else {
             let none = Literal::usize_unsuffixed(0);
             (quote!(#none), quote!(Matrix::zero()))
         };
-        let (diffusion_t, diffusion_x) = if wiener {
-            (quote!(t), quote!(x))
-        } else {
-            (quote!(_t), quote!(_x))
-        };
-        let arguments = function.arguments();
-        let drift_t = if arguments.iter().any(|argument| argument == "t") {
-            quote!(t)
-        } else {
-            quote!(_t)
-        };
-        let diffusion_t = if wiener { drift_t.clone() } else { diffusion_t };
+        let used =
+            |used: bool, name: &str| ident(&format!("{}{name}", if used { "" } else { "_" }));
+        let timed = function.arguments().iter().any(|argument| argument == "t");
+        let (t, x) = (used(timed, "t"), ident("x"));
+        let (diffusion_t, diffusion_x) = (used(timed && wiener, "t"), used(wiener, "x"));
+        let together = wiener.then(|| {
+            quote! {
+                #[inline(always)]
+                fn drift_and_noise(&self, #t: T, #x: &Vector<T, STATES>, dw: &Vector<T, #columns>) -> (Vector<T, STATES>, Vector<T, STATES>) {
+                    T::outlined(|| { let rate = #call; (rate.drift, diffuse(&rate.diffusion, dw)) })
+                }
+            }
+        });
         quote! {
             impl<T: Real> Sde<T, STATES, #columns> for Plant<T> {
-                #[inline]
-                fn drift(&self, #drift_t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> { #drift }
+                #[inline(always)]
+                fn drift(&self, #t: T, #x: &Vector<T, STATES>) -> Vector<T, STATES> { T::outlined(|| #drift) }
 
-                #[inline]
+                #[inline(always)]
                 fn diffusion(&self, #diffusion_t: T, #diffusion_x: &Vector<T, STATES>) -> Matrix<T, STATES, #columns> { #diffusion }
+
+                #together
             }
         }
+    }
+
+    /// The product of the diffusion and noise. Which of its entries are zero is known, and so is that noise is finite.
+    fn diffuse(&self) -> Option<TokenStream> {
+        let (_, id) = self
+            .plant
+            .outputs
+            .iter()
+            .find(|(name, _)| name == "diffusion")?;
+        let Shape::Matrix(_, columns) = self.plant.shape(*id) else {
+            return None;
+        };
+        let is_zero = entries_zero(self.plant, *id);
+        let rows = is_zero.chunks(columns).enumerate().map(|(row, is_zero)| {
+            let row = index(row);
+            let products = (0..columns)
+                .filter(|&column| !is_zero[column])
+                .map(|column| {
+                    let column = index(column);
+                    quote!(diffusion[(#row, #column)] * noise[#column])
+                });
+            let sum = products.reduce(|sum, product| quote!(#sum + #product));
+            sum.unwrap_or_else(|| quote!(T::zero()))
+        });
+        let docs = docs(&["Diffusion times noise, without the entries that are always 0."]);
+        Some(quote! {
+            #docs
+            #[inline(always)]
+            fn diffuse<T: Real>(diffusion: &Matrix<T, STATES, NOISE_CHANNELS>, noise: &Vector<T, NOISE_CHANNELS>) -> Vector<T, STATES> {
+                Vector([#(#rows),*])
+            }
+        })
+    }
+}
+
+/// Whether each entry of an array is the literal 0.
+fn entries_zero(program: &Program, array: ValueId) -> Vec<bool> {
+    let zero = |entry: f64| entry == 0.0;
+    match &program.instruction(array).op {
+        Op::Const(data) => data.iter().map(|&entry| zero(entry)).collect(),
+        Op::Array(items) => items
+            .iter()
+            .map(|&item| matches!(&program.instruction(item).op, Op::Const(data) if zero(data[0])))
+            .collect(),
+        _ => vec![false; size(program.shape(array))],
     }
 }
 

@@ -9,17 +9,19 @@ use quote::{format_ident, quote};
 use crate::emit::basis::{RATES, list, monomials};
 use crate::emit::comment::{code, docs, prose};
 use crate::emit::expression::{Fragment, Level};
+use crate::emit::family::{self, FamilyNames};
 use crate::emit::literal;
 use crate::emit::names::{Scope, snake};
 use crate::emit::plan::live;
 use crate::emit::source::{mentions, prologue};
 use crate::ir::horner::Horner;
-use crate::ir::{MonomialBasis, Op, PolynomialData, Program};
+use crate::ir::{MonomialBasis, Op, PolynomialData, PolynomialFamily, Program};
 
 /// The polynomials and bases of a set of programs, each once, with the names of their functions.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Library {
     polynomials: Vec<(PolynomialData, Ident)>,
+    families: Vec<(PolynomialFamily, FamilyNames)>,
     bases: Vec<(MonomialBasis, Ident)>,
     /// Functions of bases that are called: position and order of the rate.
     called: BTreeSet<(usize, usize)>,
@@ -29,7 +31,7 @@ impl Library {
     /// What `programs` use. Data of one name that differs between programs gets two functions.
     pub(crate) fn of(programs: &[&Program]) -> Library {
         let mut library = Library::default();
-        let mut scope = Scope::default();
+        let (mut scope, mut types) = (Scope::default(), Scope::default());
         for program in programs {
             let live = live(program);
             for (instruction, _) in program
@@ -38,19 +40,27 @@ impl Library {
                 .zip(live)
                 .filter(|(_, live)| *live)
             {
-                library.add(program, &instruction.op, &mut scope);
+                library.add(program, &instruction.op, &mut scope, &mut types);
             }
         }
         library
     }
 
-    fn add(&mut self, program: &Program, op: &Op, scope: &mut Scope) {
+    fn add(&mut self, program: &Program, op: &Op, scope: &mut Scope, types: &mut Scope) {
         let (basis, order) = match *op {
             Op::Polynomial(id, _) => {
                 let data = &program.polynomials[id.0 as usize];
                 if self.polynomials.iter().all(|(known, _)| known != data) {
                     self.polynomials
                         .push((data.clone(), scope.claim(&data.name)));
+                }
+                return;
+            }
+            Op::Family(id, _) => {
+                let family = &program.families[id.0 as usize];
+                if self.families.iter().all(|(known, _)| known != family) {
+                    let names = FamilyNames::new(family, scope, types);
+                    self.families.push((family.clone(), names));
                 }
                 return;
             }
@@ -73,7 +83,7 @@ impl Library {
 
     /// Whether there is nothing to emit.
     pub(crate) fn is_empty(&self) -> bool {
-        self.polynomials.is_empty() && self.bases.is_empty()
+        self.polynomials.is_empty() && self.families.is_empty() && self.bases.is_empty()
     }
 
     /// Path of the function of each polynomial of a program; empty for one that it does not call.
@@ -85,6 +95,15 @@ impl Library {
                 .unwrap_or_default()
         };
         program.polynomials.iter().map(path).collect()
+    }
+
+    /// Names of each family of a program; `None` for one that it does not call.
+    pub(crate) fn family_names(&self, program: &Program) -> Vec<Option<FamilyNames>> {
+        let names = |family: &PolynomialFamily| {
+            let found = self.families.iter().find(|(known, _)| known == family);
+            found.map(|(_, names)| names.clone())
+        };
+        program.families.iter().map(names).collect()
     }
 
     /// Paths of the functions of each basis of a program: value, rate, second rate; empty for one that it does not call.
@@ -105,24 +124,26 @@ impl Library {
         let polynomials = self
             .polynomials
             .iter()
-            .map(|(data, name)| polynomial(data, name, source(data, sources)));
+            .map(|(data, name)| polynomial(data, name, source(&data.name, sources)));
+        let families = self.families.iter().flat_map(|(family, names)| {
+            family::items(family, names, |member| source(member, sources))
+        });
         let bases = self.called.iter().map(|&(position, order)| {
             let (basis, name) = &self.bases[position];
             monomials(basis, name, order)
         });
-        polynomials.chain(bases).collect()
+        polynomials.chain(families).chain(bases).collect()
     }
 }
 
 /// The source of polynomial data, or of that whose derivative it is.
-fn source<'s>(data: &PolynomialData, sources: &'s [(String, String)]) -> Option<&'s str> {
+fn source<'s>(name: &str, sources: &'s [(String, String)]) -> Option<&'s str> {
     let of = |name: &str| {
         sources.iter().find(|(known, _)| {
             known == name || known.replace('.', "_") == name || snake(known) == name
         })
     };
-    let (_, source) =
-        std::iter::successors(Some(data.name.as_str()), |name| primitive(name)).find_map(of)?;
+    let (_, source) = std::iter::successors(Some(name), |name| primitive(name)).find_map(of)?;
     Some(source.as_str()).filter(|source| !source.is_empty())
 }
 
@@ -174,7 +195,7 @@ fn polynomial(data: &PolynomialData, name: &Ident, source: Option<&str>) -> Toke
     let prologue = prologue(&body);
     quote! {
         #docs
-        #[inline]
+        #[inline(always)]
         pub fn #name<T: Real>(#(#parameters),*) -> T {
             #prologue
             #body

@@ -103,5 +103,10 @@ fn polynomials(library: &Library) -> TokenStream {
         let name = ident("Vector");
         quote!(use nsv_runtime::linear::#name;)
     });
-    quote!(#docs pub mod polynomials { #vector use nsv_runtime::real::Real; #code })
+    let horner = crate::emit::source::mentions(&code, "horner").then(|| {
+        quote!(
+            use nsv_runtime::polynomial::horner;
+        )
+    });
+    quote!(#docs pub mod polynomials { #vector #horner use nsv_runtime::real::Real; #code })
 }

@@ -10,6 +10,7 @@ use super::interface::{Block, Dispersion, Input, Interface, Parameter, State};
 use super::module::{Programs, files};
 use super::standalone;
 use crate::ir::{self, Program, Shape, Type, Values, random};
+use crate::opt::Arithmetic;
 
 fn program(text: &str) -> Program {
     let program: Program = text.parse().expect("a program");
@@ -42,6 +43,7 @@ fn interface() -> Interface {
         title: "Pitch and yaw of a small vehicle".to_owned(),
         hash: "0".repeat(64),
         version: "0.1.0".to_owned(),
+        arithmetic: Arithmetic::Strict,
         parameters: vec![
             parameter("mass", None),
             parameter("CL_scale", Some(Dispersion::Uniform(0.75, 1.25))),
@@ -380,5 +382,25 @@ fn check_harmless(file: &str, text: &str) {
         let line = line.trim_start();
         let in_text = line.starts_with("//") || line.starts_with("pub const");
         assert!(in_text, "{file}: {line}");
+    }
+}
+
+#[test]
+fn fast_arithmetic_is_recorded_in_every_file() {
+    let [initial, control, plant, lyapunov] = programs();
+    let programs = Programs {
+        initial: &initial,
+        control: &control,
+        plant: &plant,
+        lyapunov: &lyapunov,
+    };
+    for (arithmetic, recorded) in [(Arithmetic::Strict, false), (Arithmetic::Fast, true)] {
+        let interface = Interface {
+            arithmetic,
+            ..interface()
+        };
+        for (file, text) in files(&interface, &programs) {
+            assert_eq!(text.contains("\n// math fast: "), recorded, "{file}");
+        }
     }
 }

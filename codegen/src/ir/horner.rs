@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use super::PolynomialData;
+use super::{FamilyMember, PolynomialData};
 
 /// A polynomial as nested Horner schemes.
 #[derive(Clone, Debug, PartialEq)]
@@ -70,6 +70,23 @@ impl Horner {
                 )
             }
         }
+    }
+}
+
+impl FamilyMember {
+    /// The value at `z`.
+    pub fn eval(&self, z: f64) -> f64 {
+        let mut coefficients = self.coefficients.iter();
+        let leading = coefficients.next().copied().unwrap_or_default();
+        coefficients.fold(leading, |r, c| r * z + c)
+    }
+
+    /// Number of additions and of multiplications.
+    pub fn operations(&self) -> (u64, u64) {
+        let lower = self.coefficients.iter().skip(1);
+        let absent = |c: &&f64| c.to_bits() == (-0.0f64).to_bits();
+        let (all, idle) = (lower.len() as u64, lower.filter(absent).count() as u64);
+        (all - idle, all)
     }
 }
 

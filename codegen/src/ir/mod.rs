@@ -29,6 +29,10 @@ pub struct PolynomialId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct BasisId(pub u32);
 
+/// Index into [`Program::families`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct FamilyId(pub u32);
+
 pub use nsv_spec::expr::arena::{Comparison, Function, Operator, Shape};
 
 /// Type of a value.
@@ -100,6 +104,8 @@ pub enum Op {
     SingularVector(ValueId),
     /// Polynomial data of scalar arguments, by nested Horner schemes.
     Polynomial(PolynomialId, Vec<ValueId>),
+    /// All polynomials of a family at one scalar argument, each by its own Horner scheme: a vector of the family's length.
+    Family(FamilyId, ValueId),
     /// Monomial basis of an input vector: a vector of the basis' length.
     Basis(BasisId, ValueId),
     /// Directional derivative of a monomial basis: input vector, its rate.
@@ -150,6 +156,27 @@ pub struct PolynomialData {
     pub terms: Vec<(f64, Vec<u32>)>,
 }
 
+/// Polynomials of one argument that are evaluated together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PolynomialFamily {
+    /// Name, such as `at_alpha_deg`.
+    pub name: String,
+    /// Argument name.
+    pub argument: String,
+    /// The polynomials, those of higher degree first.
+    pub members: Vec<FamilyMember>,
+}
+
+/// A polynomial of a family.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FamilyMember {
+    /// Name, such as `CL_alpha`; unique in the family.
+    pub name: String,
+    /// From the highest power down to the constant: `r = c_n`, then `r = r*z + c` for each that follows. A power without a term has -0,
+    /// which adds nothing to any number; one with 0 adds that.
+    pub coefficients: Vec<f64>,
+}
+
 /// Monomials of a network, in canonical order (total degree ascending, then exponent of z_1 descending, z_2, ...).
 #[derive(Clone, Debug, PartialEq)]
 pub struct MonomialBasis {
@@ -174,6 +201,8 @@ pub struct Program {
     pub outputs: Vec<(String, ValueId)>,
     /// Polynomial data used.
     pub polynomials: Vec<PolynomialData>,
+    /// Polynomial families used.
+    pub families: Vec<PolynomialFamily>,
     /// Bases used.
     pub bases: Vec<MonomialBasis>,
     /// Origins used.
@@ -208,6 +237,7 @@ impl Op {
             | Op::Transpose(a)
             | Op::SumSquares(a)
             | Op::SingularVector(a)
+            | Op::Family(_, a)
             | Op::Basis(_, a) => vec![*a],
             Op::Binary(_, a, b)
             | Op::Compare(_, a, b)
@@ -248,6 +278,7 @@ impl Op {
             Op::Polynomial(id, ref items) => {
                 Op::Polynomial(id, items.iter().map(|&item| f(item)).collect())
             }
+            Op::Family(id, a) => Op::Family(id, f(a)),
             Op::Basis(id, a) => Op::Basis(id, f(a)),
             Op::BasisRate(id, a, b) => Op::BasisRate(id, f(a), f(b)),
             Op::BasisRate2(id, a, b, c) => Op::BasisRate2(id, f(a), f(b), f(c)),

@@ -4,6 +4,7 @@
 //! program control
 //! input x1: vec3
 //! polynomial cl(alpha, mach) = -0.0819 [0, 0], 0.047 [0, 1]
+//! family at_alpha(alpha) = cd [0.5, -0.0, 1.0], cm [0.25, 1.0]
 //! basis basis1(p, q) = [0, 0], [1, 0], [0, 1]
 //! origin "error variables" "e_1 = x_1 - y_r  (14)"
 //! %0: vec3 = input x1
@@ -16,7 +17,8 @@ use std::fmt::{self, Display, Formatter};
 
 use super::mnemonic::{COMPARISONS, FUNCTIONS, KERNELS, OPERATORS, word};
 use super::{
-    Instruction, MonomialBasis, Op, Origin, PolynomialData, Program, Shape, Type, ValueId,
+    FamilyMember, Instruction, MonomialBasis, Op, Origin, PolynomialData, PolynomialFamily,
+    Program, Shape, Type, ValueId,
 };
 
 impl Display for Program {
@@ -27,6 +29,9 @@ impl Display for Program {
         }
         for polynomial in &self.polynomials {
             writeln!(f, "{polynomial}")?;
+        }
+        for family in &self.families {
+            writeln!(f, "{family}")?;
         }
         for basis in &self.bases {
             writeln!(f, "{basis}")?;
@@ -70,8 +75,8 @@ impl Program {
         writeln!(f)
     }
 
-    /// An operation as text, such as `sub %3, %4`. Operations of one program with equal text are equal to the last bit.
-    pub fn text_of(&self, op: &Op) -> String {
+    /// An operation as text, such as `sub %3, %4`.
+    fn text_of(&self, op: &Op) -> String {
         let operands = list(op.operands());
         match op {
             Op::Const(data) if data.len() == 1 => format!("const {:?}", data[0]),
@@ -110,6 +115,11 @@ impl Program {
                 } else {
                     format!("polynomial {name}, {operands}")
                 }
+            }
+            Op::Family(id, _) => {
+                let family = self.families.get(id.0 as usize);
+                let name = named(family.map(|family| &family.name), id.0 as usize);
+                format!("family {name}, {operands}")
             }
             Op::Basis(id, _) => format!("basis {}, {operands}", self.basis_name(id.0 as usize)),
             Op::BasisRate(id, _, _) => {
@@ -169,6 +179,14 @@ impl Display for PolynomialData {
             self.name,
             self.arguments.join(", ")
         )
+    }
+}
+
+impl Display for PolynomialFamily {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let member = |member: &FamilyMember| format!("{} {:?}", member.name, member.coefficients);
+        let members = list(self.members.iter().map(member));
+        write!(f, "family {}({}) = {members}", self.name, self.argument)
     }
 }
 

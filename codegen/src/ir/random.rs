@@ -5,8 +5,8 @@ use nsv_spec::model::Basis as Kind;
 use super::build::size;
 use super::mnemonic::{COMPARISONS, FUNCTIONS, KERNELS, OPERATORS};
 use super::{
-    BasisId, Function, Input, MonomialBasis, Op, Origin, PolynomialData, PolynomialId, Program,
-    Shape, Type, ValueId, Values,
+    BasisId, FamilyId, FamilyMember, Function, Input, MonomialBasis, Op, Origin, PolynomialData,
+    PolynomialFamily, PolynomialId, Program, Shape, Type, ValueId, Values,
 };
 
 /// Values at which algebra that is not IEEE arithmetic shows.
@@ -106,6 +106,16 @@ fn frame() -> Program {
                 terms: vec![(-2.5, vec![3])],
             },
         ],
+        families: vec![PolynomialFamily {
+            name: "h".into(),
+            argument: "a".into(),
+            members: vec![
+                member("h1", &[0.5, -0.0, 1.25, -3.0]),
+                member("h2", &[-0.75, 0.0, 2.0, 0.5]),
+                member("h3", &[0.0, 1.0]),
+                member("h4", &[4.0]),
+            ],
+        }],
         bases: vec![
             MonomialBasis::new("basis1", 3, Kind::Pairwise, &names(&["p", "q", "r"])),
             MonomialBasis::new("basis2", 2, Kind::Complete, &names(&["p", "q"])),
@@ -115,6 +125,13 @@ fn frame() -> Program {
             equation: "v = \"any\" \\ value  (1)".into(),
         }],
         ..Program::default()
+    }
+}
+
+fn member(name: &str, coefficients: &[f64]) -> FamilyMember {
+    FamilyMember {
+        name: name.to_owned(),
+        coefficients: coefficients.to_vec(),
     }
 }
 
@@ -229,7 +246,7 @@ impl Generator {
     }
 
     fn operation(&mut self) -> Option<Op> {
-        Some(match self.random.below(28) {
+        Some(match self.random.below(29) {
             0 | 1 => Op::Apply(Function::Neg, self.real()?),
             2 | 3 => Op::Apply(self.random.pick(&FUNCTIONS).0, self.real()?),
             4 => Op::Kernel(self.random.pick(&KERNELS).0, self.scalar()?),
@@ -287,6 +304,7 @@ impl Generator {
                 Op::Polynomial(PolynomialId(0), vec![self.scalar()?, self.scalar()?])
             }
             26 => Op::Polynomial(PolynomialId(1), vec![self.scalar()?]),
+            27 => Op::Family(FamilyId(0), self.scalar()?),
             _ => {
                 let (basis, inputs) = self.random.pick(&[(BasisId(0), 3), (BasisId(1), 2)]);
                 let mut input = || self.value(|ty| ty == Type::Real(Shape::Vector(inputs)));
@@ -383,7 +401,7 @@ mod tests {
         let words = words
             .chain(COMPARISONS.map(|(_, word)| word))
             .chain(KERNELS.map(|(_, word)| word));
-        let others = "const powi and or not select array element matmul transpose dot outer sum_squares solve singular_vector polynomial \
+        let others = "const powi and or not select array element matmul transpose dot outer sum_squares solve singular_vector polynomial family \
                       basis basis_rate basis_rate2";
         for word in words.chain(others.split(' ')) {
             assert!(text.contains(&format!("= {word} ")), "{word}");

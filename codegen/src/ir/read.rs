@@ -5,8 +5,8 @@ use std::str::FromStr;
 
 use super::mnemonic::{COMPARISONS, FUNCTIONS, KERNELS, OPERATORS, item};
 use super::{
-    BasisId, Input, Instruction, MonomialBasis, Op, Origin, PolynomialData, PolynomialId, Program,
-    Shape, Type, ValueId,
+    BasisId, FamilyId, FamilyMember, Input, Instruction, MonomialBasis, Op, Origin, PolynomialData,
+    PolynomialFamily, PolynomialId, Program, Shape, Type, ValueId,
 };
 
 /// A line that is not a statement of the textual form.
@@ -75,6 +75,18 @@ impl Program {
                     name,
                     arguments,
                     terms,
+                });
+            }
+            "family" => {
+                let (name, arguments, items) = read_table(rest)?;
+                let member = |(name, coefficients): (&str, _)| FamilyMember {
+                    name: name.to_owned(),
+                    coefficients,
+                };
+                self.families.push(PolynomialFamily {
+                    name,
+                    argument: arguments.concat(),
+                    members: items.into_iter().map(member).collect(),
                 });
             }
             "basis" => {
@@ -152,6 +164,10 @@ impl Program {
             ("polynomial", [name, arguments @ ..]) => {
                 let id = position(self.polynomials.iter().map(|data| &data.name), name)?;
                 Op::Polynomial(PolynomialId(index(id)?), values(arguments)?)
+            }
+            ("family", [name, z]) => {
+                let id = position(self.families.iter().map(|family| &family.name), name)?;
+                Op::Family(FamilyId(index(id)?), read_value(z)?)
             }
             ("basis" | "basis_rate" | "basis_rate2", [name, operands @ ..]) => {
                 let id = BasisId(index(position(
@@ -241,28 +257,28 @@ fn position<'a>(mut names: impl Iterator<Item = &'a String>, name: &str) -> Expe
     }
 }
 
-/// What stands before the brackets, and the exponents in them.
-type TableItem<'a> = (&'a str, Vec<u32>);
+/// What stands before the brackets, and the numbers in them.
+type TableItem<'a, N> = (&'a str, Vec<N>);
 
-/// `name(a, b) = head [e, e], head [e, e]`
-fn read_table(text: &str) -> Expected<(String, Vec<String>, Vec<TableItem<'_>>)> {
+/// `name(a, b) = head [n, n], head [n, n]`
+fn read_table<N: FromStr>(text: &str) -> Expected<(String, Vec<String>, Vec<TableItem<'_, N>>)> {
     let (signature, items) = text.split_once(" =").ok_or("`name(arguments) = terms`")?;
     let (name, arguments) = signature
         .strip_suffix(')')
         .and_then(|head| head.split_once('('))
         .ok_or("`name(arguments)`")?;
-    let read_item = |item: &'_ str| -> Expected<(usize, Vec<u32>)> {
-        let open = item.find('[').ok_or("exponents in brackets")?;
-        let exponents = item[open + 1..]
+    let read_item = |item: &'_ str| -> Expected<(usize, Vec<N>)> {
+        let open = item.find('[').ok_or("numbers in brackets")?;
+        let numbers = item[open + 1..]
             .split(", ")
             .filter(|e| !e.is_empty())
             .map(number)
             .collect::<Expected<_>>()?;
-        Ok((open, exponents))
+        Ok((open, numbers))
     };
     let items = items.split_terminator(']').map(|item| {
         let item = item.trim_start_matches([',', ' ']);
-        read_item(item).map(|(open, exponents)| (item[..open].trim(), exponents))
+        read_item(item).map(|(open, numbers)| (item[..open].trim(), numbers))
     });
     let arguments = arguments
         .split(", ")

@@ -32,6 +32,10 @@ impl Program {
                 (arguments.len() == data.arguments.len() && self.all_scalar(arguments))
                     .then_some(SCALAR)
             }
+            Op::Family(id, z) => {
+                let family = self.families.get(id.0 as usize)?;
+                (self.all_scalar(&[z])).then_some(Type::Real(Shape::Vector(family.members.len())))
+            }
             Op::Basis(id, z) => self.basis_type(id, &[z]),
             Op::BasisRate(id, z, z1) => self.basis_type(id, &[z, z1]),
             Op::BasisRate2(id, z, z1, z2) => self.basis_type(id, &[z, z1, z2]),

@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter};
 
 use super::build::size;
 use super::print::is_word;
-use super::{Instruction, Op, Program, Shape, Type, ValueId};
+use super::{FamilyMember, Instruction, Op, Program, Shape, Type, ValueId};
 
 /// A broken condition; instructions are meant by their value.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -40,6 +40,8 @@ pub enum Violation {
     EmptyShape { name: String },
     /// Polynomial data with a non-finite coefficient or a wrong number of exponents.
     BadPolynomial { name: String },
+    /// A polynomial family that is empty, or has a member without a name of its own or with coefficients that are missing or not finite.
+    BadFamily { name: String },
     /// A basis whose monomials lack an earlier one to be made from, or with a wrong number of exponents.
     BadBasis { name: String },
 }
@@ -74,6 +76,7 @@ impl Display for Violation {
             }
             Violation::EmptyShape { name } => write!(f, "`{name}` has no entries"),
             Violation::BadPolynomial { name } => write!(f, "polynomial `{name}` is malformed"),
+            Violation::BadFamily { name } => write!(f, "polynomial family `{name}` is malformed"),
             Violation::BadBasis { name } => write!(f, "basis `{name}` is malformed"),
         }
     }
@@ -115,7 +118,9 @@ fn check_inputs(program: &Program, violations: &mut Vec<Violation>) {
 fn check_tables(program: &Program, violations: &mut Vec<Violation>) {
     let polynomials = program.polynomials.iter().map(|data| &data.name);
     check_names(
-        polynomials.chain(program.bases.iter().map(|basis| &basis.name)),
+        polynomials
+            .chain(program.families.iter().map(|family| &family.name))
+            .chain(program.bases.iter().map(|basis| &basis.name)),
         violations,
     );
     for data in &program.polynomials {
@@ -126,6 +131,20 @@ fn check_tables(program: &Program, violations: &mut Vec<Violation>) {
         {
             violations.push(Violation::BadPolynomial {
                 name: data.name.clone(),
+            });
+        }
+    }
+    for family in &program.families {
+        let names: BTreeSet<&String> = family.members.iter().map(|member| &member.name).collect();
+        let sound = |member: &FamilyMember| {
+            is_word(&member.name)
+                && !member.coefficients.is_empty()
+                && member.coefficients.iter().all(|c| c.is_finite())
+        };
+        let distinct = names.len() == family.members.len() && !names.is_empty();
+        if !distinct || !family.members.iter().all(sound) {
+            violations.push(Violation::BadFamily {
+                name: family.name.clone(),
             });
         }
     }
@@ -251,6 +270,7 @@ mod tests {
     const SOUND: &str = "program p
 input x: vec2
 polynomial f(a) = 2.0 [1]
+family h(a) = p [1.0, -0.0], q [2.0]
 basis b(a, c) = [0, 0], [1, 0]
 origin \"group\" \"y = 2 x\"
 %0: vec2 = input x
@@ -259,6 +279,7 @@ origin \"group\" \"y = 2 x\"
 %3: real = element %0, 1, 0
 %4: real = polynomial f, %3
 %5: vec2 = basis b, %0
+%6: vec2 = family h, %3
 output y = %2
 ";
 
@@ -368,11 +389,23 @@ output y = %2
         );
         check(
             "output y = %2",
-            "output y = %6",
-            &["output `y` is %6, which does not exist"],
+            "output y = %7",
+            &["output `y` is %7, which does not exist"],
         );
         check("2.0 [1]", "2.0 [1, 1]", &["polynomial `f` is malformed"]);
         check("2.0 [1]", "NaN [1]", &["polynomial `f` is malformed"]);
+        check("p [1.0", "p [inf", &["polynomial family `h` is malformed"]);
+        check("q [2.0]", "q []", &["polynomial family `h` is malformed"]);
+        check(
+            "q [2.0]",
+            "p [2.0]",
+            &["polynomial family `h` is malformed"],
+        );
+        check(
+            "family h, %3",
+            "family h, %0",
+            &["%6 has operands that do not fit its operation"],
+        );
         check(
             "[0, 0], [1, 0]",
             "[0, 0], [2, 0]",

@@ -1,12 +1,16 @@
 //! Operation counts of a program, as it is emitted: every arm of a selection is computed.
 
 use std::fmt::{self, Display, Formatter};
+use std::iter::Sum;
 use std::ops::{Add, Mul};
 
+use crate::ir::FamilyMember;
 use crate::ir::build::size;
 use crate::ir::eval::{SWEEPS, entries};
 use crate::ir::horner::Horner;
-use crate::ir::{Function, Kernel, MonomialBasis, Op, Operator, Program, Shape, Type, ValueId};
+use crate::ir::{
+    Function, Instruction, Kernel, MonomialBasis, Op, Operator, Program, Shape, Type, ValueId,
+};
 
 /// How many scalar operations of each kind. Sign changes, absolute values, literals and moves count nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,6 +30,18 @@ pub struct Cost {
 }
 
 impl Cost {
+    /// The counts by their short names.
+    pub fn columns(&self) -> [(&'static str, u64); 6] {
+        [
+            ("add", self.additions),
+            ("mul", self.multiplications),
+            ("div", self.divisions),
+            ("sqrt", self.roots),
+            ("call", self.elementary),
+            ("select", self.selections),
+        ]
+    }
+
     /// Additions and multiplications.
     pub fn flops(&self) -> u64 {
         self.additions + self.multiplications
@@ -44,6 +60,12 @@ impl Add for Cost {
             elementary: self.elementary + other.elementary,
             selections: self.selections + other.selections,
         }
+    }
+}
+
+impl Sum for Cost {
+    fn sum<I: Iterator<Item = Cost>>(costs: I) -> Cost {
+        costs.fold(NOTHING, Cost::add)
     }
 }
 
@@ -121,9 +143,23 @@ pub fn count(program: &Program) -> Cost {
     program
         .instructions
         .iter()
-        .fold(NOTHING, |sum, instruction| {
-            sum + operation(program, &instruction.op, instruction.ty)
-        })
+        .map(|instruction| of(program, instruction))
+        .sum()
+}
+
+/// The operations of one instruction of a verified program.
+pub fn of(program: &Program, instruction: &Instruction) -> Cost {
+    operation(program, &instruction.op, instruction.ty)
+}
+
+/// The operations of one polynomial of a family.
+pub(super) fn member(member: &FamilyMember) -> Cost {
+    let (additions, multiplications) = member.operations();
+    Cost {
+        additions,
+        multiplications,
+        ..NOTHING
+    }
 }
 
 fn operation(program: &Program, op: &Op, ty: Type) -> Cost {
@@ -149,6 +185,10 @@ fn operation(program: &Program, op: &Op, ty: Type) -> Cost {
                 multiplications,
                 ..NOTHING
             }
+        }
+        Op::Family(id, _) => {
+            let members = &program.families[id.0 as usize].members;
+            members.iter().map(member).sum()
         }
         Op::Basis(id, _) => products(&program.bases[id.0 as usize]) * MULTIPLICATION,
         // m and m' of each product

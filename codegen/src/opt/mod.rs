@@ -1,11 +1,14 @@
 //! Optimisation: passes from program to program, one file each, every rewrite under its algebra.
 
 pub mod cost;
+pub mod explain;
+pub mod stage;
 
 mod arrays;
 mod dead_code;
 mod fold;
 mod identities;
+mod polynomials;
 mod powers;
 mod reciprocals;
 mod rewrite;
@@ -21,7 +24,7 @@ use crate::ir::Program;
 pub enum Kind {
     /// Nothing: outputs keep every bit for all inputs, zeros of either sign, infinities and NaN (of any payload) included.
     Exact,
-    /// Roundings; the text states by how much. Applied in [`Arithmetic::Relaxed`] only.
+    /// Roundings; the text states by how much. Applied in [`Arithmetic::Fast`] only.
     Reassociating(&'static str),
 }
 
@@ -36,7 +39,7 @@ pub struct Pass {
 }
 
 /// All passes, in the order of a round.
-pub const PASSES: [Pass; 10] = [
+pub static PASSES: [Pass; 11] = [
     Pass {
         name: "fold",
         kind: Kind::Exact,
@@ -78,6 +81,11 @@ pub const PASSES: [Pass; 10] = [
         run: value_numbering::run,
     },
     Pass {
+        name: "polynomials",
+        kind: Kind::Exact,
+        run: polynomials::run,
+    },
+    Pass {
         name: "reciprocals",
         kind: Kind::Reassociating(
             "a quotient a/d is off by at most 1.5 ulp instead of 0.5, while 1/d neither over- nor underflows",
@@ -96,8 +104,8 @@ pub const PASSES: [Pass; 10] = [
 pub enum Arithmetic {
     /// The exact ones: the result is the program's, bit for bit.
     Strict,
-    /// All.
-    Relaxed,
+    /// All: results differ from the program's by roundings.
+    Fast,
 }
 
 /// Rounds are repeated while they change the program, but at most this often: a pass may enable an earlier one, and two or three rounds
@@ -110,26 +118,42 @@ pub fn optimise(program: Program) -> Program {
 }
 
 /// The program in fewer operations. Debug builds verify it after each pass.
-pub fn optimise_with(mut program: Program, arithmetic: Arithmetic) -> Program {
+pub fn optimise_with(program: Program, arithmetic: Arithmetic) -> Program {
+    optimise_watched(program, arithmetic, |_, _, _| {})
+}
+
+/// As [`optimise_with`]; `watch` sees the program after each pass, with the pass and its round, counted from 1.
+pub fn optimise_watched(
+    mut program: Program,
+    arithmetic: Arithmetic,
+    mut watch: impl FnMut(&'static Pass, usize, &Program),
+) -> Program {
     if cfg!(debug_assertions) {
         program.assert_sound();
     }
-    for _ in 0..ROUNDS {
+    for round in 1..=ROUNDS {
         let before = program.clone();
-        for pass in PASSES
-            .iter()
-            .filter(|pass| arithmetic == Arithmetic::Relaxed || pass.kind == Kind::Exact)
-        {
+        for pass in arithmetic.passes() {
             program = (pass.run)(program);
             if cfg!(debug_assertions) {
                 program.assert_sound();
             }
+            watch(pass, round, &program);
         }
         if program == before {
             break;
         }
     }
     program
+}
+
+impl Arithmetic {
+    /// The passes of this arithmetic, in the order of a round.
+    pub fn passes(self) -> impl Iterator<Item = &'static Pass> {
+        PASSES
+            .iter()
+            .filter(move |pass| self == Arithmetic::Fast || pass.kind == Kind::Exact)
+    }
 }
 
 #[cfg(test)]

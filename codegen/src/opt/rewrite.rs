@@ -9,25 +9,61 @@ use crate::ir::{Function, Instruction, Op, Program, Type, ValueId};
 /// it if that is a literal or an input, which others read as what it is. If that value has a name already it keeps it; the lost name
 /// lives on where it is the name of an output.
 pub(super) fn rewrite(
-    mut program: Program,
+    program: Program,
     mut rule: impl FnMut(&mut Program, &Instruction) -> Option<ValueId>,
 ) -> Program {
+    rewrite_counting(program, |program, instruction, _| {
+        rule(program, instruction)
+    })
+}
+
+/// How often values are used: each operand that refers to one counts, and each output.
+pub(super) struct Uses(Vec<u32>);
+
+impl Uses {
+    /// Whether a value has no user but the instruction that is looked at, so that it goes if that is replaced.
+    pub(super) fn single(&self, value: ValueId) -> bool {
+        self.0[value.0 as usize] <= 1
+    }
+}
+
+/// As [`rewrite`]; the rule is also told how often each value so far is used.
+pub(super) fn rewrite_counting(
+    mut program: Program,
+    mut rule: impl FnMut(&mut Program, &Instruction, &Uses) -> Option<ValueId>,
+) -> Program {
+    let of_source = count(&program);
     let source = std::mem::take(&mut program.instructions);
     let mut replaced: Vec<ValueId> = Vec::with_capacity(source.len());
-    for mut instruction in source {
+    let mut uses = Uses(Vec::with_capacity(source.len()));
+    for (mut instruction, users) in source.into_iter().zip(of_source) {
         instruction.op = instruction
             .op
             .map_operands(|operand| replaced[operand.0 as usize]);
-        let value = match rule(&mut program, &instruction) {
+        let value = match rule(&mut program, &instruction, &uses) {
             Some(value) => rename(&mut program, value, instruction),
             None => append(&mut program, instruction),
         };
+        // What the rule appended on the way is used by what it appended then.
+        let known = uses.0.len();
+        uses.0.resize(program.instructions.len(), 1);
+        let index = value.0 as usize;
+        uses.0[index] = users + if index < known { uses.0[index] } else { 0 };
         replaced.push(value);
     }
     for (_, value) in &mut program.outputs {
         *value = replaced[value.0 as usize];
     }
     program
+}
+
+fn count(program: &Program) -> Vec<u32> {
+    let mut uses = vec![0; program.instructions.len()];
+    let operands = program.instructions.iter().flat_map(|i| i.op.operands());
+    for value in operands.chain(program.outputs.iter().map(|(_, value)| *value)) {
+        uses[value.0 as usize] += 1;
+    }
+    uses
 }
 
 /// The value that stands for the replaced instruction.

@@ -242,6 +242,25 @@ output p = %3\noutput q = %4\noutput r = %12";
 }
 
 #[test]
+fn polynomials() {
+    let text = "input a: real\ninput b: real\npolynomial f(a, m) = 2.0 [2, 0], 3.0 [1, 1], -1.0 [0, 1], 5.0 [0, 0]\npolynomial g(a) = 0.5 [1]\n\
+                polynomial h(m, a) = 1.0 [1, 1], 4.0 [0, 0]\n%0: real = input a\n%1: real = input b\n%2: real = const 3.0\n%3: real = const 0.0\n\
+                %4: real = polynomial f, %0, %2\n%5: real = polynomial f, %0, %3\n%6: real = polynomial g, %0\n%7: real = polynomial h, %2, %0\n\
+                %8: real = polynomial g, %1\n%9: real = polynomial f, %2, %2\n%10: real = polynomial f, %0, %1\noutput p = %4\noutput q = %5\n\
+                output r = %6\noutput s = %7\noutput t = %8\noutput u = %9\noutput v = %10";
+    check("polynomials", text);
+}
+
+#[test]
+fn members_that_nothing_needs_leave_their_family() {
+    let text = "input a: real\nfamily at_a(a) = p [1.0, 2.0], q [3.0, 4.0], r [5.0, 6.0]\n%0: real = input a\n%1: vec3 = family at_a, %0\n\
+                %2: real = element %1, 0, 0\n%3: real = element %1, 2, 0\n%4: real = add %2, %3\noutput y = %4";
+    let optimised = optimise(text.parse().unwrap());
+    assert_eq!(optimised.families.len(), 1);
+    assert_eq!(cost::count(&optimised).multiplications, 2);
+}
+
+#[test]
 fn reciprocals() {
     let text = "input x: vec3\ninput d: real\n%0: vec3 = input x\n%1: real = input d\n%2: vec3 = div %0, %1\n%3: real = sum_squares %0
 %4: real = div %1, %3\noutput a = %2\noutput b = %4";
@@ -256,12 +275,12 @@ fn dead_code() {
 }
 
 #[test]
-fn relaxed_arithmetic_removes_what_strict_arithmetic_keeps() {
+fn fast_arithmetic_removes_what_strict_arithmetic_keeps() {
     let text = "input x: real\n%0: real = input x\n%1: real = const 0.0\n%2: real = mul %0, %1\n%3: real = add %0, %2\noutput y = %3";
     let program: Program = text.parse().unwrap();
     assert_eq!(cost::count(&optimise(program.clone())).flops(), 2);
     assert_eq!(
-        cost::count(&optimise_with(program, Arithmetic::Relaxed)).flops(),
+        cost::count(&optimise_with(program, Arithmetic::Fast)).flops(),
         0
     );
 }

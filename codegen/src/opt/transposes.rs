@@ -2,16 +2,16 @@
 
 use crate::ir::{Op, Program, ValueId};
 
-use super::rewrite::rewrite;
+use super::rewrite::rewrite_counting;
 
 /// Removes transposes.
 pub(super) fn run(program: Program) -> Program {
-    rewrite(program, |program, instruction| match instruction.op {
+    rewrite_counting(program, |program, instruction, uses| match instruction.op {
         Op::Transpose(a) => match program.instruction(a).op {
             // (A^T)^T == A (exact)
             Op::Transpose(original) => Some(original),
-            // (a b^T)^T == b a^T (exact: products commute)
-            Op::Outer(left, right) => Some(program.push(Op::Outer(right, left))),
+            // (a b^T)^T == b a^T (exact: products commute), unless a b^T is computed anyway
+            Op::Outer(left, right) if uses.single(a) => Some(program.push(Op::Outer(right, left))),
             _ => None,
         },
         // A^T B^T == (B A)^T (exact: the same products in the same order)

@@ -1,6 +1,7 @@
 //! Value numbering: equal operations on equal operands are computed once.
 
 use std::collections::HashMap;
+use std::hash::{Hash, Hasher};
 
 use crate::ir::{Comparison, Op, Operator, Program, Type, ValueId};
 
@@ -8,7 +9,7 @@ use super::rewrite::{is_leaf, rewrite};
 
 /// Merges equal values. A named literal or input stays apart: other readers of the same number do not mean that quantity.
 pub(super) fn run(program: Program) -> Program {
-    let mut first: HashMap<(Type, String), ValueId> = HashMap::new(); // looked up only, never iterated
+    let mut first: HashMap<(Type, Structure), ValueId> = HashMap::new(); // looked up only, never iterated
     rewrite(program, |program, instruction| {
         if instruction.name.is_some() && is_leaf(&instruction.op) {
             return None;
@@ -17,10 +18,42 @@ pub(super) fn run(program: Program) -> Program {
             u32::try_from(program.instructions.len())
                 .expect("invariant: fewer than 2^32 instructions"),
         );
-        let key = (instruction.ty, program.text_of(&canonical(&instruction.op)));
+        let key = (instruction.ty, Structure(canonical(&instruction.op)));
         let value = *first.entry(key).or_insert(next);
         (value != next).then_some(value)
     })
+}
+
+/// An operation, equal to another if both compute the same bits from the same operands: literals are compared by their bits.
+struct Structure(Op);
+
+impl PartialEq for Structure {
+    fn eq(&self, other: &Structure) -> bool {
+        match (&self.0, &other.0) {
+            (Op::Const(a), Op::Const(b)) => {
+                let bits = |data: &[f64]| data.iter().map(|x| x.to_bits()).collect::<Vec<u64>>();
+                bits(a) == bits(b)
+            }
+            (a, b) => a == b,
+        }
+    }
+}
+
+impl Eq for Structure {}
+
+impl Hash for Structure {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        std::mem::discriminant(&self.0).hash(state);
+        match &self.0 {
+            Op::Const(data) => data.iter().for_each(|entry| entry.to_bits().hash(state)),
+            Op::Input(position) => position.hash(state),
+            Op::Element(array, row, column) => (array, row, column).hash(state),
+            Op::Apply(function, a) => (function, a).hash(state),
+            Op::Binary(operator, a, b) => (operator, a, b).hash(state),
+            // What else tells operations apart does so among few of the same operands.
+            op => op.operands().hash(state),
+        }
+    }
 }
 
 /// The representative of operations that are equal by commutativity. `min` and `max` are not among them: with NaN, or with zeros of

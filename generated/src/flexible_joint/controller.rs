@@ -1,4 +1,4 @@
-// SHA-256 of the text below: e053b499ff392e3d0b6e0a39e3416e472305806eb878a274155e695ead03d2d3
+// SHA-256 of the text below: 23d2f1c3989dbfae4af2e735ab51603e7084c9cec0eb84da4e724e8ddde25dc4
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // initial: 37 additions, 60 multiplications, 12 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
@@ -78,6 +78,7 @@ pub struct State<T> {
 
 impl<T: Real> State<T> {
     /// All zero.
+    #[inline(always)]
     pub fn zero() -> Self {
         Self {
             zeta1: Vector::zero(),
@@ -94,7 +95,7 @@ impl<T: Real> State<T> {
     }
 
     /// `a` where the mask is true, else `b`.
-    #[inline]
+    #[inline(always)]
     pub fn select(mask: T::Mask, a: &Self, b: &Self) -> Self {
         Self {
             zeta1: Vector::select(mask, a.zeta1, b.zeta1),
@@ -111,7 +112,7 @@ impl<T: Real> State<T> {
     }
 
     /// Whether every entry is finite.
-    #[inline]
+    #[inline(always)]
     pub fn is_finite(&self) -> T::Mask {
         self.zeta1
             .is_finite()
@@ -132,8 +133,10 @@ impl<T: Real> State<T> {
 /// With `Status::NON_FINITE_INPUT`, only the control is meaningful.
 #[derive(Clone, Copy, Debug)]
 pub struct Output<T: Real> {
-    /// What happened.
+    /// What happened, in any lane.
     pub status: Status,
+    /// Whether the law was finite, so that its control and next states are used.
+    pub valid: T::Mask,
     /// Control that the law asks for, before its limits.
     pub u: Vector<T, 1>,
     /// Control to apply: within its limits, always finite.
@@ -174,6 +177,7 @@ pub struct Controller<T: Real> {
 
 impl<T: Real> Controller<T> {
     /// A controller that starts at its first step.
+    #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
             params,
@@ -183,6 +187,7 @@ impl<T: Real> Controller<T> {
     }
 
     /// Starts anew from these measurements; from the next ones if they are not finite.
+    #[inline(always)]
     pub fn reset(
         &mut self,
         t: T,
@@ -214,7 +219,7 @@ impl<T: Real> Controller<T> {
     /// The first step with finite measurements initialises the states; so does the step after one
     /// whose law overflowed although its measurements were finite, since such states are beyond
     /// use.
-    #[inline]
+    #[inline(always)]
     pub fn step(
         &mut self,
         t: T,
@@ -229,21 +234,20 @@ impl<T: Real> Controller<T> {
             .and(x2.is_finite())
             .and(x3.is_finite())
             .and(x4.is_finite());
-        let state = if self.started.all() {
-            self.state
-        } else {
-            State::select(
-                self.started,
-                &self.state,
-                &initial(t, x1, x2, x3, x4, &self.params),
-            )
-        };
-        let law = control(t, x1, x2, x3, x4, &state, &self.params);
+        let starting = measured.and(self.started.not());
+        if starting.any() {
+            self.begin(starting, t, x1, x2, x3, x4);
+        }
+        let law = control(t, x1, x2, x3, x4, &self.state, &self.params);
         let valid = measured
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
-        self.state = State::select(valid, &law.next, &self.state);
+        self.state = if valid.all() {
+            law.next
+        } else {
+            State::select(valid, &law.next, &self.state)
+        };
         self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
@@ -253,6 +257,7 @@ impl<T: Real> Controller<T> {
             | Status::SATURATED.when(saturated.any());
         Output {
             status,
+            valid,
             u,
             u_sat,
             y_r: law.y_r,
@@ -269,12 +274,34 @@ impl<T: Real> Controller<T> {
         }
     }
 
+    /// Initialises the states where the mask is true.
+    #[inline(always)]
+    fn begin(
+        &mut self,
+        mask: T::Mask,
+        t: T,
+        x1: Vector<T, 1>,
+        x2: Vector<T, 1>,
+        x3: Vector<T, 1>,
+        x4: Vector<T, 1>,
+    ) {
+        T::outlined(|| {
+            self.state = State::select(
+                mask,
+                &initial(t, x1, x2, x3, x4, &self.params),
+                &self.state,
+            );
+        });
+    }
+
     /// The states.
+    #[inline(always)]
     pub fn state(&self) -> &State<T> {
         &self.state
     }
 
     /// The parameters.
+    #[inline(always)]
     pub fn params(&self) -> &Params<T> {
         &self.params
     }
@@ -284,7 +311,7 @@ impl<T: Real> Controller<T> {
 ///
 /// Operations: 37 additions, 60 multiplications, 12 divisions, 0 square roots, 7 elementary
 /// functions, 3 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn initial<T: Real>(
     t: T,
     x1: Vector<T, 1>,
@@ -520,7 +547,7 @@ pub struct ControlOutputs<T: Real> {
 ///
 /// Operations: 104 additions, 131 multiplications, 15 divisions, 0 square roots, 7 elementary
 /// functions, 6 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 1>,

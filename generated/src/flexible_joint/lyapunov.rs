@@ -1,4 +1,4 @@
-// SHA-256 of the text below: c1979e857050ad96e621f944844b01922713184d2df6bb9d76761edb7a821484
+// SHA-256 of the text below: a0268d2450b360aee5b27948b17005e4e65ed4e8a391615f855fa3cdb81f6bac
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // lyapunov: 266 additions, 317 multiplications, 39 divisions, 0 square roots, 14 elementary functions, 12 comparisons and selections
@@ -31,7 +31,7 @@ pub struct LyapunovOutputs<T: Real> {
 ///
 /// Operations: 266 additions, 317 multiplications, 39 divisions, 0 square roots, 14 elementary
 /// functions, 12 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
     x1: Vector<T, 1>,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: ac486ac696fcceadbb56d9f90b5c5d2230eefcb99248183bf7ed010f26f1afa5
+// SHA-256 of the text below: 6704c4901801152483657c83f63d215d5bd827c435cb0889adbe1d22ce304180
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
@@ -24,6 +24,7 @@ pub struct Params<T> {
 
 impl<T: Real> Params<T> {
     /// The plant's nominal values.
+    #[inline(always)]
     pub fn plant() -> Self {
         Self {
             weight: T::from_f64(0.8),
@@ -32,6 +33,7 @@ impl<T: Real> Params<T> {
     }
 
     /// The values that the controller is designed with.
+    #[inline(always)]
     pub fn design() -> Self {
         Self {
             weight: T::from_f64(0.8),
@@ -39,11 +41,12 @@ impl<T: Real> Params<T> {
         }
     }
 
-    /// The plant's values in one run, drawn from the dispersions of the specification.
-    pub fn dispersed(noise: &Noise) -> Self {
+    /// The plant's values in each lane's run, drawn from the dispersions of the specification.
+    #[inline(always)]
+    pub fn dispersed(noise: &Noise<T>) -> Self {
         Self {
-            weight: T::from_f64(0.6 + (1.0 - 0.6) * noise.uniform(0, 0)),
-            stiffness: T::from_f64(28.0 + (34.0 - 28.0) * noise.uniform(0, 1)),
+            weight: T::from_f64(0.6) + T::from_f64(1.0 - 0.6) * noise.uniform(0, 0),
+            stiffness: T::from_f64(28.0) + T::from_f64(34.0 - 28.0) * noise.uniform(0, 1),
         }
     }
 }

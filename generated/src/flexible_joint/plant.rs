@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 5b2132f3e9e982b180a6b9ea363696c6226fb8984bc9aa46239ead3f32a47c7b
+// SHA-256 of the text below: 44261bb0a160f04f24e59eebcf6dfe80c21824a86f2105ac4db7d93587cebbc9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // plant: 18 additions, 22 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -34,12 +34,12 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
-    #[inline]
+    #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        plant(t, *x, self.u_sat, &self.params).drift
+        T::outlined(|| plant(t, *x, self.u_sat, &self.params).drift)
     }
 
-    #[inline]
+    #[inline(always)]
     fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
@@ -60,7 +60,7 @@ pub struct PlantOutputs<T: Real> {
 ///
 /// Operations: 18 additions, 22 multiplications, 4 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn plant<T: Real>(
     t: T,
     x: Vector<T, 7>,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: c8b7d04639c0d7295d5bd2e40bf2aecd9fc35fc34de05b9b47b0fae255f2a0cd
+// SHA-256 of the text below: 9dad77609ee48d285c9e5caa1d10e605204b3562eb2489938d2ca375219da2b3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
@@ -12,7 +12,7 @@ use nsv_runtime::linear::Vector;
 use nsv_runtime::real::Real;
 
 /// Values of the 6 monomials `basis2` of z = (`z1`, `v1`).
-#[inline]
+#[inline(always)]
 pub fn basis2<T: Real>(z: Vector<T, 2>) -> Vector<T, 6> {
     let one = T::one();
     let z1 = z[0];
@@ -24,7 +24,7 @@ pub fn basis2<T: Real>(z: Vector<T, 2>) -> Vector<T, 6> {
 }
 
 /// Rates of the 6 monomials `basis2` of z = (`z1`, `v1`), along the rate `z_d1` of z.
-#[inline]
+#[inline(always)]
 pub fn basis2_rate<T: Real>(z: Vector<T, 2>, z_d1: Vector<T, 2>) -> Vector<T, 6> {
     let one_d1 = T::zero();
     let z1 = z[0];

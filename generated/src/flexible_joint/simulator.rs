@@ -1,4 +1,4 @@
-// SHA-256 of the text below: b4aaf05980404b3de206e26b80daf2cd58e8bb4017950115c06cb07732a2cf51
+// SHA-256 of the text below: 2e3a6bb1b5339d3fffb556a91cc2daff8b22990006c63c1c4c52862358d5ba6e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
@@ -13,13 +13,12 @@ use super::lyapunov;
 use super::params::Params;
 use super::plant;
 use super::plant::{INITIAL_STATE, Plant, STATES};
-use nsv_runtime::closed_loop::{ClosedLoop, Options};
+use nsv_runtime::closed_loop::{ClosedLoop, Options, Runs};
 use nsv_runtime::linear::Vector;
 use nsv_runtime::noise::Noise;
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Mask, Real};
 use nsv_runtime::sde;
 use nsv_runtime::sde::Scheme;
-use nsv_runtime::status::Status;
 
 /// Length of a run, s.
 pub const HORIZON: f64 = 10.0;
@@ -30,65 +29,74 @@ pub const SUBSTEPS: u32 = 4;
 /// Length of a plant step, s.
 pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;
 
-/// One run of controller and plant.
+/// Runs of controller and plant, one in each lane.
 #[derive(Clone, Debug)]
-pub struct Simulator {
-    controller: Controller<f64>,
-    truth: Params<f64>,
-    x: Vector<f64, STATES>,
-    state: State<f64>,
-    output: Output<f64>,
+pub struct Simulator<T: Real = f64> {
+    controller: Controller<T>,
+    truth: Params<T>,
+    x: Vector<T, STATES>,
+    state: State<T>,
+    output: Output<T>,
     sample: u64,
 }
 
-impl Simulator {
+impl<T: Real> Simulator<T> {
     /// Time of the sample, s.
+    #[inline(always)]
     pub fn time(&self) -> f64 {
         self.sample as f64 * SAMPLE_TIME
     }
 
     /// The plant's parameters in this run.
-    pub fn params(&self) -> &Params<f64> {
+    #[inline(always)]
+    pub fn params(&self) -> &Params<T> {
         &self.truth
     }
 
     /// The plant's state.
-    pub fn state(&self) -> &Vector<f64, STATES> {
+    #[inline(always)]
+    pub fn state(&self) -> &Vector<T, STATES> {
         &self.x
     }
 
     /// Output of the controller at the sample.
-    pub fn output(&self) -> &Output<f64> {
+    #[inline(always)]
+    pub fn output(&self) -> &Output<T> {
         &self.output
     }
 
     /// State of block 1.
-    fn x1(&self) -> Vector<f64, 1> {
+    #[inline(always)]
+    fn x1(&self) -> Vector<T, 1> {
         Vector([self.x[0]])
     }
 
     /// State of block 2.
-    fn x2(&self) -> Vector<f64, 1> {
+    #[inline(always)]
+    fn x2(&self) -> Vector<T, 1> {
         Vector([self.x[1]])
     }
 
     /// State of block 3.
-    fn x3(&self) -> Vector<f64, 1> {
+    #[inline(always)]
+    fn x3(&self) -> Vector<T, 1> {
         Vector([self.x[2]])
     }
 
     /// State of block 4.
-    fn x4(&self) -> Vector<f64, 1> {
+    #[inline(always)]
+    fn x4(&self) -> Vector<T, 1> {
         Vector([self.x[3]])
     }
 
     /// Exosystem states of block 4.
-    fn w4(&self) -> Vector<f64, 3> {
+    #[inline(always)]
+    fn w4(&self) -> Vector<T, 3> {
         Vector([self.x[4], self.x[5], self.x[6]])
     }
 }
 
-impl ClosedLoop for Simulator {
+impl ClosedLoop for Simulator<f64> {
     const NAME: &'static str = "flexible_joint";
     const SAMPLE_TIME: f64 = SAMPLE_TIME;
     const OUTPUTS: &'static [&'static str] = &["q1"];
@@ -121,21 +129,38 @@ impl ClosedLoop for Simulator {
         "V",
         "LV",
     ];
-
+    type Runs<T: Real> = Simulator<T>;
+}
+impl<T: Real> Runs<T> for Simulator<T> {
+    #[inline(always)]
     fn new(options: &Options) -> Self {
         let truth = if options.dispersion {
             Params::dispersed(&Noise::dispersion(options.seed, options.run))
         } else {
             Params::plant()
         };
-        let x = Vector(INITIAL_STATE);
+        let x = Vector::from_f64(INITIAL_STATE);
         let mut controller = Controller::new(Params::design());
         controller
-            .reset(0.0, Vector([x[0]]), Vector([x[1]]), Vector([x[2]]), Vector([x[3]]));
+            .reset(
+                T::zero(),
+                Vector([x[0]]),
+                Vector([x[1]]),
+                Vector([x[2]]),
+                Vector([x[3]]),
+            );
         let state = *controller.state();
-        let output = controller
-            .clone()
-            .step(0.0, Vector([x[0]]), Vector([x[1]]), Vector([x[2]]), Vector([x[3]]));
+        let output = T::outlined(|| {
+            controller
+                .clone()
+                .step(
+                    T::zero(),
+                    Vector([x[0]]),
+                    Vector([x[1]]),
+                    Vector([x[2]]),
+                    Vector([x[3]]),
+                )
+        });
         Self {
             controller,
             truth,
@@ -146,35 +171,40 @@ impl ClosedLoop for Simulator {
         }
     }
 
-    fn control(&mut self) -> Status {
-        self.state = *self.controller.state();
+    #[inline(always)]
+    fn control(&mut self, observed: bool) {
+        if observed {
+            self.state = *self.controller.state();
+        }
+        let t = T::from_f64(self.time());
         self.output = self
             .controller
-            .step(self.time(), self.x1(), self.x2(), self.x3(), self.x4());
-        self.output.status
+            .step(t, self.x1(), self.x2(), self.x3(), self.x4());
     }
 
+    #[inline(always)]
     fn advance(&mut self) {
         let plant = Plant {
             params: self.truth,
             u_sat: self.output.u_sat,
         };
         for substep in 0..SUBSTEPS {
-            let t = self.time() + f64::from(substep) * SUBSTEP;
+            let t = T::from_f64(self.time() + f64::from(substep) * SUBSTEP);
             self.x = sde::step(
                 Scheme::RungeKutta4,
                 &plant,
                 t,
                 &self.x,
-                SUBSTEP,
+                T::from_f64(SUBSTEP),
                 &Vector([]),
             );
         }
         self.sample += 1;
     }
 
-    fn telemetry(&self, row: &mut [f64]) {
-        let (t, law) = (self.time(), &self.output);
+    #[inline(always)]
+    fn telemetry(&self, row: &mut [T]) {
+        let (t, law) = (T::from_f64(self.time()), &self.output);
         let x1 = self.x1();
         let x2 = self.x2();
         let x3 = self.x3();
@@ -196,7 +226,7 @@ impl ClosedLoop for Simulator {
             x1[0],
             law.e1[0],
             law.k1,
-            Real::sqrt(law.e1.sum_squares()) / law.k1,
+            law.e1.sum_squares().sqrt() / law.k1,
             law.alpha1[0],
             self.state.h1[0],
             x2[0],
@@ -219,32 +249,26 @@ impl ClosedLoop for Simulator {
             lyapunov.V,
             lyapunov.LV,
         ];
-        for (entry, value) in row.iter_mut().zip(values) {
-            *entry = value;
-        }
+        row.copy_from_slice(&values);
     }
 
-    fn constraint_ratio(&self) -> f64 {
-        Real::sqrt(self.output.e1.sum_squares()) / self.output.k1
+    #[inline(always)]
+    fn constraint_ratio(&self) -> T {
+        self.output.e1.sum_squares().sqrt() / self.output.k1
     }
 
-    fn tracking_error(&self, error: &mut [f64]) {
-        for (entry, value) in error.iter_mut().zip((self.x1() - self.output.y_r).0) {
-            *entry = value;
-        }
+    #[inline(always)]
+    fn tracking_error(&self, error: &mut [T]) {
+        error.copy_from_slice(&(self.x1() - self.output.y_r).0);
     }
 
-    fn saturated(&self, saturated: &mut [bool]) {
-        for (entry, (u, u_sat)) in saturated
-            .iter_mut()
-            .zip(self.output.u.0.into_iter().zip(self.output.u_sat.0))
-        {
-            *entry = u != u_sat;
-        }
+    #[inline(always)]
+    fn saturated(&self, saturated: &mut [T::Mask]) {
+        saturated.copy_from_slice(&[self.output.u[0].ne(self.output.u_sat[0])]);
     }
 
-    fn is_finite(&self) -> bool {
-        let valid = !self.output.status.contains(Status::NON_FINITE_INPUT);
-        valid && self.x.is_finite() && self.controller.state().is_finite()
+    #[inline(always)]
+    fn is_finite(&self) -> T::Mask {
+        self.output.valid.and(self.x.is_finite())
     }
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 9771a25525e5eaa0e072ab37c75df2917edafca5213b1afe70a0404b69142205
+// SHA-256 of the text below: bc4f3707bb23dede085b63917f2e6868d84c20e3e0669ea657d15b8be0c1d535
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // initial: 39 additions, 69 multiplications, 13 divisions, 1 square roots, 8 elementary functions, 3 comparisons and selections
@@ -83,6 +83,7 @@ pub struct State<T> {
 
 impl<T: Real> State<T> {
     /// All zero.
+    #[inline(always)]
     pub fn zero() -> Self {
         Self {
             zeta1: Vector::zero(),
@@ -100,7 +101,7 @@ impl<T: Real> State<T> {
     }
 
     /// `a` where the mask is true, else `b`.
-    #[inline]
+    #[inline(always)]
     pub fn select(mask: T::Mask, a: &Self, b: &Self) -> Self {
         Self {
             zeta1: Vector::select(mask, a.zeta1, b.zeta1),
@@ -118,7 +119,7 @@ impl<T: Real> State<T> {
     }
 
     /// Whether every entry is finite.
-    #[inline]
+    #[inline(always)]
     pub fn is_finite(&self) -> T::Mask {
         self.zeta1
             .is_finite()
@@ -140,8 +141,10 @@ impl<T: Real> State<T> {
 /// With `Status::NON_FINITE_INPUT`, only the control is meaningful.
 #[derive(Clone, Copy, Debug)]
 pub struct Output<T: Real> {
-    /// What happened.
+    /// What happened, in any lane.
     pub status: Status,
+    /// Whether the law was finite, so that its control and next states are used.
+    pub valid: T::Mask,
     /// Control that the law asks for, before its limits.
     pub u: Vector<T, 1>,
     /// Control to apply: within its limits, always finite.
@@ -178,6 +181,7 @@ pub struct Controller<T: Real> {
 
 impl<T: Real> Controller<T> {
     /// A controller that starts at its first step.
+    #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
             params,
@@ -187,6 +191,7 @@ impl<T: Real> Controller<T> {
     }
 
     /// Starts anew from these measurements; from the next ones if they are not finite.
+    #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 1>, x2: Vector<T, 1>, x3: Vector<T, 1>) {
         let start = initial(t, x1, x2, x3, &self.params);
         let finite = start
@@ -210,7 +215,7 @@ impl<T: Real> Controller<T> {
     /// The first step with finite measurements initialises the states; so does the step after one
     /// whose law overflowed although its measurements were finite, since such states are beyond
     /// use.
-    #[inline]
+    #[inline(always)]
     pub fn step(
         &mut self,
         t: T,
@@ -223,21 +228,20 @@ impl<T: Real> Controller<T> {
             .and(x1.is_finite())
             .and(x2.is_finite())
             .and(x3.is_finite());
-        let state = if self.started.all() {
-            self.state
-        } else {
-            State::select(
-                self.started,
-                &self.state,
-                &initial(t, x1, x2, x3, &self.params),
-            )
-        };
-        let law = control(t, x1, x2, x3, &state, &self.params);
+        let starting = measured.and(self.started.not());
+        if starting.any() {
+            self.begin(starting, t, x1, x2, x3);
+        }
+        let law = control(t, x1, x2, x3, &self.state, &self.params);
         let valid = measured
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
-        self.state = State::select(valid, &law.next, &self.state);
+        self.state = if valid.all() {
+            law.next
+        } else {
+            State::select(valid, &law.next, &self.state)
+        };
         self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
@@ -247,6 +251,7 @@ impl<T: Real> Controller<T> {
             | Status::SATURATED.when(saturated.any());
         Output {
             status,
+            valid,
             u,
             u_sat,
             y_r: law.y_r,
@@ -261,12 +266,33 @@ impl<T: Real> Controller<T> {
         }
     }
 
+    /// Initialises the states where the mask is true.
+    #[inline(always)]
+    fn begin(
+        &mut self,
+        mask: T::Mask,
+        t: T,
+        x1: Vector<T, 1>,
+        x2: Vector<T, 1>,
+        x3: Vector<T, 1>,
+    ) {
+        T::outlined(|| {
+            self.state = State::select(
+                mask,
+                &initial(t, x1, x2, x3, &self.params),
+                &self.state,
+            );
+        });
+    }
+
     /// The states.
+    #[inline(always)]
     pub fn state(&self) -> &State<T> {
         &self.state
     }
 
     /// The parameters.
+    #[inline(always)]
     pub fn params(&self) -> &Params<T> {
         &self.params
     }
@@ -276,7 +302,7 @@ impl<T: Real> Controller<T> {
 ///
 /// Operations: 39 additions, 69 multiplications, 13 divisions, 1 square roots, 8 elementary
 /// functions, 3 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn initial<T: Real>(
     t: T,
     x1: Vector<T, 1>,
@@ -501,7 +527,7 @@ pub struct ControlOutputs<T: Real> {
 ///
 /// Operations: 88 additions, 128 multiplications, 17 divisions, 3 square roots, 9 elementary
 /// functions, 9 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 1>,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 8d382627d40741d6b9c8066166eb2681c6ceaf10c3d778b3148b42ab01486b84
+// SHA-256 of the text below: b15c6f1e409958bcb9e856bdd7e61a124f7171fad53001d1ce46026f5fbca2fa
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // lyapunov: 302 additions, 401 multiplications, 59 divisions, 2 square roots, 16 elementary functions, 14 comparisons and selections
@@ -31,7 +31,7 @@ pub struct LyapunovOutputs<T: Real> {
 ///
 /// Operations: 302 additions, 401 multiplications, 59 divisions, 2 square roots, 16 elementary
 /// functions, 14 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
     x1: Vector<T, 1>,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 4e74973ae3aee1a91df0e3d67f90c42f19740d007f7b448afafa847584b66738
+// SHA-256 of the text below: 022c031a5e5d852198699726ca5e54725f0dc69b9d85d90a1741cae28a6e1562
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // plant: 10 additions, 16 multiplications, 6 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -34,19 +34,46 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
-    #[inline]
+    #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        plant(t, *x, self.u_sat, &self.params).drift
+        T::outlined(|| plant(t, *x, self.u_sat, &self.params).drift)
     }
 
-    #[inline]
+    #[inline(always)]
     fn diffusion(
         &self,
         t: T,
         x: &Vector<T, STATES>,
     ) -> Matrix<T, STATES, NOISE_CHANNELS> {
-        plant(t, *x, self.u_sat, &self.params).diffusion
+        T::outlined(|| plant(t, *x, self.u_sat, &self.params).diffusion)
     }
+
+    #[inline(always)]
+    fn drift_and_noise(
+        &self,
+        t: T,
+        x: &Vector<T, STATES>,
+        dw: &Vector<T, NOISE_CHANNELS>,
+    ) -> (Vector<T, STATES>, Vector<T, STATES>) {
+        T::outlined(|| {
+            let rate = plant(t, *x, self.u_sat, &self.params);
+            (rate.drift, diffuse(&rate.diffusion, dw))
+        })
+    }
+}
+
+/// Diffusion times noise, without the entries that are always 0.
+#[inline(always)]
+fn diffuse<T: Real>(
+    diffusion: &Matrix<T, STATES, NOISE_CHANNELS>,
+    noise: &Vector<T, NOISE_CHANNELS>,
+) -> Vector<T, STATES> {
+    Vector([
+        T::zero(),
+        diffusion[(1, 0)] * noise[0],
+        T::zero(),
+        diffusion[(3, 1)] * noise[1],
+    ])
 }
 
 /// Results of [`plant`].
@@ -66,7 +93,7 @@ pub struct PlantOutputs<T: Real> {
 ///
 /// Operations: 10 additions, 16 multiplications, 6 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn plant<T: Real>(
     t: T,
     x: Vector<T, 4>,

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 59750f54adbfd1360ac891f5418672d6d28102701a7ad213e28463d1105785a9
+// SHA-256 of the text below: fc711497749e2554ba1c9634b259d1fa1024ac8fedb4d30d8d0efb19e19e925e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// initial: 208 additions, 284 multiplications, 15 divisions, 0 square roots, 18 elementary functions, 6 comparisons and selections
-// control: 1087 additions, 1475 multiplications, 56 divisions, 4 square roots, 25 elementary functions, 21 comparisons and selections
+// initial: 163 additions, 224 multiplications, 15 divisions, 0 square roots, 18 elementary functions, 6 comparisons and selections
+// control: 878 additions, 1161 multiplications, 56 divisions, 4 square roots, 25 elementary functions, 21 comparisons and selections
 
 //! `nsv_attitude`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -86,6 +86,7 @@ pub struct State<T> {
 
 impl<T: Real> State<T> {
     /// All zero.
+    #[inline(always)]
     pub fn zero() -> Self {
         Self {
             zeta1: Vector::zero(),
@@ -102,7 +103,7 @@ impl<T: Real> State<T> {
     }
 
     /// `a` where the mask is true, else `b`.
-    #[inline]
+    #[inline(always)]
     pub fn select(mask: T::Mask, a: &Self, b: &Self) -> Self {
         Self {
             zeta1: Vector::select(mask, a.zeta1, b.zeta1),
@@ -119,7 +120,7 @@ impl<T: Real> State<T> {
     }
 
     /// Whether every entry is finite.
-    #[inline]
+    #[inline(always)]
     pub fn is_finite(&self) -> T::Mask {
         self.zeta1
             .is_finite()
@@ -140,8 +141,10 @@ impl<T: Real> State<T> {
 /// With `Status::NON_FINITE_INPUT`, only the control is meaningful.
 #[derive(Clone, Copy, Debug)]
 pub struct Output<T: Real> {
-    /// What happened.
+    /// What happened, in any lane.
     pub status: Status,
+    /// Whether the law was finite, so that its control and next states are used.
+    pub valid: T::Mask,
     /// Control that the law asks for, before its limits.
     pub u: Vector<T, 3>,
     /// Control to apply: within its limits, always finite.
@@ -176,6 +179,7 @@ pub struct Controller<T: Real> {
 
 impl<T: Real> Controller<T> {
     /// A controller that starts at its first step.
+    #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
             params,
@@ -185,6 +189,7 @@ impl<T: Real> Controller<T> {
     }
 
     /// Starts anew from these measurements; from the next ones if they are not finite.
+    #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) {
         let start = initial(t, x1, x2, &self.params);
         let finite = start
@@ -207,20 +212,23 @@ impl<T: Real> Controller<T> {
     /// The first step with finite measurements initialises the states; so does the step after one
     /// whose law overflowed although its measurements were finite, since such states are beyond
     /// use.
-    #[inline]
+    #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
-        let state = if self.started.all() {
-            self.state
-        } else {
-            State::select(self.started, &self.state, &initial(t, x1, x2, &self.params))
-        };
-        let law = control(t, x1, x2, &state, &self.params);
+        let starting = measured.and(self.started.not());
+        if starting.any() {
+            self.begin(starting, t, x1, x2);
+        }
+        let law = control(t, x1, x2, &self.state, &self.params);
         let valid = measured
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
-        self.state = State::select(valid, &law.next, &self.state);
+        self.state = if valid.all() {
+            law.next
+        } else {
+            State::select(valid, &law.next, &self.state)
+        };
         self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
@@ -230,6 +238,7 @@ impl<T: Real> Controller<T> {
             | Status::SATURATED.when(saturated.any());
         Output {
             status,
+            valid,
             u,
             u_sat,
             y_r: law.y_r,
@@ -243,12 +252,26 @@ impl<T: Real> Controller<T> {
         }
     }
 
+    /// Initialises the states where the mask is true.
+    #[inline(always)]
+    fn begin(&mut self, mask: T::Mask, t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) {
+        T::outlined(|| {
+            self.state = State::select(
+                mask,
+                &initial(t, x1, x2, &self.params),
+                &self.state,
+            );
+        });
+    }
+
     /// The states.
+    #[inline(always)]
     pub fn state(&self) -> &State<T> {
         &self.state
     }
 
     /// The parameters.
+    #[inline(always)]
     pub fn params(&self) -> &Params<T> {
         &self.params
     }
@@ -256,9 +279,9 @@ impl<T: Real> Controller<T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 208 additions, 284 multiplications, 15 divisions, 0 square roots, 18 elementary
+/// Operations: 163 additions, 224 multiplications, 15 divisions, 0 square roots, 18 elementary
 /// functions, 6 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn initial<T: Real>(
     t: T,
     x1: Vector<T, 3>,
@@ -270,69 +293,66 @@ pub fn initial<T: Real>(
     // -- plant model --
     let alpha = x1[0];
     let alpha_deg = alpha / real(0.017453292519943295);
+    let at_alpha_deg = polynomials::at_alpha_deg_2(alpha_deg);
     let lift = real(97170193.3485195) * params.CL_scale
-        * (polynomials::CL_alpha(alpha_deg, real(10.122243135087704), real(0.0))
-            + polynomials::CL_LE(alpha_deg, real(10.122243135087704), real(0.0))
-            + polynomials::CL_RE(alpha_deg, real(10.122243135087704), real(0.0)));
+        * (at_alpha_deg.CL_alpha + at_alpha_deg.CL_LE + at_alpha_deg.CL_RE);
     let mu = x1[2];
     let beta = x1[1];
-    let t1 = polynomials::CY_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
-        + polynomials::CY_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::CY_RE(alpha_deg, real(10.122243135087704), real(0.0));
     let side = real(97170193.3485195) * params.CY_scale
-        * (t1 + polynomials::CY_RUD(alpha_deg, real(10.122243135087704), real(0.0)));
+        * (at_alpha_deg.CY_beta * beta + at_alpha_deg.CY_LE + at_alpha_deg.CY_RE
+            + at_alpha_deg.CY_RUD);
 
     // -- known dynamics of block 1 (attitude) (11) --
-    let t2 = alpha.sin();
-    let t3 = mu.cos();
-    let t4 = real(1332506.5352200002) * t3;
-    let t5 = beta.cos();
-    let t6 = alpha.cos();
-    let t7 = beta.sin();
-    let t8 = mu.sin();
-    let t9 = beta.tan();
-    let t10 = t9 + real(0.0) * t8;
-    let t11 = real(0.0) * (t2 * t10 - t6 * t7 * real(0.0) * t3);
+    let t1 = alpha.sin();
+    let t2 = mu.cos();
+    let t3 = real(1332506.5352200002) * t2;
+    let t4 = beta.cos();
+    let t5 = alpha.cos();
+    let t6 = beta.sin();
+    let t7 = mu.sin();
+    let t8 = beta.tan();
+    let t9 = t8 + real(0.0) * t7;
+    let t10 = real(0.0) * (t1 * t9 - t5 * t6 * real(0.0) * t2);
     // F_1(x_1 .. x_1)
     let F1 = Vector([
-        (-lift - real(0.0) * t2 + t4) / (real(410460000.0) * t5),
-        (side - real(0.0) * t6 * t7 + real(1332506.5352200002) * t8) / real(410460000.0),
-        (lift * t10 + side * real(0.0) * t3 - t4 * t9 + t11) / real(410460000.0),
+        (-lift - real(0.0) * t1 + t3) / (real(410460000.0) * t4),
+        (side - real(0.0) * t5 * t6 + real(1332506.5352200002) * t7) / real(410460000.0),
+        (lift * t9 + side * real(0.0) * t2 - t3 * t8 + t10) / real(410460000.0),
     ]);
-    let t12 = -t9;
+    let t11 = -t8;
     // G_1(x_1 .. x_1)
     let G1 = Matrix([
-        [t12 * t6, real(1.0), t12 * t2],
-        [t2, real(0.0), -t6],
-        [t6 / t5, real(0.0), t2 / t5],
+        [t11 * t5, real(1.0), t11 * t1],
+        [t1, real(0.0), -t5],
+        [t5 / t4, real(0.0), t1 / t4],
     ]);
 
     // -- reference and constraints --
-    let t13 = t.le(real(4.0));
-    let t14 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
-    let t15 = real(0.9424777960769379) * t;
-    let t16 = real(0.5) * t;
+    let t12 = t.le(real(4.0));
+    let t13 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
+    let t14 = real(0.9424777960769379) * t;
+    let t15 = real(0.5) * t;
     // y_r(t)
     let y_r = Vector([
         T::select(
-            t13,
-            (real(2.5) * t14.sin() + real(1.5)) * real(0.017453292519943295),
+            t12,
+            (real(2.5) * t13.sin() + real(1.5)) * real(0.017453292519943295),
             real(0.06981317007977318),
         ),
-        real(0.5) * t15.sin() * real(0.017453292519943295),
-        (real(-2.0) * t.sin() + real(0.5) * t16.cos()) * real(0.017453292519943295),
+        real(0.5) * t14.sin() * real(0.017453292519943295),
+        (real(-2.0) * t.sin() + real(0.5) * t15.cos()) * real(0.017453292519943295),
     ]);
     // y_r'
     let y_r_dot = Vector([
         T::select(
-            t13,
-            real(0.017453292519943295) * (real(2.5) * (t14.cos() * real(FRAC_PI_4))),
+            t12,
+            real(0.017453292519943295) * (real(2.5) * (t13.cos() * real(FRAC_PI_4))),
             real(0.0),
         ),
         real(0.017453292519943295)
-            * (real(0.5) * (t15.cos() * real(0.9424777960769379))),
+            * (real(0.5) * (t14.cos() * real(0.9424777960769379))),
         real(0.017453292519943295)
-            * (real(-2.0) * t.cos() - real(0.5) * (t16.sin() * real(0.5))),
+            * (real(-2.0) * t.cos() - real(0.5) * (t15.sin() * real(0.5))),
     ]);
     // k_1(t)
     let k1 = (real(3.0) * (-t).exp() + real(0.5)) * real(0.017453292519943295);
@@ -344,8 +364,8 @@ pub fn initial<T: Real>(
     // -- given --
     let zeta1: Vector<T, 3> = Vector::zero();
     let W1: Matrix<T, 19, 3> = Matrix::zero();
-    let t17 = x1 * real(10.0);
-    let th1 = -t17;
+    let t16 = x1 * real(10.0);
+    let th1 = -t16;
     let zeta2: Vector<T, 3> = Vector::zero();
     let W2: Matrix<T, 19, 3> = Matrix::zero();
     let eps2 = real(0.0);
@@ -355,27 +375,27 @@ pub fn initial<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t18 = s1 / (k1 * k1);
+    let t17 = s1 / (k1 * k1);
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t18 * t18);
+    let E1_free = real(FRAC_PI_2) * (t17 * t17);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t19 = cosE1 * cosE1;
+    let t18 = cosE1 * cosE1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t19;
+    let c1 = e1 * s1 / t18;
 
     // -- MTPN of block 1 (4) (16) --
     // P_1 = P_m(z_1), 19 nodes
     let P1 = polynomials::basis1(x1);
-    let t20: Matrix<T, 3, 19> = Matrix::zero();
+    let t19: Matrix<T, 3, 19> = Matrix::zero();
     // A_hat_1 = iota_1 W_1^T P_1
-    let A_hat1 = t20 * P1 * real(0.1);
+    let A_hat1 = t19 * P1 * real(0.1);
 
     // -- disturbance observer of block 1 (20) (49) --
     // D_hat_1 = th_1 + S_1 x_1
-    let D_hat1 = t17 - t17;
+    let D_hat1 = t16 - t16;
 
     // -- norms of block 1 --
     // ||G_1||^2
@@ -396,13 +416,13 @@ pub fn initial<T: Real>(
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = F1 + A_hat1 - y_r_dot + Vector::<T, 3>::zero() + D_hat1 + Lam1;
-    let t21 = G1.solve(bracket1);
+    let t20 = G1.solve(bracket1);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t21;
+    let alpha1 = -t20;
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t21;
+    let e2 = x2 + t20;
 
     // -- disturbance observer of block 2 (20) (49) --
     // S_2, observer gain
@@ -462,9 +482,9 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 1087 additions, 1475 multiplications, 56 divisions, 4 square roots, 25
-/// elementary functions, 21 comparisons and selections.
-#[inline]
+/// Operations: 878 additions, 1161 multiplications, 56 divisions, 4 square roots, 25 elementary
+/// functions, 21 comparisons and selections.
+#[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 3>,
@@ -477,124 +497,94 @@ pub fn control<T: Real>(
     // -- plant model --
     let alpha = x1[0];
     let alpha_deg = alpha / real(0.017453292519943295);
+    let at_alpha_deg = polynomials::at_alpha_deg(alpha_deg);
     let lift = real(97170193.3485195) * params.CL_scale
-        * (polynomials::CL_alpha(alpha_deg, real(10.122243135087704), real(0.0))
-            + polynomials::CL_LE(alpha_deg, real(10.122243135087704), real(0.0))
-            + polynomials::CL_RE(alpha_deg, real(10.122243135087704), real(0.0)));
+        * (at_alpha_deg.CL_alpha + at_alpha_deg.CL_LE + at_alpha_deg.CL_RE);
     let mu = x1[2];
     let beta = x1[1];
-    let t1 = polynomials::CY_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
-        + polynomials::CY_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::CY_RE(alpha_deg, real(10.122243135087704), real(0.0));
     let side = real(97170193.3485195) * params.CY_scale
-        * (t1 + polynomials::CY_RUD(alpha_deg, real(10.122243135087704), real(0.0)));
+        * (at_alpha_deg.CY_beta * beta + at_alpha_deg.CY_LE + at_alpha_deg.CY_RE
+            + at_alpha_deg.CY_RUD);
     let q = x2[1];
     let r = x2[2];
     let p = x2[0];
-    let t2 = real(1777048495.9577248) * params.Cl_scale;
-    let t3 = polynomials::Cl_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
-        + polynomials::Cl_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cl_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t4 = t3 + polynomials::Cl_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cl_p(alpha_deg, real(10.122243135087704), real(0.0)) * p
-            * real(18.288) / real(6000.0);
-    let roll = t2
-        * (t4
-            + polynomials::Cl_r(alpha_deg, real(10.122243135087704), real(0.0)) * r
-                * real(18.288) / real(6000.0));
-    let t5 = polynomials::Cm_alpha(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cm_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cm_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t6 = t5 + polynomials::Cm_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cm_q(alpha_deg, real(10.122243135087704), real(0.0)) * q
-            * real(24.384) / real(6000.0);
-    let pitch = real(2369397994.6102996) * params.Cm_scale * t6;
-    let t7 = polynomials::CD_alpha(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::CD_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::CD_RE(alpha_deg, real(10.122243135087704), real(0.0));
+    let t1 = real(1777048495.9577248) * params.Cl_scale;
+    let t2 = at_alpha_deg.Cl_beta * beta + at_alpha_deg.Cl_LE + at_alpha_deg.Cl_RE
+        + at_alpha_deg.Cl_RUD + at_alpha_deg.Cl_p * p * real(18.288) / real(6000.0);
+    let roll = t1 * (t2 + at_alpha_deg.Cl_r * r * real(18.288) / real(6000.0));
+    let t3 = at_alpha_deg.Cm_alpha + at_alpha_deg.Cm_LE + at_alpha_deg.Cm_RE
+        + at_alpha_deg.Cm_RUD + at_alpha_deg.Cm_q * q * real(24.384) / real(6000.0);
+    let pitch = real(2369397994.6102996) * params.Cm_scale * t3;
     let drag = real(97170193.3485195) * params.CD_scale
-        * (t7 + polynomials::CD_RUD(alpha_deg, real(10.122243135087704), real(0.0)));
-    let t8 = polynomials::Cn_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
-        + polynomials::Cn_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cn_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t9 = t8 + polynomials::Cn_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cn_p(alpha_deg, real(10.122243135087704), real(0.0)) * p
-            * real(18.288) / real(6000.0);
+        * (at_alpha_deg.CD_alpha + at_alpha_deg.CD_LE + at_alpha_deg.CD_RE
+            + at_alpha_deg.CD_RUD);
+    let t4 = at_alpha_deg.Cn_beta * beta + at_alpha_deg.Cn_LE + at_alpha_deg.Cn_RE
+        + at_alpha_deg.Cn_RUD + at_alpha_deg.Cn_p * p * real(18.288) / real(6000.0);
     let yaw = real(1777048495.9577248) * params.Cn_scale
-        * (t9
-            + polynomials::Cn_r(alpha_deg, real(10.122243135087704), real(0.0)) * r
-                * real(18.288) / real(6000.0));
+        * (t4 + at_alpha_deg.Cn_r * r * real(18.288) / real(6000.0));
     let dCl = Vector([
-        polynomials::Cl_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cl_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cl_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
+        at_alpha_deg.Cl_LE_d3,
+        at_alpha_deg.Cl_RE_d3,
+        at_alpha_deg.Cl_RUD_d3,
     ]);
-    let roll_delta = dCl * t2;
-    let dCm = Vector([
-        polynomials::Cm_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cm_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cm_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-    ]);
+    let roll_delta = dCl * t1;
+    let dCm = Vector([at_alpha_deg.Cm_LE_d3, at_alpha_deg.Cm_RE_d3, real(0.0)]);
     let dCD = Vector([
-        polynomials::CD_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CD_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CD_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
+        at_alpha_deg.CD_LE_d3,
+        at_alpha_deg.CD_RE_d3,
+        at_alpha_deg.CD_RUD_d3,
     ]);
-    let dCL = Vector([
-        polynomials::CL_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CL_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        real(0.0),
-    ]);
-    let t10 = alpha.sin();
-    let t11 = alpha.cos();
-    let t12 = (dCD * params.CD_scale * t10 + dCL * params.CL_scale * t11) * real(0.0);
-    let pitch_delta = (dCm * (real(24.384) * params.Cm_scale) + t12)
+    let dCL = Vector([at_alpha_deg.CL_LE_d3, at_alpha_deg.CL_RE_d3, real(0.0)]);
+    let t5 = alpha.sin();
+    let t6 = alpha.cos();
+    let t7 = (dCD * params.CD_scale * t5 + dCL * params.CL_scale * t6) * real(0.0);
+    let pitch_delta = (dCm * (real(24.384) * params.Cm_scale) + t7)
         * real(97170193.3485195);
     let dCn = Vector([
-        polynomials::Cn_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cn_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cn_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
+        at_alpha_deg.Cn_LE_d3,
+        at_alpha_deg.Cn_RE_d3,
+        at_alpha_deg.Cn_RUD_d3,
     ]);
     let dCY = Vector([
-        polynomials::CY_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CY_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CY_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
+        at_alpha_deg.CY_LE_d3,
+        at_alpha_deg.CY_RE_d3,
+        at_alpha_deg.CY_RUD_d3,
     ]);
     let yaw_delta = (dCn * (real(18.288) * params.Cn_scale)
         + dCY * (real(0.0) * params.CY_scale)) * real(97170193.3485195);
 
     // -- known dynamics of block 1 (attitude) (11) --
-    let t13 = mu.cos();
-    let t14 = real(1332506.5352200002) * t13;
-    let t15 = beta.cos();
-    let t16 = beta.sin();
-    let t17 = mu.sin();
-    let t18 = beta.tan();
-    let t19 = t18 + real(0.0) * t17;
-    let t20 = side * real(0.0);
-    let t21 = real(0.0) * (t10 * t19 - t11 * t16 * real(0.0) * t13);
+    let t8 = mu.cos();
+    let t9 = real(1332506.5352200002) * t8;
+    let t10 = beta.cos();
+    let t11 = beta.sin();
+    let t12 = mu.sin();
+    let t13 = beta.tan();
+    let t14 = t13 + real(0.0) * t12;
+    let t15 = side * real(0.0);
+    let t16 = real(0.0) * (t5 * t14 - t6 * t11 * real(0.0) * t8);
     // F_1(x_1 .. x_1)
     let F1 = Vector([
-        (-lift - real(0.0) * t10 + t14) / (real(410460000.0) * t15),
-        (side - real(0.0) * t11 * t16 + real(1332506.5352200002) * t17)
+        (-lift - real(0.0) * t5 + t9) / (real(410460000.0) * t10),
+        (side - real(0.0) * t6 * t11 + real(1332506.5352200002) * t12)
             / real(410460000.0),
-        (lift * t19 + t20 * t13 - t14 * t18 + t21) / real(410460000.0),
+        (lift * t14 + t15 * t8 - t9 * t13 + t16) / real(410460000.0),
     ]);
-    let t22 = -t18;
+    let t17 = -t13;
     // G_1(x_1 .. x_1)
     let G1 = Matrix([
-        [t22 * t11, real(1.0), t22 * t10],
-        [t10, real(0.0), -t11],
-        [t11 / t15, real(0.0), t10 / t15],
+        [t17 * t6, real(1.0), t17 * t5],
+        [t5, real(0.0), -t6],
+        [t6 / t10, real(0.0), t5 / t10],
     ]);
 
     // -- known dynamics of block 2 (rates) (11) --
-    let t23 = real(12202362.0) * p * r + pitch + real(0.0) * (drag * t10 + lift * t11);
+    let t18 = real(12202362.0) * p * r + pitch + real(0.0) * (drag * t5 + lift * t6);
     // F_2(x_1 .. x_2)
     let F2 = Vector([
         (real(0.0) * q * r + roll) / real(1355818.0),
-        t23 / real(13558180.0),
-        (real(-12202362.0) * p * q + yaw + t20) / real(13558180.0),
+        t18 / real(13558180.0),
+        (real(-12202362.0) * p * q + yaw + t15) / real(13558180.0),
     ]);
     // G_2(x_1 .. x_2)
     let G2: Matrix<T, 3, 3> = Matrix::from_f64([
@@ -622,31 +612,31 @@ pub fn control<T: Real>(
     ]);
 
     // -- reference and constraints --
-    let t24 = t.le(real(4.0));
-    let t25 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
-    let t26 = real(0.9424777960769379) * t;
-    let t27 = real(0.5) * t;
+    let t19 = t.le(real(4.0));
+    let t20 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
+    let t21 = real(0.9424777960769379) * t;
+    let t22 = real(0.5) * t;
     // y_r(t)
     let y_r = Vector([
         T::select(
-            t24,
-            (real(2.5) * t25.sin() + real(1.5)) * real(0.017453292519943295),
+            t19,
+            (real(2.5) * t20.sin() + real(1.5)) * real(0.017453292519943295),
             real(0.06981317007977318),
         ),
-        real(0.5) * t26.sin() * real(0.017453292519943295),
-        (real(-2.0) * t.sin() + real(0.5) * t27.cos()) * real(0.017453292519943295),
+        real(0.5) * t21.sin() * real(0.017453292519943295),
+        (real(-2.0) * t.sin() + real(0.5) * t22.cos()) * real(0.017453292519943295),
     ]);
     // y_r'
     let y_r_dot = Vector([
         T::select(
-            t24,
-            real(0.017453292519943295) * (real(2.5) * (t25.cos() * real(FRAC_PI_4))),
+            t19,
+            real(0.017453292519943295) * (real(2.5) * (t20.cos() * real(FRAC_PI_4))),
             real(0.0),
         ),
         real(0.017453292519943295)
-            * (real(0.5) * (t26.cos() * real(0.9424777960769379))),
+            * (real(0.5) * (t21.cos() * real(0.9424777960769379))),
         real(0.017453292519943295)
-            * (real(-2.0) * t.cos() - real(0.5) * (t27.sin() * real(0.5))),
+            * (real(-2.0) * t.cos() - real(0.5) * (t22.sin() * real(0.5))),
     ]);
     // k_2(t)
     let k2 = real(3.0) * (-t).exp() + real(0.5);
@@ -660,18 +650,18 @@ pub fn control<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t28 = s1 / (k1 * k1);
+    let t23 = s1 / (k1 * k1);
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t28 * t28);
+    let E1_free = real(FRAC_PI_2) * (t23 * t23);
     // E_1 >= pi/2 - delta
     let violated1 = E1_free.ge(real(1.5697963267948967));
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t29 = cosE1 * cosE1;
+    let t24 = cosE1 * cosE1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t29;
+    let c1 = e1 * s1 / t24;
 
     // -- MTPN of block 1 (4) (16) --
     // P_1 = P_m(z_1), 19 nodes
@@ -702,25 +692,25 @@ pub fn control<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t30 = F1 + A_hat1;
-    let t31 = state.zeta1 * real(20.0);
+    let t25 = F1 + A_hat1;
+    let t26 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t30 - y_r_dot + t31 + D_hat1 + Lam1;
+    let bracket1 = t25 - y_r_dot + t26 + D_hat1 + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -G1.solve(bracket1);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t31;
+    let zeta1_dot = G1 * state.zeta2 - t26;
 
     // -- weight law of block 1 (32) (65) --
-    let t32: Vector<T, 3> = Vector::from_f64([0.1, 0.1, 0.1]);
+    let t27: Vector<T, 3> = Vector::from_f64([0.1, 0.1, 0.1]);
     // W_1' = Gamma_1 (P_1 c_1 I_1 - lambda_1 W_1)
-    let W1_dot = P1.outer(t32.hadamard(c1)) - state.W1 * real(0.1);
+    let W1_dot = P1.outer(t27.hadamard(c1)) - state.W1 * real(0.1);
 
     // -- observer dynamics of block 1 (21) (50) --
     // th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)
-    let th1_dot = -((D_hat1 + t30 + G1 * x2) * real(10.0));
+    let th1_dot = -((D_hat1 + t25 + G1 * x2) * real(10.0));
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -733,18 +723,18 @@ pub fn control<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t33 = s2 / (k2 * k2);
+    let t28 = s2 / (k2 * k2);
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t33 * t33);
+    let E2_free = real(FRAC_PI_2) * (t28 * t28);
     // E_2 >= pi/2 - delta
     let violated2 = E2_free.ge(real(1.5697963267948967));
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
     // cos E_2
     let cosE2 = E2.cos();
-    let t34 = cosE2 * cosE2;
+    let t29 = cosE2 * cosE2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * s2 / t34;
+    let c2 = e2 * s2 / t29;
 
     // -- MTPN of block 2 (4) (16) --
     // P_2 = P_m(z_2), 19 nodes
@@ -776,17 +766,17 @@ pub fn control<T: Real>(
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
-    let t35 = real(3.0) / t34;
-    let t36 = real(8.0) * E2_free * E2.sin() / (t34 * cosE2) + t35;
+    let t30 = real(3.0) / t29;
+    let t31 = real(8.0) * E2_free * E2.sin() / (t29 * cosE2) + t30;
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = (t36 * t36 + real(2.0) * (t35 * t35)).sqrt();
+    let Ybar_norm2 = (t31 * t31 + real(2.0) * (t30 * t30)).sqrt();
     // S_2 H_2
     let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t37 = H_norm2_2 * Ybar_norm2;
+    let t32 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t37 * t37 * real(0.5) + real(12.0)
+    let Psi2 = t32 * t32 * real(0.5) + real(12.0)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
@@ -796,34 +786,34 @@ pub fn control<T: Real>(
         + e2 * real(2.0);
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(75.0);
-    let t38 = e2 * real(0.5);
+    let t33 = e2 * real(0.5);
     // e / (2 cos^2 E) (63)
-    let Lam2_network = t38 / t34;
-    let t39 = t38.map(T::tanh);
+    let Lam2_network = t33 / t29;
+    let t34 = t33.map(T::tanh);
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t39 * state.eps2;
-    let t40 = G_norm2_1 * s_c1;
+    let Lam2_error_bound = t34 * state.eps2;
+    let t35 = G_norm2_1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t40 * t40) * real(0.25) * t34;
-    let t41 = s2 * s2;
-    let t42 = (t41 + real(1.0)).sqrt();
+    let Lam2_coupling = e2 * (t35 * t35) * real(0.25) * t29;
+    let t36 = s2 * s2;
+    let t37 = (t36 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t37 * state.sigma2) / t42;
-    let t43 = Psi2 / (state.phi2 * state.phi2 + t41);
+    let Lam2_noise = e2 * (t32 * state.sigma2) / t37;
+    let t38 = Psi2 / (state.phi2 * state.phi2 + t36);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t43 * t34;
+    let Lam2_diffusion = e2 * t38 * t29;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
 
     // -- control (64) of block 2 --
-    let t44 = F2 + A_hat2;
-    let t45 = state.zeta2 * real(50.0);
+    let t39 = F2 + A_hat2;
+    let t40 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t44 - h1_dot + t45 + D_hat2 + Lam2;
-    let t46 = G2.solve(bracket2);
+    let bracket2 = t39 - h1_dot + t40 + D_hat2 + Lam2;
+    let t41 = G2.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t46;
+    let u = -t41;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .zip(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]), T::max)
@@ -831,11 +821,11 @@ pub fn control<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = G2 * (u_sat + t46) - t45;
+    let zeta2_dot = G2 * (u_sat + t41) - t40;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
-    let W2_dot = P2.outer(t32.hadamard(c2)) - state.W2 * real(0.1);
+    let W2_dot = P2.outer(t27.hadamard(c2)) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
     // M_2 - S_2 L_2
@@ -848,20 +838,20 @@ pub fn control<T: Real>(
         [0.0, 0.0, 0.0, 0.0, -7.0, -4.0],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = w2_closed * w_hat2 - S2 * (t44 + G2 * u - h1_dot + t45);
+    let th2_dot = w2_closed * w_hat2 - S2 * (t39 + G2 * u - h1_dot + t40);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 / t34 * e2.dot(t39) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 / t29 * e2.dot(t34) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t37 * t41 / t34 / t42 - real(0.1) * state.sigma2;
+    let sigma2_dot = t32 * t36 / t29 / t37 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t43 + real(2.0);
+    let phi2_decay = t38 + real(2.0);
 
     // -- status --
     // some E_i >= pi/2 - delta

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: b820a6d091cef8813ef2545e53440405227e2546686cc429a611cf74ce8f0a1f
+// SHA-256 of the text below: 42a977d519bd0c91794cde7cb8c5e6e7ddf93990b87d1aa51d949133af26f982
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// plant: 436 additions, 601 multiplications, 23 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
+// plant: 227 additions, 287 multiplications, 23 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
 
 //! `nsv_attitude`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -50,16 +50,43 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
-    #[inline]
+    #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        let rate = plant(t, *x, self.u_sat, &self.params);
-        rate.drift + rate.diffusion * self.xi
+        T::outlined(|| {
+            let rate = plant(t, *x, self.u_sat, &self.params);
+            rate.drift + diffuse(&rate.diffusion, &self.xi)
+        })
     }
 
-    #[inline]
+    #[inline(always)]
     fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
+}
+
+/// Diffusion times noise, without the entries that are always 0.
+#[inline(always)]
+fn diffuse<T: Real>(
+    diffusion: &Matrix<T, STATES, NOISE_CHANNELS>,
+    noise: &Vector<T, NOISE_CHANNELS>,
+) -> Vector<T, STATES> {
+    Vector([
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        diffusion[(3, 0)] * noise[0] + diffusion[(3, 1)] * noise[1]
+            + diffusion[(3, 2)] * noise[2],
+        diffusion[(4, 0)] * noise[0] + diffusion[(4, 1)] * noise[1]
+            + diffusion[(4, 2)] * noise[2],
+        diffusion[(5, 0)] * noise[0] + diffusion[(5, 1)] * noise[1]
+            + diffusion[(5, 2)] * noise[2],
+        diffusion[(6, 3)] * noise[3],
+        diffusion[(7, 4)] * noise[4],
+        diffusion[(8, 5)] * noise[5],
+        diffusion[(9, 6)] * noise[6],
+        diffusion[(10, 7)] * noise[7],
+        diffusion[(11, 8)] * noise[8],
+    ])
 }
 
 /// Results of [`plant`].
@@ -77,9 +104,9 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 436 additions, 601 multiplications, 23 divisions, 0 square roots, 10 elementary
+/// Operations: 227 additions, 287 multiplications, 23 divisions, 0 square roots, 10 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn plant<T: Real>(
     t: T,
     x: Vector<T, 12>,
@@ -101,118 +128,88 @@ pub fn plant<T: Real>(
     let beta = x[1];
     let mu = x[2];
     let alpha_deg = alpha / real(0.017453292519943295);
+    let at_alpha_deg = polynomials::at_alpha_deg(alpha_deg);
     let lift = real(97170193.3485195) * params.CL_scale
-        * (polynomials::CL_alpha(alpha_deg, real(10.122243135087704), real(0.0))
-            + polynomials::CL_LE(alpha_deg, real(10.122243135087704), real(0.0))
-            + polynomials::CL_RE(alpha_deg, real(10.122243135087704), real(0.0)));
-    let t1 = polynomials::CY_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
-        + polynomials::CY_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::CY_RE(alpha_deg, real(10.122243135087704), real(0.0));
+        * (at_alpha_deg.CL_alpha + at_alpha_deg.CL_LE + at_alpha_deg.CL_RE);
     let side = real(97170193.3485195) * params.CY_scale
-        * (t1 + polynomials::CY_RUD(alpha_deg, real(10.122243135087704), real(0.0)));
+        * (at_alpha_deg.CY_beta * beta + at_alpha_deg.CY_LE + at_alpha_deg.CY_RE
+            + at_alpha_deg.CY_RUD);
     let p = x[3];
     let q = x[4];
     let r = x[5];
-    let t2 = real(1777048495.9577248) * params.Cl_scale;
-    let t3 = polynomials::Cl_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
-        + polynomials::Cl_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cl_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t4 = t3 + polynomials::Cl_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cl_p(alpha_deg, real(10.122243135087704), real(0.0)) * p
-            * real(18.288) / real(6000.0);
-    let roll = t2
-        * (t4
-            + polynomials::Cl_r(alpha_deg, real(10.122243135087704), real(0.0)) * r
-                * real(18.288) / real(6000.0));
-    let t5 = polynomials::Cm_alpha(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cm_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cm_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t6 = t5 + polynomials::Cm_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cm_q(alpha_deg, real(10.122243135087704), real(0.0)) * q
-            * real(24.384) / real(6000.0);
-    let pitch = real(2369397994.6102996) * params.Cm_scale * t6;
-    let t7 = polynomials::CD_alpha(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::CD_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::CD_RE(alpha_deg, real(10.122243135087704), real(0.0));
+    let t1 = real(1777048495.9577248) * params.Cl_scale;
+    let t2 = at_alpha_deg.Cl_beta * beta + at_alpha_deg.Cl_LE + at_alpha_deg.Cl_RE
+        + at_alpha_deg.Cl_RUD + at_alpha_deg.Cl_p * p * real(18.288) / real(6000.0);
+    let roll = t1 * (t2 + at_alpha_deg.Cl_r * r * real(18.288) / real(6000.0));
+    let t3 = at_alpha_deg.Cm_alpha + at_alpha_deg.Cm_LE + at_alpha_deg.Cm_RE
+        + at_alpha_deg.Cm_RUD + at_alpha_deg.Cm_q * q * real(24.384) / real(6000.0);
+    let pitch = real(2369397994.6102996) * params.Cm_scale * t3;
     let drag = real(97170193.3485195) * params.CD_scale
-        * (t7 + polynomials::CD_RUD(alpha_deg, real(10.122243135087704), real(0.0)));
-    let t8 = polynomials::Cn_beta(alpha_deg, real(10.122243135087704), real(0.0)) * beta
-        + polynomials::Cn_LE(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cn_RE(alpha_deg, real(10.122243135087704), real(0.0));
-    let t9 = t8 + polynomials::Cn_RUD(alpha_deg, real(10.122243135087704), real(0.0))
-        + polynomials::Cn_p(alpha_deg, real(10.122243135087704), real(0.0)) * p
-            * real(18.288) / real(6000.0);
+        * (at_alpha_deg.CD_alpha + at_alpha_deg.CD_LE + at_alpha_deg.CD_RE
+            + at_alpha_deg.CD_RUD);
+    let t4 = at_alpha_deg.Cn_beta * beta + at_alpha_deg.Cn_LE + at_alpha_deg.Cn_RE
+        + at_alpha_deg.Cn_RUD + at_alpha_deg.Cn_p * p * real(18.288) / real(6000.0);
     let yaw = real(1777048495.9577248) * params.Cn_scale
-        * (t9
-            + polynomials::Cn_r(alpha_deg, real(10.122243135087704), real(0.0)) * r
-                * real(18.288) / real(6000.0));
+        * (t4 + at_alpha_deg.Cn_r * r * real(18.288) / real(6000.0));
     let dCl = Vector([
-        polynomials::Cl_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cl_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cl_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
+        at_alpha_deg.Cl_LE_d3,
+        at_alpha_deg.Cl_RE_d3,
+        at_alpha_deg.Cl_RUD_d3,
     ]);
-    let roll_delta = dCl * t2;
-    let dCm = Vector([
-        polynomials::Cm_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cm_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cm_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-    ]);
+    let roll_delta = dCl * t1;
+    let dCm = Vector([at_alpha_deg.Cm_LE_d3, at_alpha_deg.Cm_RE_d3, real(0.0)]);
     let dCD = Vector([
-        polynomials::CD_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CD_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CD_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
+        at_alpha_deg.CD_LE_d3,
+        at_alpha_deg.CD_RE_d3,
+        at_alpha_deg.CD_RUD_d3,
     ]);
-    let dCL = Vector([
-        polynomials::CL_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CL_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        real(0.0),
-    ]);
-    let t10 = alpha.sin();
-    let t11 = alpha.cos();
-    let t12 = (dCD * params.CD_scale * t10 + dCL * params.CL_scale * t11) * real(0.0);
-    let pitch_delta = (dCm * (real(24.384) * params.Cm_scale) + t12)
+    let dCL = Vector([at_alpha_deg.CL_LE_d3, at_alpha_deg.CL_RE_d3, real(0.0)]);
+    let t5 = alpha.sin();
+    let t6 = alpha.cos();
+    let t7 = (dCD * params.CD_scale * t5 + dCL * params.CL_scale * t6) * real(0.0);
+    let pitch_delta = (dCm * (real(24.384) * params.Cm_scale) + t7)
         * real(97170193.3485195);
     let dCn = Vector([
-        polynomials::Cn_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cn_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::Cn_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
+        at_alpha_deg.Cn_LE_d3,
+        at_alpha_deg.Cn_RE_d3,
+        at_alpha_deg.Cn_RUD_d3,
     ]);
     let dCY = Vector([
-        polynomials::CY_LE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CY_RE_d3(alpha_deg, real(10.122243135087704), real(0.0)),
-        polynomials::CY_RUD_d3(alpha_deg, real(10.122243135087704), real(0.0)),
+        at_alpha_deg.CY_LE_d3,
+        at_alpha_deg.CY_RE_d3,
+        at_alpha_deg.CY_RUD_d3,
     ]);
     let yaw_delta = (dCn * (real(18.288) * params.Cn_scale)
         + dCY * (real(0.0) * params.CY_scale)) * real(97170193.3485195);
 
     // -- true dynamics of block 1 (attitude) (11) --
-    let t13 = mu.cos();
-    let t14 = real(1332506.5352200002) * t13;
-    let t15 = beta.cos();
-    let t16 = beta.sin();
-    let t17 = mu.sin();
-    let t18 = beta.tan();
-    let t19 = t18 + real(0.0) * t17;
-    let t20 = side * real(0.0);
-    let t21 = real(0.0) * (t10 * t19 - t11 * t16 * real(0.0) * t13);
+    let t8 = mu.cos();
+    let t9 = real(1332506.5352200002) * t8;
+    let t10 = beta.cos();
+    let t11 = beta.sin();
+    let t12 = mu.sin();
+    let t13 = beta.tan();
+    let t14 = t13 + real(0.0) * t12;
+    let t15 = side * real(0.0);
+    let t16 = real(0.0) * (t5 * t14 - t6 * t11 * real(0.0) * t8);
     // F_1 with the plant's parameters
     let F1_plant = Vector([
-        (-lift - real(0.0) * t10 + t14) / (real(410460000.0) * t15),
-        (side - real(0.0) * t11 * t16 + real(1332506.5352200002) * t17)
+        (-lift - real(0.0) * t5 + t9) / (real(410460000.0) * t10),
+        (side - real(0.0) * t6 * t11 + real(1332506.5352200002) * t12)
             / real(410460000.0),
-        (lift * t19 + t20 * t13 - t14 * t18 + t21) / real(410460000.0),
+        (lift * t14 + t15 * t8 - t9 * t13 + t16) / real(410460000.0),
     ]);
-    let t22 = -t18;
+    let t17 = -t13;
     // G_1 with the plant's parameters
     let G1_plant = Matrix([
-        [t22 * t11, real(1.0), t22 * t10],
-        [t10, real(0.0), -t11],
-        [t11 / t15, real(0.0), t10 / t15],
+        [t17 * t6, real(1.0), t17 * t5],
+        [t5, real(0.0), -t6],
+        [t6 / t10, real(0.0), t5 / t10],
     ]);
-    let t23 = (real(-0.1) * t).exp();
-    let t24 = real(0.02) * (real(2.0) * t).sin() * t23;
+    let t18 = (real(-0.1) * t).exp();
+    let t19 = real(0.02) * (real(2.0) * t).sin() * t18;
     // d_1(t)
-    let d1 = Vector([t24, real(0.02) * t.sin() * t23, t24]);
+    let d1 = Vector([t19, real(0.02) * t.sin() * t18, t19]);
 
     // -- given --
     let x2 = Vector([p, q, r]);
@@ -223,12 +220,12 @@ pub fn plant<T: Real>(
     let x1_flow = F1_plant + G1_plant * x2 + d1;
 
     // -- true dynamics of block 2 (rates) (11) --
-    let t25 = real(12202362.0) * p * r + pitch + real(0.0) * (drag * t10 + lift * t11);
+    let t20 = real(12202362.0) * p * r + pitch + real(0.0) * (drag * t5 + lift * t6);
     // F_2 with the plant's parameters
     let F2_plant = Vector([
         (real(0.0) * q * r + roll) / real(1355818.0),
-        t25 / real(13558180.0),
-        (real(-12202362.0) * p * q + yaw + t20) / real(13558180.0),
+        t20 / real(13558180.0),
+        (real(-12202362.0) * p * q + yaw + t15) / real(13558180.0),
     ]);
     // G_2 with the plant's parameters
     let G2_plant: Matrix<T, 3, 3> = Matrix::from_f64([
@@ -238,7 +235,7 @@ pub fn plant<T: Real>(
     ]);
     // d_2 = L_2 w_2 (12)
     let d2 = L2 * w2;
-    let t26: Matrix<T, 6, 6> = Matrix::from_f64([
+    let t21: Matrix<T, 6, 6> = Matrix::from_f64([
         [0.0, 3.0, 0.0, 0.0, 0.0, 0.0],
         [-3.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         [0.0, 0.0, 0.0, 3.0, 0.0, 0.0],
@@ -247,10 +244,10 @@ pub fn plant<T: Real>(
         [0.0, 0.0, 0.0, 0.0, -3.0, 0.0],
     ]);
     // w_2' = M_2 w_2 (12)
-    let w2_flow = t26 * w2;
+    let w2_flow = t21 * w2;
     // F_2 + G_2 x_3 + d_2
     let x2_flow = F2_plant + G2_plant * u_sat + d2;
-    let t27 = Matrix([
+    let t22 = Matrix([
         [
             roll_delta[0] / real(1355818.0),
             roll_delta[1] / real(1355818.0),
@@ -268,7 +265,7 @@ pub fn plant<T: Real>(
         ],
     ]);
     // H_2 Sigma_2
-    let HSigma2 = t27
+    let HSigma2 = t22
         .hadamard(
             Matrix::<
                 T,

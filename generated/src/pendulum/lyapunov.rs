@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 12648e505624276fe8c3e929cd5e6b4a226d128c75bb6a95d32224aa80bb59b7
+// SHA-256 of the text below: 0eca79f054fc821d38ca57e48000d4d080903aa50ba199a0fab12002ba69b76c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // lyapunov: 150 additions, 191 multiplications, 27 divisions, 0 square roots, 13 elementary functions, 17 comparisons and selections
@@ -31,7 +31,7 @@ pub struct LyapunovOutputs<T: Real> {
 ///
 /// Operations: 150 additions, 191 multiplications, 27 divisions, 0 square roots, 13 elementary
 /// functions, 17 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
     x1: Vector<T, 1>,

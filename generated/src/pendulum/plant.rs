@@ -1,4 +1,4 @@
-// SHA-256 of the text below: acd37f255a5306a78382073101ad841c760e1c4f5cfc5a483ba618ea234a6cf8
+// SHA-256 of the text below: afa304815d41d9ac489ac4aa39a301a81efdb721dbf5f6f3afafd89b1c0ff67d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // plant: 5 additions, 7 multiplications, 2 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -33,12 +33,12 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
-    #[inline]
+    #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        plant(t, *x, self.u_sat, &self.params).drift
+        T::outlined(|| plant(t, *x, self.u_sat, &self.params).drift)
     }
 
-    #[inline]
+    #[inline(always)]
     fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
@@ -57,7 +57,7 @@ pub struct PlantOutputs<T: Real> {
 ///
 /// Operations: 5 additions, 7 multiplications, 2 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn plant<T: Real>(
     t: T,
     x: Vector<T, 2>,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 4ce168f0e02f36782154dfa9c5e6c78d51cbd80f5ac94aa6d375ee266f81969f
+// SHA-256 of the text below: 857d971a205cfbf35b8b596b152a1f9a670508312676a9e3e5ddd4bd55e220ed
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // initial: 26 additions, 41 multiplications, 7 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
@@ -62,6 +62,7 @@ pub struct State<T> {
 
 impl<T: Real> State<T> {
     /// All zero.
+    #[inline(always)]
     pub fn zero() -> Self {
         Self {
             zeta1: Vector::zero(),
@@ -74,7 +75,7 @@ impl<T: Real> State<T> {
     }
 
     /// `a` where the mask is true, else `b`.
-    #[inline]
+    #[inline(always)]
     pub fn select(mask: T::Mask, a: &Self, b: &Self) -> Self {
         Self {
             zeta1: Vector::select(mask, a.zeta1, b.zeta1),
@@ -87,7 +88,7 @@ impl<T: Real> State<T> {
     }
 
     /// Whether every entry is finite.
-    #[inline]
+    #[inline(always)]
     pub fn is_finite(&self) -> T::Mask {
         self.zeta1
             .is_finite()
@@ -104,8 +105,10 @@ impl<T: Real> State<T> {
 /// With `Status::NON_FINITE_INPUT`, only the control is meaningful.
 #[derive(Clone, Copy, Debug)]
 pub struct Output<T: Real> {
-    /// What happened.
+    /// What happened, in any lane.
     pub status: Status,
+    /// Whether the law was finite, so that its control and next states are used.
+    pub valid: T::Mask,
     /// Control that the law asks for, before its limits.
     pub u: Vector<T, 2>,
     /// Control to apply: within its limits, always finite.
@@ -138,6 +141,7 @@ pub struct Controller<T: Real> {
 
 impl<T: Real> Controller<T> {
     /// A controller that starts at its first step.
+    #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
             params,
@@ -147,6 +151,7 @@ impl<T: Real> Controller<T> {
     }
 
     /// Starts anew from these measurements; from the next ones if they are not finite.
+    #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) {
         let start = initial(t, x1, x2);
         let finite = start
@@ -169,20 +174,23 @@ impl<T: Real> Controller<T> {
     /// The first step with finite measurements initialises the states; so does the step after one
     /// whose law overflowed although its measurements were finite, since such states are beyond
     /// use.
-    #[inline]
+    #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
-        let state = if self.started.all() {
-            self.state
-        } else {
-            State::select(self.started, &self.state, &initial(t, x1, x2))
-        };
-        let law = control(t, x1, x2, &state, &self.params);
+        let starting = measured.and(self.started.not());
+        if starting.any() {
+            self.begin(starting, t, x1, x2);
+        }
+        let law = control(t, x1, x2, &self.state, &self.params);
         let valid = measured
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
-        self.state = State::select(valid, &law.next, &self.state);
+        self.state = if valid.all() {
+            law.next
+        } else {
+            State::select(valid, &law.next, &self.state)
+        };
         self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
@@ -192,6 +200,7 @@ impl<T: Real> Controller<T> {
             | Status::SATURATED.when(saturated.any());
         Output {
             status,
+            valid,
             u,
             u_sat,
             y_r: law.y_r,
@@ -204,12 +213,22 @@ impl<T: Real> Controller<T> {
         }
     }
 
+    /// Initialises the states where the mask is true.
+    #[inline(always)]
+    fn begin(&mut self, mask: T::Mask, t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) {
+        T::outlined(|| {
+            self.state = State::select(mask, &initial(t, x1, x2), &self.state);
+        });
+    }
+
     /// The states.
+    #[inline(always)]
     pub fn state(&self) -> &State<T> {
         &self.state
     }
 
     /// The parameters.
+    #[inline(always)]
     pub fn params(&self) -> &Params<T> {
         &self.params
     }
@@ -219,7 +238,7 @@ impl<T: Real> Controller<T> {
 ///
 /// Operations: 26 additions, 41 multiplications, 7 divisions, 0 square roots, 5 elementary
 /// functions, 3 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let real = T::from_f64;
 
@@ -338,7 +357,7 @@ pub struct ControlOutputs<T: Real> {
 ///
 /// Operations: 285 additions, 374 multiplications, 23 divisions, 0 square roots, 11 elementary
 /// functions, 13 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 2>,

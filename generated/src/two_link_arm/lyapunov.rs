@@ -1,4 +1,4 @@
-// SHA-256 of the text below: baab15936d0fcd7ca5701ced907778ab9d155ed1dd8bf830a932bee242ab6ee5
+// SHA-256 of the text below: 780df3df8ae8186eb4634b893bff8e014fb93ce3ef1fbac749a285050cd1b0df
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // lyapunov: 606 additions, 732 multiplications, 50 divisions, 0 square roots, 16 elementary functions, 19 comparisons and selections
@@ -31,7 +31,7 @@ pub struct LyapunovOutputs<T: Real> {
 ///
 /// Operations: 606 additions, 732 multiplications, 50 divisions, 0 square roots, 16 elementary
 /// functions, 19 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
     x1: Vector<T, 2>,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 4700293c1b1bde50ac92999c65acf7cdc8db3b7b0bff20cc6a5ecd59ed45cd7c
+// SHA-256 of the text below: 680af0586ec20ae626e9de5ec414ffa020e49f8b19956f22e2e64ccad2c9b403
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // plant: 51 additions, 66 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -34,12 +34,12 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
-    #[inline]
+    #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        plant(t, *x, self.u_sat, &self.params).drift
+        T::outlined(|| plant(t, *x, self.u_sat, &self.params).drift)
     }
 
-    #[inline]
+    #[inline(always)]
     fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
@@ -58,7 +58,7 @@ pub struct PlantOutputs<T: Real> {
 ///
 /// Operations: 51 additions, 66 multiplications, 4 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn plant<T: Real>(
     _t: T,
     x: Vector<T, 9>,

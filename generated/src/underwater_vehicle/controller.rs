@@ -1,4 +1,4 @@
-// SHA-256 of the text below: e6dd670fbb0572c6c9b1f9fc93bcc2313f1d0b9c412835bcc07883ec3f31d8f9
+// SHA-256 of the text below: 7b4fad51b7bf01039864214385a91d1c7ed3ba7e109dd28bddabe9291e852dc1
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // initial: 260 additions, 295 multiplications, 32 divisions, 0 square roots, 17 elementary functions, 18 comparisons and selections
@@ -79,6 +79,7 @@ pub struct State<T> {
 
 impl<T: Real> State<T> {
     /// All zero.
+    #[inline(always)]
     pub fn zero() -> Self {
         Self {
             zeta1: Vector::zero(),
@@ -94,7 +95,7 @@ impl<T: Real> State<T> {
     }
 
     /// `a` where the mask is true, else `b`.
-    #[inline]
+    #[inline(always)]
     pub fn select(mask: T::Mask, a: &Self, b: &Self) -> Self {
         Self {
             zeta1: Vector::select(mask, a.zeta1, b.zeta1),
@@ -110,7 +111,7 @@ impl<T: Real> State<T> {
     }
 
     /// Whether every entry is finite.
-    #[inline]
+    #[inline(always)]
     pub fn is_finite(&self) -> T::Mask {
         self.zeta1
             .is_finite()
@@ -130,8 +131,10 @@ impl<T: Real> State<T> {
 /// With `Status::NON_FINITE_INPUT`, only the control is meaningful.
 #[derive(Clone, Copy, Debug)]
 pub struct Output<T: Real> {
-    /// What happened.
+    /// What happened, in any lane.
     pub status: Status,
+    /// Whether the law was finite, so that its control and next states are used.
+    pub valid: T::Mask,
     /// Control that the law asks for, before its limits.
     pub u: Vector<T, 6>,
     /// Control to apply: within its limits, always finite.
@@ -164,6 +167,7 @@ pub struct Controller<T: Real> {
 
 impl<T: Real> Controller<T> {
     /// A controller that starts at its first step.
+    #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
             params,
@@ -173,6 +177,7 @@ impl<T: Real> Controller<T> {
     }
 
     /// Starts anew from these measurements; from the next ones if they are not finite.
+    #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) {
         let start = initial(t, x1, x2);
         let finite = start
@@ -195,20 +200,23 @@ impl<T: Real> Controller<T> {
     /// The first step with finite measurements initialises the states; so does the step after one
     /// whose law overflowed although its measurements were finite, since such states are beyond
     /// use.
-    #[inline]
+    #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
-        let state = if self.started.all() {
-            self.state
-        } else {
-            State::select(self.started, &self.state, &initial(t, x1, x2))
-        };
-        let law = control(t, x1, x2, &state, &self.params);
+        let starting = measured.and(self.started.not());
+        if starting.any() {
+            self.begin(starting, t, x1, x2);
+        }
+        let law = control(t, x1, x2, &self.state, &self.params);
         let valid = measured
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
-        self.state = State::select(valid, &law.next, &self.state);
+        self.state = if valid.all() {
+            law.next
+        } else {
+            State::select(valid, &law.next, &self.state)
+        };
         self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
@@ -224,6 +232,7 @@ impl<T: Real> Controller<T> {
             | Status::SATURATED.when(saturated.any());
         Output {
             status,
+            valid,
             u,
             u_sat,
             y_r: law.y_r,
@@ -236,12 +245,22 @@ impl<T: Real> Controller<T> {
         }
     }
 
+    /// Initialises the states where the mask is true.
+    #[inline(always)]
+    fn begin(&mut self, mask: T::Mask, t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) {
+        T::outlined(|| {
+            self.state = State::select(mask, &initial(t, x1, x2), &self.state);
+        });
+    }
+
     /// The states.
+    #[inline(always)]
     pub fn state(&self) -> &State<T> {
         &self.state
     }
 
     /// The parameters.
+    #[inline(always)]
     pub fn params(&self) -> &Params<T> {
         &self.params
     }
@@ -251,7 +270,7 @@ impl<T: Real> Controller<T> {
 ///
 /// Operations: 260 additions, 295 multiplications, 32 divisions, 0 square roots, 17 elementary
 /// functions, 18 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     let real = T::from_f64;
 
@@ -435,7 +454,7 @@ pub struct ControlOutputs<T: Real> {
 ///
 /// Operations: 2293 additions, 2640 multiplications, 75 divisions, 3 square roots, 24
 /// elementary functions, 49 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 6>,

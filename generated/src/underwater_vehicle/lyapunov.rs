@@ -1,4 +1,4 @@
-// SHA-256 of the text below: df39e28c17a289da6bda04f551556ead9dced4b96f2bc111e4a5cb1a29149a0c
+// SHA-256 of the text below: 28ca4d25dc84fd15baf633a5fb2495224a91d790728aa68d0ead7ca83c99d8f8
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // lyapunov: 6491 additions, 6972 multiplications, 137 divisions, 2 square roots, 29 elementary functions, 69 comparisons and selections
@@ -31,7 +31,7 @@ pub struct LyapunovOutputs<T: Real> {
 ///
 /// Operations: 6491 additions, 6972 multiplications, 137 divisions, 2 square roots, 29
 /// elementary functions, 69 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
     x1: Vector<T, 6>,

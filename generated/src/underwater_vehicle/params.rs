@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 39b3dfea80c2baa37c2dcd116c513b03a41ae2078a6b7f9babc5ed13f0e295c9
+// SHA-256 of the text below: f49a750c7fbfb2aa99d4fcf7c5ea1805c8182528e70548ef41c67888dad5a273
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
@@ -27,6 +27,7 @@ pub struct Params<T> {
 
 impl<T: Real> Params<T> {
     /// The plant's nominal values.
+    #[inline(always)]
     pub fn plant() -> Self {
         Self {
             added_scale: T::from_f64(1.0),
@@ -36,6 +37,7 @@ impl<T: Real> Params<T> {
     }
 
     /// The values that the controller is designed with.
+    #[inline(always)]
     pub fn design() -> Self {
         Self {
             added_scale: T::from_f64(1.0),
@@ -44,12 +46,13 @@ impl<T: Real> Params<T> {
         }
     }
 
-    /// The plant's values in one run, drawn from the dispersions of the specification.
-    pub fn dispersed(noise: &Noise) -> Self {
+    /// The plant's values in each lane's run, drawn from the dispersions of the specification.
+    #[inline(always)]
+    pub fn dispersed(noise: &Noise<T>) -> Self {
         Self {
-            added_scale: T::from_f64(0.8 + (1.2 - 0.8) * noise.uniform(0, 0)),
-            drag_scale: T::from_f64(0.7 + (1.3 - 0.7) * noise.uniform(0, 1)),
-            torque_scale: T::from_f64(0.7 + (1.3 - 0.7) * noise.uniform(0, 2)),
+            added_scale: T::from_f64(0.8) + T::from_f64(1.2 - 0.8) * noise.uniform(0, 0),
+            drag_scale: T::from_f64(0.7) + T::from_f64(1.3 - 0.7) * noise.uniform(0, 1),
+            torque_scale: T::from_f64(0.7) + T::from_f64(1.3 - 0.7) * noise.uniform(0, 2),
         }
     }
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 9f3346bd1f73ba6f19ad7e4e46fdbb5cae1eb25ef878b1613acc97ee929eca0c
+// SHA-256 of the text below: 27083fc8b8c2c4fde83a404865b2db59407dd5b3ebb5c44bfec0276315e8a00f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // plant: 540 additions, 627 multiplications, 10 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
@@ -60,19 +60,78 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
-    #[inline]
+    #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        plant(t, *x, self.u_sat, &self.params).drift
+        T::outlined(|| plant(t, *x, self.u_sat, &self.params).drift)
     }
 
-    #[inline]
+    #[inline(always)]
     fn diffusion(
         &self,
         t: T,
         x: &Vector<T, STATES>,
     ) -> Matrix<T, STATES, NOISE_CHANNELS> {
-        plant(t, *x, self.u_sat, &self.params).diffusion
+        T::outlined(|| plant(t, *x, self.u_sat, &self.params).diffusion)
     }
+
+    #[inline(always)]
+    fn drift_and_noise(
+        &self,
+        t: T,
+        x: &Vector<T, STATES>,
+        dw: &Vector<T, NOISE_CHANNELS>,
+    ) -> (Vector<T, STATES>, Vector<T, STATES>) {
+        T::outlined(|| {
+            let rate = plant(t, *x, self.u_sat, &self.params);
+            (rate.drift, diffuse(&rate.diffusion, dw))
+        })
+    }
+}
+
+/// Diffusion times noise, without the entries that are always 0.
+#[inline(always)]
+fn diffuse<T: Real>(
+    diffusion: &Matrix<T, STATES, NOISE_CHANNELS>,
+    noise: &Vector<T, NOISE_CHANNELS>,
+) -> Vector<T, STATES> {
+    Vector([
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        diffusion[(6, 0)] * noise[0] + diffusion[(6, 1)] * noise[1]
+            + diffusion[(6, 2)] * noise[2] + diffusion[(6, 3)] * noise[3]
+            + diffusion[(6, 4)] * noise[4] + diffusion[(6, 5)] * noise[5],
+        diffusion[(7, 0)] * noise[0] + diffusion[(7, 1)] * noise[1]
+            + diffusion[(7, 2)] * noise[2] + diffusion[(7, 3)] * noise[3]
+            + diffusion[(7, 4)] * noise[4] + diffusion[(7, 5)] * noise[5],
+        diffusion[(8, 0)] * noise[0] + diffusion[(8, 1)] * noise[1]
+            + diffusion[(8, 2)] * noise[2] + diffusion[(8, 3)] * noise[3]
+            + diffusion[(8, 4)] * noise[4] + diffusion[(8, 5)] * noise[5],
+        diffusion[(9, 0)] * noise[0] + diffusion[(9, 1)] * noise[1]
+            + diffusion[(9, 2)] * noise[2] + diffusion[(9, 3)] * noise[3]
+            + diffusion[(9, 4)] * noise[4] + diffusion[(9, 5)] * noise[5],
+        diffusion[(10, 0)] * noise[0] + diffusion[(10, 1)] * noise[1]
+            + diffusion[(10, 2)] * noise[2] + diffusion[(10, 3)] * noise[3]
+            + diffusion[(10, 4)] * noise[4] + diffusion[(10, 5)] * noise[5],
+        diffusion[(11, 0)] * noise[0] + diffusion[(11, 1)] * noise[1]
+            + diffusion[(11, 2)] * noise[2] + diffusion[(11, 3)] * noise[3]
+            + diffusion[(11, 4)] * noise[4] + diffusion[(11, 5)] * noise[5],
+        T::zero(),
+        diffusion[(13, 6)] * noise[6],
+        T::zero(),
+        diffusion[(15, 7)] * noise[7],
+        T::zero(),
+        diffusion[(17, 8)] * noise[8],
+        T::zero(),
+        diffusion[(19, 9)] * noise[9],
+        T::zero(),
+        diffusion[(21, 10)] * noise[10],
+        T::zero(),
+        diffusion[(23, 11)] * noise[11],
+    ])
 }
 
 /// Results of [`plant`].
@@ -92,7 +151,7 @@ pub struct PlantOutputs<T: Real> {
 ///
 /// Operations: 540 additions, 627 multiplications, 10 divisions, 0 square roots, 10 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn plant<T: Real>(
     t: T,
     x: Vector<T, 24>,

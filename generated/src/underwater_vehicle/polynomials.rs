@@ -1,4 +1,4 @@
-// SHA-256 of the text below: b8505b8f74485f9d916cf8d4d55114408816228ce903445b1b897bb46e1ac51b
+// SHA-256 of the text below: 453ddc68431a18eed26413df86576b91c6aec9a5f6b4b6ac509b962a6e49115e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
@@ -12,7 +12,7 @@ use nsv_runtime::linear::Vector;
 use nsv_runtime::real::Real;
 
 /// Values of the 28 monomials `basis2` of z = (`surge`, `sway`, `heave`, `p`, `q`, `r`).
-#[inline]
+#[inline(always)]
 pub fn basis2<T: Real>(z: Vector<T, 6>) -> Vector<T, 28> {
     let one = T::one();
     let surge = z[0];

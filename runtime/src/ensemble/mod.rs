@@ -17,6 +17,7 @@ use std::vec::Vec;
 
 use crate::band::Band;
 use crate::closed_loop::ClosedLoop;
+use crate::lanes::Width;
 use record::Record;
 use tally::{InOrder, Tally};
 
@@ -37,6 +38,8 @@ pub struct Campaign {
     pub noise: bool,
     /// Whether the plant's parameters are dispersed.
     pub dispersion: bool,
+    /// Lanes to simulate runs in, the widest of the processor if `None`; no result depends on it.
+    pub width: Option<Width>,
     /// Threads to use, at least 1.
     pub threads: usize,
     /// Whether to keep the first 1000 runs' values for [`Summary::band`].
@@ -119,20 +122,23 @@ pub(crate) fn run_while<L: ClosedLoop>(
     Some(tally.summary::<L>(started.elapsed().as_secs_f64()))
 }
 
-/// Takes runs off the counter until none is left.
+/// Takes batches of runs off the counter until none is left.
 fn work<L: ClosedLoop>(
     campaign: &Campaign,
     next: &AtomicU64,
     sender: &mpsc::Sender<(u64, Record)>,
 ) {
+    let width = campaign.width.unwrap_or_else(Width::widest);
     loop {
-        let index = next.fetch_add(1, Ordering::Relaxed);
-        if index >= campaign.runs
-            || sender
-                .send((index, Record::of_run::<L>(campaign, index)))
-                .is_err()
-        {
+        let first = next.fetch_add(width.lanes() as u64, Ordering::Relaxed);
+        if first >= campaign.runs {
             return;
+        }
+        let count = (width.lanes() as u64).min(campaign.runs - first) as usize;
+        for (index, record) in (first..).zip(Record::of_batch::<L>(campaign, width, first, count)) {
+            if sender.send((index, record)).is_err() {
+                return;
+            }
         }
     }
 }

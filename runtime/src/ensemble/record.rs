@@ -1,12 +1,15 @@
 //! What one run of a campaign leaves behind.
 
+use std::marker::PhantomData;
 use std::vec;
 use std::vec::Vec;
 
 use super::Campaign;
 use crate::band::{self, Grid};
-use crate::closed_loop::{ClosedLoop, Options};
-use crate::simulation::{Simulation, samples_in};
+use crate::closed_loop::{ClosedLoop, Options, Runs};
+use crate::lanes::{self, Kernel, Width};
+use crate::real::{Mask, Real};
+use crate::simulation::{samples_in, simulate};
 
 /// Counts and sums over the samples of a run.
 pub(super) struct Record {
@@ -27,78 +30,135 @@ pub(super) struct Record {
 }
 
 impl Record {
-    /// Simulates the run at a place in the campaign.
-    pub(super) fn of_run<L: ClosedLoop>(campaign: &Campaign, index: u64) -> Self {
+    /// Simulates the runs from a place in the campaign on, `count` of them, in the widest lanes there are.
+    pub(super) fn of_batch<L: ClosedLoop>(
+        campaign: &Campaign,
+        width: Width,
+        first: u64,
+        count: usize,
+    ) -> Vec<Self> {
+        let batch = Batch::<L> {
+            campaign,
+            first,
+            count,
+            closed_loop: PhantomData,
+        };
+        lanes::run(width, batch).expect("invariant: the width was chosen for this processor")
+    }
+}
+
+/// Consecutive runs, simulated together.
+struct Batch<'a, L> {
+    campaign: &'a Campaign,
+    /// Place of the first run in the campaign.
+    first: u64,
+    /// Number of runs; lanes beyond it are simulated and forgotten.
+    count: usize,
+    closed_loop: PhantomData<L>,
+}
+
+impl<L: ClosedLoop> Kernel for Batch<'_, L> {
+    type Output = Vec<Record>;
+
+    #[inline(always)]
+    fn run<T: Real>(self) -> Vec<Record> {
+        let campaign = self.campaign;
         let options = Options {
             seed: campaign.seed,
-            run: campaign.first_run.wrapping_add(index),
+            run: campaign.first_run.wrapping_add(self.first),
             noise: campaign.noise,
             dispersion: campaign.dispersion,
         };
         let last = samples_in::<L>(campaign.horizon);
         let settle = samples_in::<L>(campaign.settle);
-        let grid = (campaign.band && index < band::RUNS).then(|| Grid::new::<L>(last));
-        let mut record = Self::new::<L>(grid.is_some());
-        let mut scratch = Scratch::new::<L>();
-        let mut simulation = Simulation::<L>::new(&options, last);
-        while let Some((sample, closed_loop)) = simulation.next_sample() {
-            record.add_sample(closed_loop, sample >= settle, &mut scratch);
-            if let (Some(grid), Some(values)) = (&grid, &mut record.band)
-                && grid.contains(sample)
-            {
-                closed_loop.telemetry(&mut scratch.row);
-                grid.pick(&scratch.row, values);
+        let grid = (campaign.band && self.first < band::RUNS).then(|| Grid::new::<L>(last));
+        let observed = |sample| grid.as_ref().is_some_and(|grid| grid.contains(sample));
+        let mut sums = Sums::<T>::new::<L>();
+        let mut bands = vec![Vec::new(); self.count];
+        let mut row = vec![T::zero(); L::SIGNALS.len()];
+        let alive = simulate::<T, L>(&options, last, observed, |sample, runs, alive| {
+            sums.add(runs, alive, sample >= settle);
+            if let Some(grid) = grid.as_ref().filter(|grid| grid.contains(sample)) {
+                T::outlined(|| runs.telemetry(&mut row));
+                for (lane, values) in bands.iter_mut().enumerate() {
+                    if alive.to_bits() >> lane & 1 == 1 {
+                        grid.pick(|signal| row[signal].lane(lane), values);
+                    }
+                }
             }
-        }
-        record.diverged = simulation.diverged();
-        record
-    }
-
-    fn new<L: ClosedLoop>(band: bool) -> Self {
-        Self {
-            samples: 0,
-            diverged: false,
-            ratio: None,
-            settled: 0,
-            squared_error: vec![0.0; L::OUTPUTS.len()],
-            saturated: vec![0; L::INPUTS.len()],
-            band: band.then(Vec::new),
-        }
-    }
-
-    fn add_sample<L: ClosedLoop>(&mut self, closed_loop: &L, settled: bool, scratch: &mut Scratch) {
-        self.samples += 1;
-        let ratio = closed_loop.constraint_ratio();
-        if !ratio.is_nan() {
-            self.ratio = Some(self.ratio.map_or(ratio, |largest| largest.max(ratio)));
-        }
-        if settled {
-            closed_loop.tracking_error(&mut scratch.error);
-            self.settled += 1;
-            for (sum, e) in self.squared_error.iter_mut().zip(&scratch.error) {
-                *sum += e * e;
-            }
-        }
-        closed_loop.saturated(&mut scratch.saturated);
-        for (count, &at_limit) in self.saturated.iter_mut().zip(&scratch.saturated) {
-            *count += u64::from(at_limit);
-        }
+        });
+        let banded = |lane: usize| grid.is_some() && self.first + (lane as u64) < band::RUNS;
+        let records = bands.into_iter().enumerate().map(|(lane, values)| {
+            let diverged = alive.to_bits() >> lane & 1 == 0;
+            sums.record(lane, diverged, banded(lane).then_some(values))
+        });
+        records.collect()
     }
 }
 
-/// Where the loop writes what it is asked for, allocated once a run.
-struct Scratch {
-    row: Vec<f64>,
-    error: Vec<f64>,
-    saturated: Vec<bool>,
+/// Counts and sums over the samples of each lane's run. Counts are numbers like the rest, exact up to 2^53.
+struct Sums<T: Real> {
+    samples: T,
+    /// Minus infinity before the first.
+    ratio: T,
+    settled: T,
+    squared_error: Vec<T>,
+    saturated: Vec<T>,
+    /// Where the loop writes its errors and limits.
+    error: Vec<T>,
+    at_limit: Vec<T::Mask>,
 }
 
-impl Scratch {
+impl<T: Real> Sums<T> {
     fn new<L: ClosedLoop>() -> Self {
         Self {
-            row: vec![0.0; L::SIGNALS.len()],
-            error: vec![0.0; L::OUTPUTS.len()],
-            saturated: vec![false; L::INPUTS.len()],
+            samples: T::zero(),
+            ratio: T::from_f64(f64::NEG_INFINITY),
+            settled: T::zero(),
+            squared_error: vec![T::zero(); L::OUTPUTS.len()],
+            saturated: vec![T::zero(); L::INPUTS.len()],
+            error: vec![T::zero(); L::OUTPUTS.len()],
+            at_limit: vec![T::Mask::splat(false); L::INPUTS.len()],
         }
     }
+
+    /// Adds a sample of the runs that are alive.
+    #[inline(always)]
+    fn add(&mut self, runs: &impl Runs<T>, alive: T::Mask, settled: bool) {
+        self.samples = self.samples + one_where(alive);
+        let ratio = T::select(alive, runs.constraint_ratio(), self.ratio);
+        self.ratio = ratio.max(self.ratio);
+        if settled {
+            runs.tracking_error(&mut self.error);
+            self.settled = self.settled + one_where(alive);
+            for i in 0..self.error.len() {
+                let square = self.error[i] * self.error[i];
+                self.squared_error[i] = self.squared_error[i] + T::select(alive, square, T::zero());
+            }
+        }
+        runs.saturated(&mut self.at_limit);
+        for i in 0..self.at_limit.len() {
+            self.saturated[i] = self.saturated[i] + one_where(alive.and(self.at_limit[i]));
+        }
+    }
+
+    fn record(&self, lane: usize, diverged: bool, band: Option<Vec<f64>>) -> Record {
+        let ratio = self.ratio.lane(lane);
+        let count = |count: T| count.lane(lane) as u64;
+        Record {
+            samples: count(self.samples),
+            diverged,
+            ratio: (ratio != f64::NEG_INFINITY).then_some(ratio),
+            settled: count(self.settled),
+            squared_error: self.squared_error.iter().map(|e| e.lane(lane)).collect(),
+            saturated: self.saturated.iter().map(|&n| count(n)).collect(),
+            band,
+        }
+    }
+}
+
+/// 1 where the mask is true, else 0.
+#[inline(always)]
+fn one_where<T: Real>(mask: T::Mask) -> T {
+    T::select(mask, T::one(), T::zero())
 }

@@ -3,9 +3,10 @@ use std::ops::ControlFlow;
 use std::vec::Vec;
 
 use super::{Campaign, Summary, run, run_while};
-use crate::closed_loop::{ClosedLoop, Options};
+use crate::closed_loop::{Options, Runs};
+use crate::lanes::Width;
 use crate::mock::MockLoop;
-use crate::simulation::Simulation;
+use crate::simulation::simulate;
 
 fn campaign() -> Campaign {
     Campaign {
@@ -16,6 +17,7 @@ fn campaign() -> Campaign {
         settle: 0.3,
         noise: true,
         dispersion: true,
+        width: None,
         threads: 1,
         band: true,
     }
@@ -32,7 +34,7 @@ fn outcome(campaign: &Campaign) -> Summary {
 
 /// Largest constraint ratio of a run simulated by hand; infinite if it diverges.
 fn largest_ratio(run: u64) -> f64 {
-    let mut plant = MockLoop::<true>::new(&Options {
+    let mut plant = MockLoop::<true, f64>::new(&Options {
         seed: 5,
         run,
         noise: true,
@@ -43,7 +45,7 @@ fn largest_ratio(run: u64) -> f64 {
         if sample > 0 {
             plant.advance();
         }
-        plant.control();
+        plant.control(false);
         if !plant.is_finite() {
             return f64::INFINITY;
         }
@@ -64,6 +66,25 @@ fn threads_do_not_change_the_result() {
             one,
             "{threads} threads"
         );
+    }
+}
+
+#[test]
+fn lanes_do_not_change_the_result() {
+    let scalar = outcome(&Campaign {
+        width: Some(Width::Scalar),
+        ..campaign()
+    });
+    for width in Width::ALL.into_iter().filter(|width| width.is_available()) {
+        // 59 runs leave lanes of the last batch without one.
+        for (runs, alike) in [(60, true), (59, false)] {
+            let lanes = outcome(&Campaign {
+                width: Some(width),
+                runs,
+                ..campaign()
+            });
+            assert_eq!(lanes == scalar, alike, "{width:?}");
+        }
     }
 }
 
@@ -120,23 +141,21 @@ fn tracking_error_counts_from_the_settling_time() {
         runs: 1,
         ..campaign()
     };
-    let mut simulation = Simulation::<MockLoop<true>>::new(
-        &Options {
-            seed: 5,
-            run: 0,
-            noise: false,
-            dispersion: false,
-        },
-        100,
-    );
+    let options = Options {
+        seed: 5,
+        run: 0,
+        noise: false,
+        dispersion: false,
+    };
     let mut sum = 0.0;
-    while let Some((sample, plant)) = simulation.next_sample() {
+    let never = |_| false;
+    simulate::<f64, MockLoop<true>>(&options, 100, never, |sample, run, _| {
         let mut error = [0.0];
-        plant.tracking_error(&mut error);
+        run.tracking_error(&mut error);
         if sample >= 30 {
             sum += error[0] * error[0];
         }
-    }
+    });
     assert_eq!(
         outcome(&quiet).rms_tracking,
         [("x", (sum / 71.0_f64).sqrt())]

@@ -1,9 +1,8 @@
 //! Matrices, stored by rows.
 
-use core::array;
 use core::ops::{Add, Div, Index, IndexMut, Mul, Neg, Sub};
 
-use super::{Vector, elimination, singular, sum};
+use super::{Vector, array, elimination, rows, singular, sum};
 use crate::real::{Mask, Real};
 
 /// `R` rows of `C` numbers.
@@ -12,96 +11,99 @@ pub struct Matrix<T, const R: usize, const C: usize>(pub [[T; C]; R]);
 
 impl<T: Real, const R: usize, const C: usize> Matrix<T, R, C> {
     /// The same number in every entry.
-    #[inline]
+    #[inline(always)]
     pub fn splat(value: T) -> Self {
         Self([[value; C]; R])
     }
 
     /// Zeros.
-    #[inline]
+    #[inline(always)]
     pub fn zero() -> Self {
         Self::splat(T::zero())
     }
 
     /// Entries from literals, by rows.
-    #[inline]
-    pub fn from_f64(rows: [[f64; C]; R]) -> Self {
-        Self(rows.map(|row| row.map(T::from_f64)))
+    #[inline(always)]
+    pub fn from_f64(entries: [[f64; C]; R]) -> Self {
+        Self(rows(|i, j| T::from_f64(entries[i][j])))
     }
 
     /// `a` where the mask is true, else `b`.
-    #[inline]
+    #[inline(always)]
     pub fn select(mask: T::Mask, a: Self, b: Self) -> Self {
         a.zip(b, |a, b| T::select(mask, a, b))
     }
 
     /// `f` of each entry.
-    #[inline]
+    #[inline(always)]
     pub fn map(self, f: impl Fn(T) -> T) -> Self {
-        Self(self.0.map(|row| row.map(&f)))
+        Self(rows(|i, j| f(self.0[i][j])))
     }
 
     /// `f` of the entries at each place.
-    #[inline]
+    #[inline(always)]
     pub fn zip(self, other: Self, f: impl Fn(T, T) -> T) -> Self {
-        Self(array::from_fn(|i| {
-            array::from_fn(|j| f(self.0[i][j], other.0[i][j]))
-        }))
+        Self(rows(|i, j| f(self.0[i][j], other.0[i][j])))
     }
 
     /// `a_ij s`.
-    #[inline]
+    #[inline(always)]
     pub fn scale(self, factor: T) -> Self {
         self.map(|x| x * factor)
     }
 
     /// `a_ij + s`.
-    #[inline]
+    #[inline(always)]
     pub fn add_scalar(self, term: T) -> Self {
         self.map(|x| x + term)
     }
 
     /// Elementwise product `a_ij b_ij`.
-    #[inline]
+    #[inline(always)]
     pub fn hadamard(self, other: Self) -> Self {
         self.zip(other, |a, b| a * b)
     }
 
     /// Elementwise quotient `a_ij / b_ij`.
-    #[inline]
+    #[inline(always)]
     pub fn quotient(self, other: Self) -> Self {
         self.zip(other, |a, b| a / b)
     }
 
     /// Rows and columns exchanged.
-    #[inline]
+    #[inline(always)]
     pub fn transpose(self) -> Matrix<T, C, R> {
-        Matrix(array::from_fn(|j| array::from_fn(|i| self.0[i][j])))
+        Matrix(rows(|j, i| self.0[i][j]))
     }
 
     /// Column `j`.
-    #[inline]
+    #[inline(always)]
     pub fn column(&self, j: usize) -> Vector<T, R> {
-        Vector(array::from_fn(|i| self.0[i][j]))
+        Vector(array(|i| self.0[i][j]))
     }
 
     /// Sum of the squares of all entries, row after row, left to right.
-    #[inline]
+    #[inline(always)]
     pub fn sum_squares(self) -> T {
-        let mut squares = self.0.iter().flatten().map(|&x| x * x);
-        let Some(first) = squares.next() else {
+        if R == 0 || C == 0 {
             return T::zero();
-        };
-        squares.fold(first, |sum, square| sum + square)
+        }
+        let mut sum = self.0[0][0] * self.0[0][0];
+        for k in 1..R * C {
+            let entry = self.0[k / C][k % C];
+            sum = sum + entry * entry;
+        }
+        sum
     }
 
     /// Whether every entry is finite.
-    #[inline]
+    #[inline(always)]
     pub fn is_finite(self) -> T::Mask {
-        self.0
-            .iter()
-            .flatten()
-            .fold(T::Mask::splat(true), |all, x| all.and(x.is_finite()))
+        let mut all = T::Mask::splat(true);
+        for i in 0..R {
+            all = all.and(Vector(self.0[i]).is_finite());
+        }
+        all
     }
 
     /// Unit right singular vector `v` of the largest singular value, so that `||A v||` is the spectral norm of `A`.
@@ -114,7 +116,7 @@ impl<T: Real, const R: usize, const C: usize> Matrix<T, R, C> {
     /// 3. The column of V of the first largest `s_jj`, negated if its first entry of largest magnitude is negative.
     ///
     /// A zero matrix gives the first unit vector. Entries beyond about 1e77 overflow the rotation formulas.
-    #[inline]
+    #[inline(always)]
     pub fn singular_vector(self) -> Vector<T, C> {
         singular::leading_right_vector(&self)
     }
@@ -137,7 +139,7 @@ impl<T: Real, const N: usize> Matrix<T, N, N> {
     /// - `n >= 4`: elimination with partial pivoting. For each `k`, row k and the row of the first largest `|a_ik|`, `i >= k`, are swapped;
     ///   for each `i > k`, `l = a_ik / a_kk`, `a_ij = a_ij - l a_kj` for `j > k`, `b_i = b_i - l b_k`. Then from the last row up
     ///   `x_i = (((b_i - a_i,i+1 x_i+1) - a_i,i+2 x_i+2) - ...) / a_ii`.
-    #[inline]
+    #[inline(always)]
     pub fn solve(self, b: Vector<T, N>) -> Vector<T, N> {
         elimination::solve(self.0, b.0)
     }
@@ -146,14 +148,14 @@ impl<T: Real, const N: usize> Matrix<T, N, N> {
 impl<T, const R: usize, const C: usize> Index<(usize, usize)> for Matrix<T, R, C> {
     type Output = T;
 
-    #[inline]
+    #[inline(always)]
     fn index(&self, (i, j): (usize, usize)) -> &T {
         &self.0[i][j]
     }
 }
 
 impl<T, const R: usize, const C: usize> IndexMut<(usize, usize)> for Matrix<T, R, C> {
-    #[inline]
+    #[inline(always)]
     fn index_mut(&mut self, (i, j): (usize, usize)) -> &mut T {
         &mut self.0[i][j]
     }
@@ -162,7 +164,7 @@ impl<T, const R: usize, const C: usize> IndexMut<(usize, usize)> for Matrix<T, R
 impl<T: Real, const R: usize, const C: usize> Add for Matrix<T, R, C> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         self.zip(other, |a, b| a + b)
     }
@@ -171,7 +173,7 @@ impl<T: Real, const R: usize, const C: usize> Add for Matrix<T, R, C> {
 impl<T: Real, const R: usize, const C: usize> Sub for Matrix<T, R, C> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         self.zip(other, |a, b| a - b)
     }
@@ -180,7 +182,7 @@ impl<T: Real, const R: usize, const C: usize> Sub for Matrix<T, R, C> {
 impl<T: Real, const R: usize, const C: usize> Neg for Matrix<T, R, C> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         self.map(|x| -x)
     }
@@ -189,7 +191,7 @@ impl<T: Real, const R: usize, const C: usize> Neg for Matrix<T, R, C> {
 impl<T: Real, const R: usize, const C: usize> Mul<T> for Matrix<T, R, C> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn mul(self, factor: T) -> Self {
         self.scale(factor)
     }
@@ -199,7 +201,7 @@ impl<T: Real, const R: usize, const C: usize> Div<T> for Matrix<T, R, C> {
     type Output = Self;
 
     /// `a_ij / s`, a division for each entry.
-    #[inline]
+    #[inline(always)]
     fn div(self, divisor: T) -> Self {
         self.map(|x| x / divisor)
     }
@@ -209,9 +211,9 @@ impl<T: Real, const R: usize, const C: usize> Mul<Vector<T, C>> for Matrix<T, R,
     type Output = Vector<T, R>;
 
     /// Entry i is row i times the vector, summed over columns left to right.
-    #[inline]
+    #[inline(always)]
     fn mul(self, vector: Vector<T, C>) -> Vector<T, R> {
-        Vector(self.0.map(|row| Vector(row).dot(vector)))
+        Vector(array(|i| Vector(self.0[i]).dot(vector)))
     }
 }
 
@@ -221,10 +223,8 @@ impl<T: Real, const R: usize, const K: usize, const C: usize> Mul<Matrix<T, K, C
     type Output = Matrix<T, R, C>;
 
     /// Entry (i, j) is `a_i0 b_0j + a_i1 b_1j + ...`, left to right.
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: Matrix<T, K, C>) -> Matrix<T, R, C> {
-        Matrix(array::from_fn(|i| {
-            array::from_fn(|j| sum::<T, K>(|k| self.0[i][k] * other.0[k][j]))
-        }))
+        Matrix(rows(|i, j| sum::<T, K>(|k| self.0[i][k] * other.0[k][j])))
     }
 }

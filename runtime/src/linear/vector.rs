@@ -1,9 +1,8 @@
 //! Column vectors.
 
-use core::array;
 use core::ops::{Add, Div, Index, IndexMut, Mul, Neg, Sub};
 
-use super::{Matrix, sum};
+use super::{Matrix, array, rows, sum};
 use crate::real::{Mask, Real};
 
 /// A column of `N` numbers.
@@ -12,103 +11,105 @@ pub struct Vector<T, const N: usize>(pub [T; N]);
 
 impl<T: Real, const N: usize> Vector<T, N> {
     /// The same number in every entry.
-    #[inline]
+    #[inline(always)]
     pub fn splat(value: T) -> Self {
         Self([value; N])
     }
 
     /// Zeros.
-    #[inline]
+    #[inline(always)]
     pub fn zero() -> Self {
         Self::splat(T::zero())
     }
 
     /// Entries from literals.
-    #[inline]
+    #[inline(always)]
     pub fn from_f64(entries: [f64; N]) -> Self {
-        Self(entries.map(T::from_f64))
+        Self(array(|i| T::from_f64(entries[i])))
     }
 
     /// `a` where the mask is true, else `b`.
-    #[inline]
+    #[inline(always)]
     pub fn select(mask: T::Mask, a: Self, b: Self) -> Self {
         a.zip(b, |a, b| T::select(mask, a, b))
     }
 
     /// `f` of each entry.
-    #[inline]
+    #[inline(always)]
     pub fn map(self, f: impl Fn(T) -> T) -> Self {
-        Self(self.0.map(f))
+        Self(array(|i| f(self.0[i])))
     }
 
     /// `f` of the entries at each place.
-    #[inline]
+    #[inline(always)]
     pub fn zip(self, other: Self, f: impl Fn(T, T) -> T) -> Self {
-        Self(array::from_fn(|i| f(self.0[i], other.0[i])))
+        Self(array(|i| f(self.0[i], other.0[i])))
     }
 
     /// `v_i s`.
-    #[inline]
+    #[inline(always)]
     pub fn scale(self, factor: T) -> Self {
         self.map(|x| x * factor)
     }
 
     /// `v_i + s`.
-    #[inline]
+    #[inline(always)]
     pub fn add_scalar(self, term: T) -> Self {
         self.map(|x| x + term)
     }
 
     /// Elementwise product `a_i b_i`.
-    #[inline]
+    #[inline(always)]
     pub fn hadamard(self, other: Self) -> Self {
         self.zip(other, |a, b| a * b)
     }
 
     /// Elementwise quotient `a_i / b_i`.
-    #[inline]
+    #[inline(always)]
     pub fn quotient(self, other: Self) -> Self {
         self.zip(other, |a, b| a / b)
     }
 
     /// Inner product `a_0 b_0 + a_1 b_1 + ...`, left to right.
-    #[inline]
+    #[inline(always)]
     pub fn dot(self, other: Self) -> T {
         sum::<T, N>(|i| self.0[i] * other.0[i])
     }
 
     /// `v_0 v_0 + v_1 v_1 + ...`, left to right.
-    #[inline]
+    #[inline(always)]
     pub fn sum_squares(self) -> T {
         self.dot(self)
     }
 
     /// `a b^T`: entry (i, j) is `a_i b_j`.
-    #[inline]
+    #[inline(always)]
     pub fn outer<const C: usize>(self, other: Vector<T, C>) -> Matrix<T, N, C> {
-        Matrix(self.0.map(|a| other.0.map(|b| a * b)))
+        Matrix(rows(|i, j| self.0[i] * other.0[j]))
     }
 
     /// Whether every entry is finite.
-    #[inline]
+    #[inline(always)]
     pub fn is_finite(self) -> T::Mask {
-        self.0
-            .iter()
-            .fold(T::Mask::splat(true), |all, x| all.and(x.is_finite()))
+        let mut all = T::Mask::splat(true);
+        for i in 0..N {
+            all = all.and(self.0[i].is_finite());
+        }
+        all
     }
 }
 
 impl<T, const N: usize> Index<usize> for Vector<T, N> {
     type Output = T;
 
-    #[inline]
+    #[inline(always)]
     fn index(&self, i: usize) -> &T {
         &self.0[i]
     }
 }
 
 impl<T, const N: usize> IndexMut<usize> for Vector<T, N> {
-    #[inline]
+    #[inline(always)]
     fn index_mut(&mut self, i: usize) -> &mut T {
         &mut self.0[i]
     }
@@ -117,7 +118,7 @@ impl<T, const N: usize> IndexMut<usize> for Vector<T, N> {
 impl<T: Real, const N: usize> Add for Vector<T, N> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         self.zip(other, |a, b| a + b)
     }
@@ -126,7 +127,7 @@ impl<T: Real, const N: usize> Add for Vector<T, N> {
 impl<T: Real, const N: usize> Sub for Vector<T, N> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         self.zip(other, |a, b| a - b)
     }
@@ -135,7 +136,7 @@ impl<T: Real, const N: usize> Sub for Vector<T, N> {
 impl<T: Real, const N: usize> Neg for Vector<T, N> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         self.map(|x| -x)
     }
@@ -144,7 +145,7 @@ impl<T: Real, const N: usize> Neg for Vector<T, N> {
 impl<T: Real, const N: usize> Mul<T> for Vector<T, N> {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn mul(self, factor: T) -> Self {
         self.scale(factor)
     }
@@ -154,7 +155,7 @@ impl<T: Real, const N: usize> Div<T> for Vector<T, N> {
     type Output = Self;
 
     /// `v_i / s`, a division for each entry.
-    #[inline]
+    #[inline(always)]
     fn div(self, divisor: T) -> Self {
         self.map(|x| x / divisor)
     }

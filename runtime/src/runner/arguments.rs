@@ -86,6 +86,7 @@ pub(super) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Com
         settle: 0.0,
         noise: true,
         dispersion: true,
+        width: None,
         threads: thread::available_parallelism().map_or(1, usize::from),
         band: false,
     };

@@ -22,7 +22,7 @@ use std::{env, writeln};
 use crate::band::Band;
 use crate::closed_loop::{ClosedLoop, Options};
 use crate::ensemble::{Campaign, Summary, run_while};
-use crate::simulation::{Simulation, samples_in};
+use crate::simulation::{samples_in, telemetry};
 use arguments::{Command, Request, UsageError};
 use table::Table;
 
@@ -137,13 +137,9 @@ fn write_trajectory<L: ClosedLoop>(campaign: &Campaign, path: &Path, run: u64) -
         noise: campaign.noise,
         dispersion: campaign.dispersion,
     };
-    let mut simulation = Simulation::<L>::new(&options, samples_in::<L>(campaign.horizon));
-    let mut row = std::vec![0.0; L::SIGNALS.len()];
     let mut table = Table::create(path, L::SIGNALS)?;
-    while let Some((_, closed_loop)) = simulation.next_sample() {
-        closed_loop.telemetry(&mut row);
-        table.push(&row)?;
-    }
+    let last = samples_in::<L>(campaign.horizon);
+    telemetry::<L, _>(&options, last, |row| table.push(row))?;
     table.finish()
 }
 

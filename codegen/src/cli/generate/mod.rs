@@ -1,13 +1,15 @@
 //! `nsv generate`: writes the code of specifications, or checks that what is written is theirs.
 
 mod difference;
+mod explain;
+mod inspect;
 mod library;
 mod target;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::compile::{Partials, compile, load};
+use super::compile::{Math, Partials, compile, load};
 use super::failure::{Exit, Failure};
 use super::files::replace;
 use super::output::note;
@@ -26,10 +28,18 @@ pub(crate) struct Args {
     /// Write nothing; exit with 4 if a file is not what the specification gives
     #[arg(long)]
     check: bool,
+    /// What optimisation may change
+    #[arg(long, value_enum, default_value_t)]
+    math: Math,
+    #[command(flatten)]
+    inspect: inspect::Args,
 }
 
 /// Runs the verb.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    if args.inspect.wanted() {
+        return inspect::run(&args.inspect, &args.specs, args.math);
+    }
     let partials = if args.check {
         Partials::Stored
     } else {
@@ -46,7 +56,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
             &out,
             &model.name,
             &model.title,
-            compile(spec, &model, partials)?.files,
+            compile(spec, &model, partials, args.math)?.files,
         )?;
     }
     let differences = compare(&target)?;

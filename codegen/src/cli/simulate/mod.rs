@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use nsv_codegen::interrupt::Scratch;
 use nsv_spec::model::{MAX_STEPS, Model};
 
-use super::compile::{Partials, compile, load};
+use super::compile::{Math, Partials, compile, load};
 use super::failure::{Exit, Failure};
 use super::files;
 use super::output::{self, note};
@@ -50,6 +50,9 @@ pub(crate) struct Args {
     /// Worker threads; default: one for each core. Results do not depend on it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
+    /// What optimisation may change
+    #[arg(long, value_enum, default_value_t)]
+    math: Math,
     /// The run whose signals are written, counted from 0; without --runs it is the only one simulated
     #[arg(long, value_name = "K")]
     run: Option<u64>,
@@ -90,7 +93,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         files::expect_folder(path)?;
     }
     let (campaign, shown) = campaign(args, &model)?;
-    let compiled = compile(&args.spec, &model, Partials::Cached)?;
+    let compiled = compile(&args.spec, &model, Partials::Cached, args.math)?;
     let plant = Plant::from(&model);
     let replay = fly(
         &Cache::open()?,

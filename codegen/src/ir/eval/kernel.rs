@@ -1,6 +1,8 @@
 //! The smooth kernels of the barrier Lyapunov function. With S(z) = sin z / z and z = 2E: sin E cos E / E = S(2E), and its k-th derivative
 //! by E is 2^k S^(k)(2E). Below |z| = 2 the quotients cancel, so Taylor series take over; they are exact to the last place there.
 
+use nsv_math::real::Real;
+
 use crate::ir::Kernel;
 
 /// Argument |z| below which the derivatives are evaluated by their series.
@@ -59,12 +61,12 @@ pub(super) fn kernel(kernel: Kernel, e: f64) -> f64 {
     let z = e + e;
     match kernel {
         Kernel::SinCosOver if z == 0.0 => 1.0,
-        Kernel::SinCosOver => libm::sin(z) / z,
+        Kernel::SinCosOver => Real::sin(z) / z,
         Kernel::SinCosOverD1 => 2.0 * first(z),
         Kernel::SinCosOverD2 => 4.0 * second(z),
         Kernel::SinCosOverD3 => 8.0 * third(z),
         Kernel::TanOver if e == 0.0 => 1.0,
-        Kernel::TanOver => libm::tan(e) / e,
+        Kernel::TanOver => Real::tan(e) / e,
     }
 }
 
@@ -98,8 +100,8 @@ fn third(z: f64) -> f64 {
 
 /// S'(z) and S''(z) by the recurrence S^(k) = (d^k sin z - k S^(k-1)) / z, away from 0.
 fn quotients(z: f64) -> (f64, f64) {
-    let s0 = libm::sin(z) / z;
-    let s1 = (libm::cos(z) - s0) / z;
+    let s0 = Real::sin(z) / z;
+    let s1 = (Real::cos(z) - s0) / z;
     (s1, -(s0 + (s1 + s1) / z))
 }
 

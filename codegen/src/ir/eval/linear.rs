@@ -123,10 +123,10 @@ pub(super) fn singular_vector(a: &[f64], n: usize, out: &mut [f64]) {
 fn rotate(s: &mut [Vec<f64>], v: &mut [Vec<f64>], p: usize, q: usize) {
     let off = s[p][q];
     let theta = (s[q][q] - s[p][p]) / (off + off);
-    let root = 1.0 / (theta.abs() + libm::sqrt(theta * theta + 1.0));
+    let root = 1.0 / (theta.abs() + f64::sqrt(theta * theta + 1.0));
     let signed = if theta < 0.0 { -root } else { root };
     let tangent = if off == 0.0 { 0.0 } else { signed };
-    let cosine = 1.0 / libm::sqrt(tangent * tangent + 1.0);
+    let cosine = 1.0 / f64::sqrt(tangent * tangent + 1.0);
     let sine = tangent * cosine;
     let shift = tangent * off;
     s[p][p] -= shift;

@@ -90,6 +90,12 @@ impl Tables {
                     arguments.iter().map(|&argument| first(argument)).collect();
                 out[0] = self.polynomials[id.0 as usize].eval(&arguments);
             }
+            Op::Family(id, z) => {
+                let (members, z) = (&program.families[id.0 as usize].members, first(z));
+                for (entry, member) in out.iter_mut().zip(members) {
+                    *entry = member.eval(z);
+                }
+            }
             Op::Basis(id, z) => self.monomials(id, [value(z); 3], 0, out),
             Op::BasisRate(id, z, z1) => {
                 self.monomials(id, [value(z), value(z1), value(z1)], 1, out)

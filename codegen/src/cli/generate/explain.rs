@@ -1,0 +1,168 @@
+//! `nsv generate --explain-cost`: the operations of each program, pass by pass and equation by equation, as a table or as JSON.
+
+use std::fmt::Write as _;
+
+use nsv_codegen::lower::Programs;
+use nsv_codegen::opt::cost::Cost;
+use nsv_codegen::opt::explain::{EquationCost, Explanation, explain};
+use nsv_spec::model::{Block, Model};
+use serde_json::{Value, json};
+
+use crate::cli::compile::Math;
+
+/// Every program explained, in the order in which they are emitted.
+pub(super) fn explanations(programs: &Programs, math: Math) -> Vec<Explanation> {
+    let all = [
+        &programs.control,
+        &programs.plant,
+        &programs.initial,
+        &programs.lyapunov,
+        &programs.quantities,
+    ];
+    all.map(|program| explain(program, math.into())).into()
+}
+
+/// The line of the specification that a quantity comes from, `file:line`: that of its definition, or of its block.
+fn place(model: &Model, equation: &EquationCost) -> Option<String> {
+    let name = &equation.quantity;
+    let definition = model.definitions.iter().find(|known| known.name == *name);
+    let channel = |block: &&Block| block.states.iter().any(|state| state.name == *name);
+    let span = definition
+        .map(|definition| definition.span)
+        .or_else(|| Some(block(model, &equation.group)?.span))
+        .or_else(|| Some(model.blocks.iter().find(channel)?.span))?;
+    let (line, _) = model.sources.location(span);
+    Some(format!("{}:{line}", model.sources.source(span.file).name))
+}
+
+/// The block that a heading names, such as `virtual control of block 1 (31)`.
+fn block<'m>(model: &'m Model, heading: &str) -> Option<&'m Block> {
+    let (_, rest) = heading.split_once("block ")?;
+    let end = rest
+        .find(|c: char| !c.is_ascii_digit())
+        .unwrap_or(rest.len());
+    let number: usize = rest[..end].parse().ok()?;
+    model.blocks.get(number.checked_sub(1)?)
+}
+
+/// The explanations as JSON.
+pub(super) fn document(model: &Model, math: Math, explanations: &[Explanation]) -> Value {
+    let programs = explanations.iter().map(|explanation| {
+        let passes = explanation.passes.iter().map(|pass| {
+            json!({
+                "pass": pass.name,
+                "round": pass.round,
+                "instructions": pass.instructions,
+                "operations": counts(pass.cost),
+            })
+        });
+        let equations = explanation.equations.iter().map(|equation| {
+            json!({
+                "quantity": equation.quantity,
+                "group": equation.group,
+                "equation": equation.equation,
+                "spec": place(model, equation),
+                "before": counts(equation.before),
+                "after": counts(equation.after),
+            })
+        });
+        json!({
+            "program": explanation.program,
+            "lowered": counts(explanation.lowered),
+            "passes": passes.collect::<Vec<_>>(),
+            "optimised": counts(explanation.optimised()),
+            "equations": equations.collect::<Vec<_>>(),
+        })
+    });
+    let math = if math == Math::Fast { "fast" } else { "strict" };
+    json!({ "spec": model.name, "math": math, "programs": programs.collect::<Vec<_>>() })
+}
+
+fn counts(cost: Cost) -> Value {
+    cost.columns()
+        .map(|(name, count)| (name.to_owned(), count.into()))
+        .into_iter()
+        .collect::<serde_json::Map<String, Value>>()
+        .into()
+}
+
+/// The explanations as text.
+pub(super) fn table(model: &Model, explanations: &[Explanation]) -> String {
+    let mut text = String::new();
+    for explanation in explanations {
+        let _ = writeln!(text, "program {}", explanation.program);
+        passes(&mut text, explanation);
+        equations(&mut text, model, explanation);
+        text.push('\n');
+    }
+    text
+}
+
+/// Width of a count, and of a pair of counts.
+const COUNT: usize = 7;
+const PAIR: usize = 12;
+
+fn passes(text: &mut String, explanation: &Explanation) {
+    let _ = write!(text, "  {:<28}", "after pass (round)");
+    for (name, _) in explanation.lowered.columns() {
+        let _ = write!(text, "{name:>COUNT$}");
+    }
+    let rows = explanation
+        .passes
+        .iter()
+        .map(|pass| (format!("{} ({})", pass.name, pass.round), pass.cost));
+    for (name, cost) in std::iter::once(("lowered".to_owned(), explanation.lowered)).chain(rows) {
+        let _ = write!(text, "\n  {name:<28}");
+        for (_, count) in cost.columns() {
+            let _ = write!(text, "{count:>COUNT$}");
+        }
+    }
+    text.push('\n');
+}
+
+/// The equations of one heading, in which something is computed.
+fn equations(text: &mut String, model: &Model, explanation: &Explanation) {
+    let mut group = None;
+    for equation in &explanation.equations {
+        if equation.before == Cost::default() && equation.after == Cost::default() {
+            continue;
+        }
+        if group != Some(&equation.group) {
+            group = Some(&equation.group);
+            let heading = if equation.group.is_empty() {
+                "values without equation"
+            } else {
+                &equation.group
+            };
+            let _ = write!(text, "\n  {heading:<54}");
+            for (name, _) in equation.before.columns() {
+                let _ = write!(text, "{name:>PAIR$}");
+            }
+            text.push('\n');
+        }
+        row(text, model, equation);
+    }
+}
+
+/// `quantity  file:line  before>after ..`, and the equation below.
+fn row(text: &mut String, model: &Model, equation: &EquationCost) {
+    let place = place(model, equation).unwrap_or_default();
+    let _ = write!(text, "    {:<16} {place:<35}", equation.quantity);
+    for ((_, before), (_, after)) in equation
+        .before
+        .columns()
+        .iter()
+        .zip(equation.after.columns())
+    {
+        let cell = match (*before, after) {
+            (0, 0) => "-".to_owned(),
+            (before, after) if before == after => after.to_string(),
+            (before, after) => format!("{before} > {after}"),
+        };
+        let _ = write!(text, "{cell:>PAIR$}");
+    }
+    text.push('\n');
+    if !equation.equation.is_empty() {
+        let _ = writeln!(text, "        {}", equation.equation);
+    }
+}

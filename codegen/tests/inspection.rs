@@ -1,0 +1,103 @@
+//! `nsv generate` that shows what the optimiser does instead of writing code.
+
+use std::process::{Command, Output};
+
+use nsv_codegen::ir::Program;
+
+const PENDULUM: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/pendulum.yaml");
+
+fn generate(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_nsv"))
+        .arg("generate")
+        .args(arguments)
+        .output()
+        .expect("nsv starts")
+}
+
+fn shown(arguments: &[&str]) -> String {
+    let output = generate(arguments);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{stderr}");
+    String::from_utf8(output.stdout).expect("text")
+}
+
+fn refused(arguments: &[&str], said: &str) {
+    let output = generate(arguments);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{stderr}");
+    assert!(stderr.contains(said), "{stderr}");
+}
+
+#[test]
+fn any_program_is_shown_at_any_stage_and_reads_back() {
+    for which in ["control", "plant", "initial", "lyapunov", "quantities"] {
+        for stage in ["lowered", "value_numbering", "optimised"] {
+            let text = shown(&[PENDULUM, "--emit=ir", "--program", which, "--stage", stage]);
+            let program: Program = text.parse().expect("a program");
+            program.assert_sound();
+            assert_eq!(program.name, which);
+            assert_eq!(program.to_string(), text);
+        }
+    }
+}
+
+#[test]
+fn fewer_operations_are_left_from_stage_to_stage() {
+    let lines = |more: &[&str]| {
+        let text = shown(&[&[PENDULUM, "--emit=ir"], more].concat());
+        text.lines().filter(|line| line.starts_with('%')).count()
+    };
+    let (lowered, strict) = (lines(&["--stage=lowered"]), lines(&[]));
+    assert!(strict < lowered, "{strict} {lowered}");
+    assert!(lines(&["--math=fast"]) <= strict);
+}
+
+#[test]
+fn a_stage_that_does_not_exist_is_refused_with_a_list_of_those_that_do() {
+    let unknown = ["--emit=ir", "--stage=inline"];
+    refused(&[&[PENDULUM], &unknown[..]].concat(), "lowered, fold, ");
+    let only_fast = [PENDULUM, "--emit=ir", "--stage=structural_zeros"];
+    refused(&only_fast, "no stage `structural_zeros`");
+    shown(&[&only_fast[..], &["--math=fast"]].concat());
+    refused(
+        &[PENDULUM, PENDULUM, "--emit=ir"],
+        "expected one specification",
+    );
+    refused(&[PENDULUM, "--emit=ir", "--check"], "--check");
+    refused(&[PENDULUM, "--stage=lowered"], "--emit");
+}
+
+#[test]
+fn code_of_another_arithmetic_is_stale() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().to_str().expect("a path in UTF-8");
+    let run = |more: &[&str]| generate(&[&[PENDULUM, "--out", out], more].concat());
+    assert_eq!(run(&["--math=fast"]).status.code(), Some(0));
+    assert_eq!(run(&["--math=fast", "--check"]).status.code(), Some(0));
+    assert_eq!(run(&["--check"]).status.code(), Some(4));
+}
+
+#[test]
+fn operations_are_explained_by_pass_and_by_equation() {
+    let table = shown(&[PENDULUM, "--explain-cost"]);
+    for said in [
+        "program control",
+        "value_numbering (1)",
+        "e_1 = x_1 - y_r",
+        "pendulum.yaml:",
+    ] {
+        assert!(table.contains(said), "{said}: {table}");
+    }
+    let json = shown(&[PENDULUM, "--explain-cost", "--format=json", "--math=fast"]);
+    let document: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(document["math"], "fast");
+    let control = &document["programs"][0];
+    let sum = |when: &str| -> u64 {
+        let equations = control["equations"].as_array().expect("a list").iter();
+        equations
+            .map(|equation| equation[when]["mul"].as_u64().expect("a count"))
+            .sum()
+    };
+    assert_eq!(control["lowered"]["mul"], sum("before"));
+    assert_eq!(control["optimised"]["mul"], sum("after"));
+}

@@ -1,0 +1,48 @@
+//! Polynomials of one degree at one argument.
+
+use crate::real::Real;
+
+/// The values at `z` of `K` polynomials by Horner's scheme: `r = c_n`, then `r = r*z + c` for each lower power. A row holds the
+/// coefficients of one power, the highest first; a power that a polynomial does not have is `-0.0`, which adds nothing to any number.
+///
+/// Error bound, with n rows: `1.01 * 2 (n - 1) * 2^-53 * sum |c_i| |z|^i` (Higham, Accuracy and Stability of Numerical Algorithms, (5.3)).
+#[inline(always)]
+pub fn horner<T: Real, const K: usize, const ROWS: usize>(rows: &[[f64; K]; ROWS], z: T) -> [T; K] {
+    let mut values = [T::zero(); K];
+    for (power, row) in rows.iter().enumerate() {
+        for (value, &coefficient) in values.iter_mut().zip(row) {
+            let coefficient = T::from_f64(coefficient);
+            *value = if power == 0 {
+                coefficient
+            } else {
+                *value * z + coefficient
+            };
+        }
+    }
+    values
+}
+
+#[cfg(test)]
+mod tests {
+    use super::horner;
+
+    #[test]
+    fn each_column_is_a_polynomial() {
+        let rows = [[2.0, -1.0], [3.0, -0.0], [0.5, 4.0]];
+        assert_eq!(
+            horner(&rows, 3.0),
+            [(2.0 * 3.0 + 3.0) * 3.0 + 0.5, -9.0 + 4.0]
+        );
+    }
+
+    #[test]
+    fn a_power_without_a_term_keeps_the_sign_of_zero() {
+        let [value] = horner(&[[1.0], [-0.0]], -0.0);
+        assert!(value == 0.0 && f64::is_sign_negative(value));
+    }
+
+    #[test]
+    fn a_constant_is_one_at_infinity() {
+        assert_eq!(horner(&[[7.0]], f64::INFINITY), [7.0]);
+    }
+}
