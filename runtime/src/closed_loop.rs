@@ -33,13 +33,17 @@ pub trait ClosedLoop {
 }
 
 /// A plant under sampled control; each lane is a run of its own. A run is `new`, then `control` and `advance` in turn.
+/// Implementations are `#[inline(always)]`, as [`crate::lanes`] asks.
 pub trait Runs<T: Real> {
     /// The initial state of the runs.
     fn new(options: &Options) -> Self;
 
-    /// Control sample k: computes the law and updates the controller's states. The other queries are valid afterwards, telemetry only if
-    /// the sample is `observed`.
-    fn control(&mut self, observed: bool);
+    /// Prepares for telemetry of the next control sample.
+    fn observe(&mut self);
+
+    /// Control sample k: computes the law and updates the controller's states. The other queries are valid afterwards, telemetry after
+    /// [`Runs::observe`] only.
+    fn control(&mut self);
 
     /// Moves the plant over one sample time.
     fn advance(&mut self);

@@ -79,7 +79,10 @@ impl<const CONSTRAINED: bool, T: Real> Runs<T> for MockLoop<CONSTRAINED, T> {
     }
 
     #[inline(always)]
-    fn control(&mut self, _observed: bool) {
+    fn observe(&mut self) {}
+
+    #[inline(always)]
+    fn control(&mut self) {
         self.u = T::from_f64(-8.0) * self.error();
         self.plant.u = self.u.max(T::from_f64(-LIMIT)).min(T::from_f64(LIMIT));
     }

@@ -62,7 +62,8 @@ fn telemetry<L: ClosedLoop>(options: &Options, samples: usize) -> Vec<Vec<f64>> 
     let mut runs = L::Runs::<f64>::new(options);
     let rows = (0..samples).map(|_| {
         let mut row = vec![0.0; L::SIGNALS.len()];
-        runs.control(true);
+        runs.observe();
+        runs.control();
         runs.telemetry(&mut row);
         runs.advance();
         row

@@ -88,6 +88,7 @@ impl Controller<'_> {
         items.push(self.output(&control));
         items.push(self.controller_struct());
         items.push(self.controller_impl(&initial, &control));
+        items.push(self.begin(&initial));
         items.extend(initial.items(comments));
         items.extend(control.items(comments));
         items
@@ -196,7 +197,6 @@ impl Controller<'_> {
     fn controller_impl(&self, initial: &Function<'_>, control: &Function<'_>) -> TokenStream {
         let (names, parameters) = self.measurements();
         let start = call(initial, &quote!(&self.state));
-        let begin = self.begin(&start);
         let new_docs = docs(&["A controller that starts at its first step."]);
         let reset_docs = docs(&[
             "Starts anew from these measurements; from the next ones if they are not finite.",
@@ -222,8 +222,6 @@ impl Controller<'_> {
 
                 #step
 
-                #begin
-
                 #state_docs
                 #[inline(always)]
                 pub fn state(&self) -> &State<T> { &self.state }
@@ -236,14 +234,38 @@ impl Controller<'_> {
     }
 
     /// The states at the first sample, in a function of its own because it runs once.
-    fn begin(&self, start: &TokenStream) -> TokenStream {
+    fn begin(&self, initial: &Function<'_>) -> TokenStream {
         let (_, parameters) = self.measurements();
-        let docs = docs(&["Initialises the states where the mask is true."]);
+        let (t, x) = parameters
+            .split_first()
+            .expect("invariant: time and states");
+        let arguments = initial.arguments().into_iter().map(|argument| {
+            let name = ident(&argument);
+            match argument.as_str() {
+                "params" => quote!(&self.controller.params),
+                _ => quote!(self.#name),
+            }
+        });
+        let name = initial.name();
+        let docs = docs(&["Initialises the states where the mask is true; zero if not finite."]);
         quote! {
             #docs
-            #[inline(always)]
-            fn begin(&mut self, mask: T::Mask, #(#parameters),*) {
-                T::outlined(|| self.state = State::select(mask, &#start, &self.state));
+            struct Begin<'a, T: Real> {
+                controller: &'a mut Controller<T>,
+                mask: T::Mask,
+                #t,
+                #(#x),*
+            }
+
+            impl<T: Real> Part for Begin<'_, T> {
+                type Output = ();
+
+                #[inline(always)]
+                fn run(self) {
+                    let start = #name(#(#arguments),*);
+                    let start = State::select(start.is_finite(), &start, &State::zero());
+                    self.controller.state = State::select(self.mask, &start, &self.controller.state);
+                }
             }
         }
     }
@@ -286,7 +308,7 @@ impl Controller<'_> {
                 let measured = #finite;
                 let starting = measured.and(self.started.not());
                 if starting.any() {
-                    self.begin(starting, #(#names),*);
+                    T::outlined(Begin { controller: self, mask: starting, #(#names),* });
                 }
                 let law = #law;
                 let valid = measured.and(law.u.is_finite()).and(law.u_sat.is_finite()) #next_finite;

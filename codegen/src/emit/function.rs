@@ -140,7 +140,6 @@ impl Function<'_> {
     fn names(&self, plan: &Plan) -> (Names<'_>, Vec<TokenStream>) {
         let program = self.program;
         let mut scope = Scope::default();
-        let entry = scope.claim("entry");
         let arguments: BTreeMap<String, Ident> = self
             .arguments()
             .into_iter()
@@ -199,7 +198,6 @@ impl Function<'_> {
                 polynomials,
                 families,
                 bases,
-                entry,
             },
             parameters,
         )

@@ -140,43 +140,67 @@ impl Plant<'_> {
     fn equation(&self, function: &Function<'_>) -> TokenStream {
         let (held, call) = (self.held(), call(function));
         let wiener = noise_channels(self.plant) > 0 && !held;
-        let drift = if held {
-            quote!({ let rate = #call; rate.drift + diffuse(&rate.diffusion, &self.xi) })
-        } else {
-            quote!(#call.drift)
-        };
-        let (columns, diffusion) = if wiener {
-            (
-                quote!(NOISE_CHANNELS),
-                quote!(T::outlined(|| #call.diffusion)),
-            )
+        let vector = quote!(Vector<T, STATES>);
+        let columns = if wiener {
+            quote!(NOISE_CHANNELS)
         } else {
             let none = Literal::usize_unsuffixed(0);
-            (quote!(#none), quote!(Matrix::zero()))
+            quote!(#none)
         };
-        let used =
-            |used: bool, name: &str| ident(&format!("{}{name}", if used { "" } else { "_" }));
-        let timed = function.arguments().iter().any(|argument| argument == "t");
-        let (t, x) = (used(timed, "t"), ident("x"));
-        let (diffusion_t, diffusion_x) = (used(timed && wiener, "t"), used(wiener, "x"));
-        let together = wiener.then(|| {
+        let (drift_docs, drift) = if held {
+            (
+                "Drift, with the noise that is held between samples.",
+                quote!(let rate = #call; rate.drift + diffuse(&rate.diffusion, &self.plant.xi)),
+            )
+        } else {
+            ("Drift.", quote!(#call.drift))
+        };
+        let mut parts = vec![part("Drift", drift_docs, &vector, &drift, None)];
+        let diffusion = if wiener {
+            let matrix = quote!(Matrix<T, STATES, NOISE_CHANNELS>);
+            let both = quote!(let rate = #call; (rate.drift, diffuse(&rate.diffusion, self.dw)));
+            parts.push(part(
+                "Diffusion",
+                "Diffusion.",
+                &matrix,
+                &quote!(#call.diffusion),
+                None,
+            ));
+            parts.push(part(
+                "Rates",
+                "Drift, and diffusion times noise.",
+                &quote!((#vector, #vector)),
+                &both,
+                Some(&quote!(dw: &'a Vector<T, NOISE_CHANNELS>)),
+            ));
             quote! {
                 #[inline(always)]
-                fn drift_and_noise(&self, #t: T, #x: &Vector<T, STATES>, dw: &Vector<T, #columns>) -> (Vector<T, STATES>, Vector<T, STATES>) {
-                    T::outlined(|| { let rate = #call; (rate.drift, diffuse(&rate.diffusion, dw)) })
+                fn diffusion(&self, t: T, x: &#vector) -> #matrix {
+                    T::outlined(Diffusion { plant: self, t, x })
+                }
+
+                #[inline(always)]
+                fn drift_and_noise(&self, t: T, x: &#vector, dw: &Vector<T, NOISE_CHANNELS>) -> (#vector, #vector) {
+                    T::outlined(Rates { plant: self, t, x, dw })
                 }
             }
-        });
+        } else {
+            quote! {
+                #[inline(always)]
+                fn diffusion(&self, _t: T, _x: &#vector) -> Matrix<T, STATES, #columns> { Matrix::zero() }
+            }
+        };
         quote! {
             impl<T: Real> Sde<T, STATES, #columns> for Plant<T> {
                 #[inline(always)]
-                fn drift(&self, #t: T, #x: &Vector<T, STATES>) -> Vector<T, STATES> { T::outlined(|| #drift) }
+                fn drift(&self, t: T, x: &#vector) -> #vector {
+                    T::outlined(Drift { plant: self, t, x })
+                }
 
-                #[inline(always)]
-                fn diffusion(&self, #diffusion_t: T, #diffusion_x: &Vector<T, STATES>) -> Matrix<T, STATES, #columns> { #diffusion }
-
-                #together
+                #diffusion
             }
+
+            #(#parts)*
         }
     }
 
@@ -226,16 +250,43 @@ fn entries_zero(program: &Program, array: ValueId) -> Vec<bool> {
     }
 }
 
+/// A part of the plant's equation as a function of its own: an integrator asks for it several times in a step.
+fn part(
+    name: &str,
+    about: &str,
+    output: &TokenStream,
+    body: &TokenStream,
+    noise: Option<&TokenStream>,
+) -> TokenStream {
+    let (name, docs) = (ident(name), docs(&[about]));
+    quote! {
+        #docs
+        struct #name<'a, T> {
+            plant: &'a Plant<T>,
+            t: T,
+            x: &'a Vector<T, STATES>,
+            #noise
+        }
+
+        impl<T: Real> Part for #name<'_, T> {
+            type Output = #output;
+
+            #[inline(always)]
+            fn run(self) -> #output { #body }
+        }
+    }
+}
+
 fn call(function: &Function<'_>) -> TokenStream {
     let name = function.name();
     let arguments = function
         .arguments()
         .into_iter()
         .map(|argument| match argument.as_str() {
-            "params" => quote!(&self.params),
-            "u_sat" => quote!(self.u_sat),
-            "x" => quote!(*x),
-            _ => quote!(t),
+            "params" => quote!(&self.plant.params),
+            "u_sat" => quote!(self.plant.u_sat),
+            "x" => quote!(*self.x),
+            _ => quote!(self.t),
         });
     quote!(#name(#(#arguments),*))
 }

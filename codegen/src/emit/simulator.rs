@@ -203,7 +203,7 @@ impl Simulator<'_> {
                 let mut controller = Controller::new(Params::design());
                 controller.reset(T::zero(), #(#measured),*);
                 let state = *controller.state();
-                let output = T::outlined(|| controller.clone().step(T::zero(), #(#measured),*));
+                let output = controller.clone().step(T::zero(), #(#measured),*);
                 #process
                 Self { controller, truth, x, state, output, sample: 0, #noise }
             }
@@ -224,10 +224,12 @@ impl Simulator<'_> {
         let blocks = self.blocks();
         quote! {
             #[inline(always)]
-            fn control(&mut self, observed: bool) {
-                if observed {
-                    self.state = *self.controller.state();
-                }
+            fn observe(&mut self) {
+                self.state = *self.controller.state();
+            }
+
+            #[inline(always)]
+            fn control(&mut self) {
                 let t = T::from_f64(self.time());
                 self.output = self.controller.step(t, #(self.#blocks()),*);
             }

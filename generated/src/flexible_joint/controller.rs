@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 23d2f1c3989dbfae4af2e735ab51603e7084c9cec0eb84da4e724e8ddde25dc4
+// SHA-256 of the text below: 6379e1aae1117a6d2b9d73445dbe05f2f4b13640156d245228d33b1090048f76
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
-// initial: 37 additions, 60 multiplications, 12 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
-// control: 104 additions, 131 multiplications, 15 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
+// initial: 36 additions, 61 multiplications, 12 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
+// control: 103 additions, 132 multiplications, 15 divisions, 0 square roots, 8 elementary functions, 6 comparisons and selections
 
 //! `flexible_joint`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `torque` in kg*m^2/s^2.
@@ -236,7 +236,15 @@ impl<T: Real> Controller<T> {
             .and(x4.is_finite());
         let starting = measured.and(self.started.not());
         if starting.any() {
-            self.begin(starting, t, x1, x2, x3, x4);
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+                x3,
+                x4,
+            });
         }
         let law = control(t, x1, x2, x3, x4, &self.state, &self.params);
         let valid = measured
@@ -274,26 +282,6 @@ impl<T: Real> Controller<T> {
         }
     }
 
-    /// Initialises the states where the mask is true.
-    #[inline(always)]
-    fn begin(
-        &mut self,
-        mask: T::Mask,
-        t: T,
-        x1: Vector<T, 1>,
-        x2: Vector<T, 1>,
-        x3: Vector<T, 1>,
-        x4: Vector<T, 1>,
-    ) {
-        T::outlined(|| {
-            self.state = State::select(
-                mask,
-                &initial(t, x1, x2, x3, x4, &self.params),
-                &self.state,
-            );
-        });
-    }
-
     /// The states.
     #[inline(always)]
     pub fn state(&self) -> &State<T> {
@@ -307,9 +295,36 @@ impl<T: Real> Controller<T> {
     }
 }
 
+/// Initialises the states where the mask is true; zero if not finite.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+    x3: Vector<T, 1>,
+    x4: Vector<T, 1>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(
+            self.t,
+            self.x1,
+            self.x2,
+            self.x3,
+            self.x4,
+            &self.controller.params,
+        );
+        let start = State::select(start.is_finite(), &start, &State::zero());
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+    }
+}
+
 /// The controller's states at its first sample.
 ///
-/// Operations: 37 additions, 60 multiplications, 12 divisions, 0 square roots, 7 elementary
+/// Operations: 36 additions, 61 multiplications, 12 divisions, 0 square roots, 8 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -545,7 +560,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 104 additions, 131 multiplications, 15 divisions, 0 square roots, 7 elementary
+/// Operations: 103 additions, 132 multiplications, 15 divisions, 0 square roots, 8 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
@@ -785,8 +800,8 @@ pub fn control<T: Real>(
     let u = -t14;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-3.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([3.0]), T::min);
+        .max(Vector::<T, 1>::from_f64([-3.0]))
+        .min(Vector::<T, 1>::from_f64([3.0]));
 
     // -- auxiliary system of block 4 (13) (E1) --
     // zeta_4' = -C_4 zeta_4 + G_4 (sat(u) - u)

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: a0268d2450b360aee5b27948b17005e4e65ed4e8a391615f855fa3cdb81f6bac
+// SHA-256 of the text below: 962e5aae40a28894af1b18634744f70ba4bfa9bab666162bf1822fefbaf4262c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
-// lyapunov: 266 additions, 317 multiplications, 39 divisions, 0 square roots, 14 elementary functions, 12 comparisons and selections
+// lyapunov: 263 additions, 317 multiplications, 37 divisions, 0 square roots, 13 elementary functions, 11 comparisons and selections
 
 //! `flexible_joint`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,8 +29,8 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 266 additions, 317 multiplications, 39 divisions, 0 square roots, 14 elementary
-/// functions, 12 comparisons and selections.
+/// Operations: 263 additions, 317 multiplications, 37 divisions, 0 square roots, 13 elementary
+/// functions, 11 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
@@ -281,8 +281,8 @@ pub fn lyapunov<T: Real>(
     let u = -t33;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-3.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([3.0]), T::min);
+        .max(Vector::<T, 1>::from_f64([-3.0]))
+        .min(Vector::<T, 1>::from_f64([3.0]));
 
     // -- auxiliary system of block 4 (13) (E1) --
     // zeta_4' = -C_4 zeta_4 + G_4 (sat(u) - u)

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 44261bb0a160f04f24e59eebcf6dfe80c21824a86f2105ac4db7d93587cebbc9
+// SHA-256 of the text below: 954bf27079e0381a0b8d064eb7c07f78dbc3e115be8c67bc290b07b30620fc87
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // plant: 18 additions, 22 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -11,7 +11,7 @@
 
 use super::params::Params;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
 
 /// Number of plant states: `q1` (dimensionless), `v1` (1/s), `q2` (dimensionless), `v2` (1/s),
@@ -36,12 +36,25 @@ pub struct Plant<T> {
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
     #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        T::outlined(|| plant(t, *x, self.u_sat, &self.params).drift)
+        T::outlined(Drift { plant: self, t, x })
     }
 
     #[inline(always)]
     fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
+    }
+}
+/// Drift.
+struct Drift<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Drift<'_, T> {
+    type Output = Vector<T, STATES>;
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
     }
 }
 

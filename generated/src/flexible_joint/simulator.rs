@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 2e3a6bb1b5339d3fffb556a91cc2daff8b22990006c63c1c4c52862358d5ba6e
+// SHA-256 of the text below: 14827660ab18739b7cd8b0355f7d25365fe1650a6784177b0b0243fd4bdbfa00
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
@@ -150,17 +150,15 @@ impl<T: Real> Runs<T> for Simulator<T> {
                 Vector([x[3]]),
             );
         let state = *controller.state();
-        let output = T::outlined(|| {
-            controller
-                .clone()
-                .step(
-                    T::zero(),
-                    Vector([x[0]]),
-                    Vector([x[1]]),
-                    Vector([x[2]]),
-                    Vector([x[3]]),
-                )
-        });
+        let output = controller
+            .clone()
+            .step(
+                T::zero(),
+                Vector([x[0]]),
+                Vector([x[1]]),
+                Vector([x[2]]),
+                Vector([x[3]]),
+            );
         Self {
             controller,
             truth,
@@ -172,10 +170,12 @@ impl<T: Real> Runs<T> for Simulator<T> {
     }
 
     #[inline(always)]
-    fn control(&mut self, observed: bool) {
-        if observed {
-            self.state = *self.controller.state();
-        }
+    fn observe(&mut self) {
+        self.state = *self.controller.state();
+    }
+
+    #[inline(always)]
+    fn control(&mut self) {
         let t = T::from_f64(self.time());
         self.output = self
             .controller

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: bc4f3707bb23dede085b63917f2e6868d84c20e3e0669ea657d15b8be0c1d535
+// SHA-256 of the text below: 0b6b76e5b88361e0cf83979b008e935212a97c5694e1d72aac268e744d894967
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// initial: 39 additions, 69 multiplications, 13 divisions, 1 square roots, 8 elementary functions, 3 comparisons and selections
-// control: 88 additions, 128 multiplications, 17 divisions, 3 square roots, 9 elementary functions, 9 comparisons and selections
+// initial: 38 additions, 70 multiplications, 13 divisions, 1 square roots, 9 elementary functions, 3 comparisons and selections
+// control: 87 additions, 129 multiplications, 17 divisions, 3 square roots, 10 elementary functions, 9 comparisons and selections
 
 //! `motor_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `voltage` in kg*m^2/(s^3*A).
@@ -230,7 +230,14 @@ impl<T: Real> Controller<T> {
             .and(x3.is_finite());
         let starting = measured.and(self.started.not());
         if starting.any() {
-            self.begin(starting, t, x1, x2, x3);
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+                x3,
+            });
         }
         let law = control(t, x1, x2, x3, &self.state, &self.params);
         let valid = measured
@@ -266,25 +273,6 @@ impl<T: Real> Controller<T> {
         }
     }
 
-    /// Initialises the states where the mask is true.
-    #[inline(always)]
-    fn begin(
-        &mut self,
-        mask: T::Mask,
-        t: T,
-        x1: Vector<T, 1>,
-        x2: Vector<T, 1>,
-        x3: Vector<T, 1>,
-    ) {
-        T::outlined(|| {
-            self.state = State::select(
-                mask,
-                &initial(t, x1, x2, x3, &self.params),
-                &self.state,
-            );
-        });
-    }
-
     /// The states.
     #[inline(always)]
     pub fn state(&self) -> &State<T> {
@@ -298,9 +286,28 @@ impl<T: Real> Controller<T> {
     }
 }
 
+/// Initialises the states where the mask is true; zero if not finite.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+    x3: Vector<T, 1>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(self.t, self.x1, self.x2, self.x3, &self.controller.params);
+        let start = State::select(start.is_finite(), &start, &State::zero());
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+    }
+}
+
 /// The controller's states at its first sample.
 ///
-/// Operations: 39 additions, 69 multiplications, 13 divisions, 1 square roots, 8 elementary
+/// Operations: 38 additions, 70 multiplications, 13 divisions, 1 square roots, 9 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -459,7 +466,7 @@ pub fn initial<T: Real>(
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = e2.map(T::tanh) * eps2;
+    let Lam2_error_bound = e2.tanh() * eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
     let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
     let t12 = s2 * s2;
@@ -525,7 +532,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 88 additions, 128 multiplications, 17 divisions, 3 square roots, 9 elementary
+/// Operations: 87 additions, 129 multiplications, 17 divisions, 3 square roots, 10 elementary
 /// functions, 9 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
@@ -682,7 +689,7 @@ pub fn control<T: Real>(
     let Lam2_filter = c2 * (real(0.05) * G_norm2_2);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t10 = e2.map(T::tanh);
+    let t10 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t10 * state.eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
@@ -774,8 +781,8 @@ pub fn control<T: Real>(
     let u = -t18;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-40.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([40.0]), T::min);
+        .max(Vector::<T, 1>::from_f64([-40.0]))
+        .min(Vector::<T, 1>::from_f64([40.0]));
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)

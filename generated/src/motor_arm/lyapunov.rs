@@ -1,7 +1,7 @@
-// SHA-256 of the text below: b15c6f1e409958bcb9e856bdd7e61a124f7171fad53001d1ce46026f5fbca2fa
+// SHA-256 of the text below: f265fe57574dd5ba247eb8c2ac286cc351c156ebbf1d666724621d90a8fd0df3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// lyapunov: 302 additions, 401 multiplications, 59 divisions, 2 square roots, 16 elementary functions, 14 comparisons and selections
+// lyapunov: 299 additions, 401 multiplications, 57 divisions, 2 square roots, 15 elementary functions, 13 comparisons and selections
 
 //! `motor_arm`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,8 +29,8 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 302 additions, 401 multiplications, 59 divisions, 2 square roots, 16 elementary
-/// functions, 14 comparisons and selections.
+/// Operations: 299 additions, 401 multiplications, 57 divisions, 2 square roots, 15 elementary
+/// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
@@ -199,7 +199,7 @@ pub fn lyapunov<T: Real>(
     let Lam2_filter = c2 * t23;
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t24 = e2.map(T::tanh);
+    let t24 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t24 * state.eps2;
     let t25 = s_c1 * s_c1;
@@ -302,8 +302,8 @@ pub fn lyapunov<T: Real>(
     let u = -t37;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-40.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([40.0]), T::min);
+        .max(Vector::<T, 1>::from_f64([-40.0]))
+        .min(Vector::<T, 1>::from_f64([40.0]));
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)

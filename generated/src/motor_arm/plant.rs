@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 022c031a5e5d852198699726ca5e54725f0dc69b9d85d90a1741cae28a6e1562
+// SHA-256 of the text below: cb7ddc19a9d1c78d5a3310872a3a6e72dfe16692f13e4e507b7de2f2b00bfb8c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // plant: 10 additions, 16 multiplications, 6 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -11,7 +11,7 @@
 
 use super::params::Params;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
 
 /// Number of plant states: `angle` (dimensionless), `rate` (1/s), `amps` (A), then 1 states of
@@ -36,7 +36,7 @@ pub struct Plant<T> {
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
     #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        T::outlined(|| plant(t, *x, self.u_sat, &self.params).drift)
+        T::outlined(Drift { plant: self, t, x })
     }
 
     #[inline(always)]
@@ -45,7 +45,7 @@ impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
         t: T,
         x: &Vector<T, STATES>,
     ) -> Matrix<T, STATES, NOISE_CHANNELS> {
-        T::outlined(|| plant(t, *x, self.u_sat, &self.params).diffusion)
+        T::outlined(Diffusion { plant: self, t, x })
     }
 
     #[inline(always)]
@@ -55,10 +55,48 @@ impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
         x: &Vector<T, STATES>,
         dw: &Vector<T, NOISE_CHANNELS>,
     ) -> (Vector<T, STATES>, Vector<T, STATES>) {
-        T::outlined(|| {
-            let rate = plant(t, *x, self.u_sat, &self.params);
-            (rate.drift, diffuse(&rate.diffusion, dw))
-        })
+        T::outlined(Rates { plant: self, t, x, dw })
+    }
+}
+/// Drift.
+struct Drift<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Drift<'_, T> {
+    type Output = Vector<T, STATES>;
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
+    }
+}
+/// Diffusion.
+struct Diffusion<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Diffusion<'_, T> {
+    type Output = Matrix<T, STATES, NOISE_CHANNELS>;
+    #[inline(always)]
+    fn run(self) -> Matrix<T, STATES, NOISE_CHANNELS> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).diffusion
+    }
+}
+/// Drift, and diffusion times noise.
+struct Rates<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+    dw: &'a Vector<T, NOISE_CHANNELS>,
+}
+impl<T: Real> Part for Rates<'_, T> {
+    type Output = (Vector<T, STATES>, Vector<T, STATES>);
+    #[inline(always)]
+    fn run(self) -> (Vector<T, STATES>, Vector<T, STATES>) {
+        let rate = plant(self.t, *self.x, self.plant.u_sat, &self.plant.params);
+        (rate.drift, diffuse(&rate.diffusion, self.dw))
     }
 }
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 6f834cf6097980694209ad6699b84ac0847ff45cfda81a9be0b7f69b9078810a
+// SHA-256 of the text below: 592de60f8a6d49afdb4ddcf0468e6ccfdc8e5f532deda0e0159ac89db26e8825
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 
@@ -143,11 +143,9 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let mut controller = Controller::new(Params::design());
         controller.reset(T::zero(), Vector([x[0]]), Vector([x[1]]), Vector([x[2]]));
         let state = *controller.state();
-        let output = T::outlined(|| {
-            controller
-                .clone()
-                .step(T::zero(), Vector([x[0]]), Vector([x[1]]), Vector([x[2]]))
-        });
+        let output = controller
+            .clone()
+            .step(T::zero(), Vector([x[0]]), Vector([x[1]]), Vector([x[2]]));
         let process = Noise::process(options.seed, options.run);
         Self {
             controller,
@@ -161,10 +159,12 @@ impl<T: Real> Runs<T> for Simulator<T> {
     }
 
     #[inline(always)]
-    fn control(&mut self, observed: bool) {
-        if observed {
-            self.state = *self.controller.state();
-        }
+    fn observe(&mut self) {
+        self.state = *self.controller.state();
+    }
+
+    #[inline(always)]
+    fn control(&mut self) {
         let t = T::from_f64(self.time());
         self.output = self.controller.step(t, self.x1(), self.x2(), self.x3());
     }

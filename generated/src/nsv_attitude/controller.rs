@@ -1,8 +1,8 @@
-// SHA-256 of the text below: fc711497749e2554ba1c9634b259d1fa1024ac8fedb4d30d8d0efb19e19e925e
+// SHA-256 of the text below: a1c28e1772c0df6fe9c0b8da19c41d1cd5f27d3fe9182361ef45194ba9c89f81
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// initial: 163 additions, 224 multiplications, 15 divisions, 0 square roots, 18 elementary functions, 6 comparisons and selections
-// control: 878 additions, 1161 multiplications, 56 divisions, 4 square roots, 25 elementary functions, 21 comparisons and selections
+// initial: 162 additions, 225 multiplications, 15 divisions, 0 square roots, 19 elementary functions, 6 comparisons and selections
+// control: 876 additions, 1163 multiplications, 56 divisions, 4 square roots, 27 elementary functions, 21 comparisons and selections
 
 //! `nsv_attitude`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `M_x` in kg*m^2/s^2, `M_y` in kg*m^2/s^2, `M_z` in
@@ -217,7 +217,13 @@ impl<T: Real> Controller<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
         let starting = measured.and(self.started.not());
         if starting.any() {
-            self.begin(starting, t, x1, x2);
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+            });
         }
         let law = control(t, x1, x2, &self.state, &self.params);
         let valid = measured
@@ -252,18 +258,6 @@ impl<T: Real> Controller<T> {
         }
     }
 
-    /// Initialises the states where the mask is true.
-    #[inline(always)]
-    fn begin(&mut self, mask: T::Mask, t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) {
-        T::outlined(|| {
-            self.state = State::select(
-                mask,
-                &initial(t, x1, x2, &self.params),
-                &self.state,
-            );
-        });
-    }
-
     /// The states.
     #[inline(always)]
     pub fn state(&self) -> &State<T> {
@@ -277,9 +271,27 @@ impl<T: Real> Controller<T> {
     }
 }
 
+/// Initialises the states where the mask is true; zero if not finite.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 3>,
+    x2: Vector<T, 3>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(self.t, self.x1, self.x2, &self.controller.params);
+        let start = State::select(start.is_finite(), &start, &State::zero());
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+    }
+}
+
 /// The controller's states at its first sample.
 ///
-/// Operations: 163 additions, 224 multiplications, 15 divisions, 0 square roots, 18 elementary
+/// Operations: 162 additions, 225 multiplications, 15 divisions, 0 square roots, 19 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -482,7 +494,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 878 additions, 1161 multiplications, 56 divisions, 4 square roots, 25 elementary
+/// Operations: 876 additions, 1163 multiplications, 56 divisions, 4 square roots, 27 elementary
 /// functions, 21 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
@@ -789,7 +801,7 @@ pub fn control<T: Real>(
     let t33 = e2 * real(0.5);
     // e / (2 cos^2 E) (63)
     let Lam2_network = t33 / t29;
-    let t34 = t33.map(T::tanh);
+    let t34 = t33.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t34 * state.eps2;
     let t35 = G_norm2_1 * s_c1;
@@ -816,8 +828,8 @@ pub fn control<T: Real>(
     let u = -t41;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]), T::max)
-        .zip(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]), T::min);
+        .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
+        .min(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 831064f495355e43e56ad56503fe2bf0e0139f7e9c059453a907d139dda3a1c7
+// SHA-256 of the text below: 8ea472f26fb008b7fe673fa8720fcdd126f21d510ac378d92346efa6840f2b33
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// lyapunov: 2306 additions, 2745 multiplications, 129 divisions, 3 square roots, 32 elementary functions, 33 comparisons and selections
+// lyapunov: 2302 additions, 2746 multiplications, 127 divisions, 3 square roots, 32 elementary functions, 32 comparisons and selections
 
 //! `nsv_attitude`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,8 +29,8 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 2306 additions, 2745 multiplications, 129 divisions, 3 square roots, 32
-/// elementary functions, 33 comparisons and selections.
+/// Operations: 2302 additions, 2746 multiplications, 127 divisions, 3 square roots, 32
+/// elementary functions, 32 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
@@ -364,7 +364,7 @@ pub fn lyapunov<T: Real>(
     let t72 = e2 * real(0.5);
     // e / (2 cos^2 E) (63)
     let Lam2_network = t72 / t66;
-    let t73 = t72.map(T::tanh);
+    let t73 = t72.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t73 * state.eps2;
     let t74 = G_norm2_1 * s_c1;
@@ -392,8 +392,8 @@ pub fn lyapunov<T: Real>(
     let u = -t81;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]), T::max)
-        .zip(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]), T::min);
+        .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
+        .min(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)

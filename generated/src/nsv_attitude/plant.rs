@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 42a977d519bd0c91794cde7cb8c5e6e7ddf93990b87d1aa51d949133af26f982
+// SHA-256 of the text below: 9c081a9820807b128571408c3caded5c84c7c250bcd186b2d498bab34180d635
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // plant: 227 additions, 287 multiplications, 23 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
@@ -12,7 +12,7 @@
 use super::params::Params;
 use super::polynomials;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
 
 /// Number of plant states: `alpha` (dimensionless), `beta` (dimensionless), `mu`
@@ -52,15 +52,26 @@ pub struct Plant<T> {
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
     #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        T::outlined(|| {
-            let rate = plant(t, *x, self.u_sat, &self.params);
-            rate.drift + diffuse(&rate.diffusion, &self.xi)
-        })
+        T::outlined(Drift { plant: self, t, x })
     }
 
     #[inline(always)]
     fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
+    }
+}
+/// Drift, with the noise that is held between samples.
+struct Drift<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Drift<'_, T> {
+    type Output = Vector<T, STATES>;
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        let rate = plant(self.t, *self.x, self.plant.u_sat, &self.plant.params);
+        rate.drift + diffuse(&rate.diffusion, &self.plant.xi)
     }
 }
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: e9a0244d5d837dad365c44b0bb4ab2764e9f93ba84202bb40bb39187679bb0e5
+// SHA-256 of the text below: 8aa1d69fecc449432785f0156d1ac6d35bc5c94b25995f3a058e4b23175777a4
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 
@@ -162,11 +162,9 @@ impl<T: Real> Runs<T> for Simulator<T> {
         controller
             .reset(T::zero(), Vector([x[0], x[1], x[2]]), Vector([x[3], x[4], x[5]]));
         let state = *controller.state();
-        let output = T::outlined(|| {
-            controller
-                .clone()
-                .step(T::zero(), Vector([x[0], x[1], x[2]]), Vector([x[3], x[4], x[5]]))
-        });
+        let output = controller
+            .clone()
+            .step(T::zero(), Vector([x[0], x[1], x[2]]), Vector([x[3], x[4], x[5]]));
         let process = Noise::process(options.seed, options.run);
         Self {
             controller,
@@ -180,10 +178,12 @@ impl<T: Real> Runs<T> for Simulator<T> {
     }
 
     #[inline(always)]
-    fn control(&mut self, observed: bool) {
-        if observed {
-            self.state = *self.controller.state();
-        }
+    fn observe(&mut self) {
+        self.state = *self.controller.state();
+    }
+
+    #[inline(always)]
+    fn control(&mut self) {
         let t = T::from_f64(self.time());
         self.output = self.controller.step(t, self.x1(), self.x2());
     }

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: e64e1efd673c2f9d7b765a69b46d808dbaa2eb809924efb2c2e8cf61c3bbf2ef
+// SHA-256 of the text below: 6ca2d56a0804771dd605b47c876565e2308e30772ba810901ad3c6e3c876819d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// initial: 8 additions, 17 multiplications, 5 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
-// control: 48 additions, 66 multiplications, 9 divisions, 0 square roots, 6 elementary functions, 6 comparisons and selections
+// initial: 7 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// control: 47 additions, 67 multiplications, 9 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
 
 //! `pendulum`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `torque` in kg*m^2/s^2.
@@ -169,7 +169,13 @@ impl<T: Real> Controller<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
         let starting = measured.and(self.started.not());
         if starting.any() {
-            self.begin(starting, t, x1, x2);
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+            });
         }
         let law = control(t, x1, x2, &self.state, &self.params);
         let valid = measured
@@ -202,14 +208,6 @@ impl<T: Real> Controller<T> {
         }
     }
 
-    /// Initialises the states where the mask is true.
-    #[inline(always)]
-    fn begin(&mut self, mask: T::Mask, t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) {
-        T::outlined(|| {
-            self.state = State::select(mask, &initial(t, x1, x2), &self.state);
-        });
-    }
-
     /// The states.
     #[inline(always)]
     pub fn state(&self) -> &State<T> {
@@ -223,9 +221,27 @@ impl<T: Real> Controller<T> {
     }
 }
 
+/// Initialises the states where the mask is true; zero if not finite.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(self.t, self.x1, self.x2);
+        let start = State::select(start.is_finite(), &start, &State::zero());
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+    }
+}
+
 /// The controller's states at its first sample.
 ///
-/// Operations: 8 additions, 17 multiplications, 5 divisions, 0 square roots, 5 elementary
+/// Operations: 7 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
@@ -321,7 +337,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 48 additions, 66 multiplications, 9 divisions, 0 square roots, 6 elementary
+/// Operations: 47 additions, 67 multiplications, 9 divisions, 0 square roots, 7 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
@@ -449,8 +465,8 @@ pub fn control<T: Real>(
     let u = -t7;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-8.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([8.0]), T::min);
+        .max(Vector::<T, 1>::from_f64([-8.0]))
+        .min(Vector::<T, 1>::from_f64([8.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)

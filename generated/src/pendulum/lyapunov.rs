@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 0eca79f054fc821d38ca57e48000d4d080903aa50ba199a0fab12002ba69b76c
+// SHA-256 of the text below: 55e68f7a190701689780cf9c882deb3bd1d97c2188764dacbfcb1b1325b19cec
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// lyapunov: 150 additions, 191 multiplications, 27 divisions, 0 square roots, 13 elementary functions, 17 comparisons and selections
+// lyapunov: 147 additions, 191 multiplications, 25 divisions, 0 square roots, 12 elementary functions, 16 comparisons and selections
 
 //! `pendulum`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,8 +29,8 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 150 additions, 191 multiplications, 27 divisions, 0 square roots, 13 elementary
-/// functions, 17 comparisons and selections.
+/// Operations: 147 additions, 191 multiplications, 25 divisions, 0 square roots, 12 elementary
+/// functions, 16 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
@@ -166,8 +166,8 @@ pub fn lyapunov<T: Real>(
     let u = -t18;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 1>::from_f64([-8.0]), T::max)
-        .zip(Vector::<T, 1>::from_f64([8.0]), T::min);
+        .max(Vector::<T, 1>::from_f64([-8.0]))
+        .min(Vector::<T, 1>::from_f64([8.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)

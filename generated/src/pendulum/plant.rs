@@ -1,4 +1,4 @@
-// SHA-256 of the text below: afa304815d41d9ac489ac4aa39a301a81efdb721dbf5f6f3afafd89b1c0ff67d
+// SHA-256 of the text below: c86bdc06f9449876013b607bd0b999ccde97007ae83220ee3fb14f2521cf284a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // plant: 5 additions, 7 multiplications, 2 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -11,7 +11,7 @@
 
 use super::params::Params;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
 
 /// Number of plant states: `theta` (dimensionless), `omega` (1/s).
@@ -35,12 +35,25 @@ pub struct Plant<T> {
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
     #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        T::outlined(|| plant(t, *x, self.u_sat, &self.params).drift)
+        T::outlined(Drift { plant: self, t, x })
     }
 
     #[inline(always)]
     fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
+    }
+}
+/// Drift.
+struct Drift<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Drift<'_, T> {
+    type Output = Vector<T, STATES>;
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
     }
 }
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 4d8b34ae9ff7ae1004fd60ad6b937b78cb9b9d5abcf87bb211e329a835bec95c
+// SHA-256 of the text below: ccb484c50795076c2cb41e4df4bc486531551c88ff0cbb16da1bae3466e458f1
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 
@@ -115,9 +115,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let mut controller = Controller::new(Params::design());
         controller.reset(T::zero(), Vector([x[0]]), Vector([x[1]]));
         let state = *controller.state();
-        let output = T::outlined(|| {
-            controller.clone().step(T::zero(), Vector([x[0]]), Vector([x[1]]))
-        });
+        let output = controller.clone().step(T::zero(), Vector([x[0]]), Vector([x[1]]));
         Self {
             controller,
             truth,
@@ -129,10 +127,12 @@ impl<T: Real> Runs<T> for Simulator<T> {
     }
 
     #[inline(always)]
-    fn control(&mut self, observed: bool) {
-        if observed {
-            self.state = *self.controller.state();
-        }
+    fn observe(&mut self) {
+        self.state = *self.controller.state();
+    }
+
+    #[inline(always)]
+    fn control(&mut self) {
         let t = T::from_f64(self.time());
         self.output = self.controller.step(t, self.x1(), self.x2());
     }

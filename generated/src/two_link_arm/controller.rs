@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 857d971a205cfbf35b8b596b152a1f9a670508312676a9e3e5ddd4bd55e220ed
+// SHA-256 of the text below: 643b01169a244e5e443465fa38a71267ce83355b05f03ba50d94c71884bfa9a5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// initial: 26 additions, 41 multiplications, 7 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
-// control: 285 additions, 374 multiplications, 23 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
+// initial: 25 additions, 42 multiplications, 7 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// control: 283 additions, 376 multiplications, 23 divisions, 0 square roots, 13 elementary functions, 13 comparisons and selections
 
 //! `two_link_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `shoulder` in kg*m^2/s^2, `elbow` in kg*m^2/s^2.
@@ -179,7 +179,13 @@ impl<T: Real> Controller<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
         let starting = measured.and(self.started.not());
         if starting.any() {
-            self.begin(starting, t, x1, x2);
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+            });
         }
         let law = control(t, x1, x2, &self.state, &self.params);
         let valid = measured
@@ -213,14 +219,6 @@ impl<T: Real> Controller<T> {
         }
     }
 
-    /// Initialises the states where the mask is true.
-    #[inline(always)]
-    fn begin(&mut self, mask: T::Mask, t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) {
-        T::outlined(|| {
-            self.state = State::select(mask, &initial(t, x1, x2), &self.state);
-        });
-    }
-
     /// The states.
     #[inline(always)]
     pub fn state(&self) -> &State<T> {
@@ -234,9 +232,27 @@ impl<T: Real> Controller<T> {
     }
 }
 
+/// Initialises the states where the mask is true; zero if not finite.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 2>,
+    x2: Vector<T, 2>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(self.t, self.x1, self.x2);
+        let start = State::select(start.is_finite(), &start, &State::zero());
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+    }
+}
+
 /// The controller's states at its first sample.
 ///
-/// Operations: 26 additions, 41 multiplications, 7 divisions, 0 square roots, 5 elementary
+/// Operations: 25 additions, 42 multiplications, 7 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
@@ -355,7 +371,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 285 additions, 374 multiplications, 23 divisions, 0 square roots, 11 elementary
+/// Operations: 283 additions, 376 multiplications, 23 divisions, 0 square roots, 13 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
@@ -514,7 +530,7 @@ pub fn control<T: Real>(
     let Lam2_disturbance = c2 * real(0.9999999999999998);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5) / t14;
-    let t15 = e2.map(T::tanh);
+    let t15 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t15 * state.eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
@@ -533,8 +549,8 @@ pub fn control<T: Real>(
     let u = -t18;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 2>::from_f64([-60.0, -30.0]), T::max)
-        .zip(Vector::<T, 2>::from_f64([60.0, 30.0]), T::min);
+        .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
+        .min(Vector::<T, 2>::from_f64([60.0, 30.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 780df3df8ae8186eb4634b893bff8e014fb93ce3ef1fbac749a285050cd1b0df
+// SHA-256 of the text below: 3c6eea7e6f2e9bd3606c58694a90440f0fd89913cffabccc91ec3d660f9166e3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// lyapunov: 606 additions, 732 multiplications, 50 divisions, 0 square roots, 16 elementary functions, 19 comparisons and selections
+// lyapunov: 602 additions, 733 multiplications, 48 divisions, 0 square roots, 16 elementary functions, 18 comparisons and selections
 
 //! `two_link_arm`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,8 +29,8 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 606 additions, 732 multiplications, 50 divisions, 0 square roots, 16 elementary
-/// functions, 19 comparisons and selections.
+/// Operations: 602 additions, 733 multiplications, 48 divisions, 0 square roots, 16 elementary
+/// functions, 18 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
@@ -198,7 +198,7 @@ pub fn lyapunov<T: Real>(
     let Lam2_disturbance = c2 * real(0.9999999999999998);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5) / t23;
-    let t25 = e2.map(T::tanh);
+    let t25 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t25 * state.eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
@@ -217,8 +217,8 @@ pub fn lyapunov<T: Real>(
     let u = -t28;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 2>::from_f64([-60.0, -30.0]), T::max)
-        .zip(Vector::<T, 2>::from_f64([60.0, 30.0]), T::min);
+        .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
+        .min(Vector::<T, 2>::from_f64([60.0, 30.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 680af0586ec20ae626e9de5ec414ffa020e49f8b19956f22e2e64ccad2c9b403
+// SHA-256 of the text below: 03578940bb0ca3ec11c4c28cf0b840f6941e0b5e0859a850c0be8985d392a3a8
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // plant: 51 additions, 66 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -11,7 +11,7 @@
 
 use super::params::Params;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
 
 /// Number of plant states: `q1` (dimensionless), `q2` (dimensionless), `v1` (1/s), `v2` (1/s),
@@ -36,12 +36,25 @@ pub struct Plant<T> {
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
     #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        T::outlined(|| plant(t, *x, self.u_sat, &self.params).drift)
+        T::outlined(Drift { plant: self, t, x })
     }
 
     #[inline(always)]
     fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
+    }
+}
+/// Drift.
+struct Drift<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Drift<'_, T> {
+    type Output = Vector<T, STATES>;
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
     }
 }
 

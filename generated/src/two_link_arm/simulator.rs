@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 5afb2d475b32b375fe69fdd8f94ad40d332364cc50c4b639d1b53c30df87b657
+// SHA-256 of the text below: 2012d1d3589f400df2169ae0f2724fde90921e682507dc2ea359fb2926934424
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 
@@ -134,11 +134,9 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let mut controller = Controller::new(Params::design());
         controller.reset(T::zero(), Vector([x[0], x[1]]), Vector([x[2], x[3]]));
         let state = *controller.state();
-        let output = T::outlined(|| {
-            controller
-                .clone()
-                .step(T::zero(), Vector([x[0], x[1]]), Vector([x[2], x[3]]))
-        });
+        let output = controller
+            .clone()
+            .step(T::zero(), Vector([x[0], x[1]]), Vector([x[2], x[3]]));
         Self {
             controller,
             truth,
@@ -150,10 +148,12 @@ impl<T: Real> Runs<T> for Simulator<T> {
     }
 
     #[inline(always)]
-    fn control(&mut self, observed: bool) {
-        if observed {
-            self.state = *self.controller.state();
-        }
+    fn observe(&mut self) {
+        self.state = *self.controller.state();
+    }
+
+    #[inline(always)]
+    fn control(&mut self) {
         let t = T::from_f64(self.time());
         self.output = self.controller.step(t, self.x1(), self.x2());
     }

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 7b4fad51b7bf01039864214385a91d1c7ed3ba7e109dd28bddabe9291e852dc1
+// SHA-256 of the text below: 47c8e97ed4f06526b94ca03a0caf0b5cc3e2a317dea609a42269a89c16b52195
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
-// initial: 260 additions, 295 multiplications, 32 divisions, 0 square roots, 17 elementary functions, 18 comparisons and selections
-// control: 2293 additions, 2640 multiplications, 75 divisions, 3 square roots, 24 elementary functions, 49 comparisons and selections
+// initial: 259 additions, 296 multiplications, 32 divisions, 0 square roots, 18 elementary functions, 18 comparisons and selections
+// control: 2292 additions, 2641 multiplications, 75 divisions, 3 square roots, 25 elementary functions, 49 comparisons and selections
 
 //! `underwater_vehicle`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `F_x` in kg*m/s^2, `F_y` in kg*m/s^2, `F_z` in kg*m/s^2,
@@ -205,7 +205,13 @@ impl<T: Real> Controller<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
         let starting = measured.and(self.started.not());
         if starting.any() {
-            self.begin(starting, t, x1, x2);
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+            });
         }
         let law = control(t, x1, x2, &self.state, &self.params);
         let valid = measured
@@ -245,14 +251,6 @@ impl<T: Real> Controller<T> {
         }
     }
 
-    /// Initialises the states where the mask is true.
-    #[inline(always)]
-    fn begin(&mut self, mask: T::Mask, t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) {
-        T::outlined(|| {
-            self.state = State::select(mask, &initial(t, x1, x2), &self.state);
-        });
-    }
-
     /// The states.
     #[inline(always)]
     pub fn state(&self) -> &State<T> {
@@ -266,9 +264,27 @@ impl<T: Real> Controller<T> {
     }
 }
 
+/// Initialises the states where the mask is true; zero if not finite.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 6>,
+    x2: Vector<T, 6>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(self.t, self.x1, self.x2);
+        let start = State::select(start.is_finite(), &start, &State::zero());
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+    }
+}
+
 /// The controller's states at its first sample.
 ///
-/// Operations: 260 additions, 295 multiplications, 32 divisions, 0 square roots, 17 elementary
+/// Operations: 259 additions, 296 multiplications, 32 divisions, 0 square roots, 18 elementary
 /// functions, 18 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
@@ -452,7 +468,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 2293 additions, 2640 multiplications, 75 divisions, 3 square roots, 24
+/// Operations: 2292 additions, 2641 multiplications, 75 divisions, 3 square roots, 25
 /// elementary functions, 49 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
@@ -727,7 +743,7 @@ pub fn control<T: Real>(
     let Lam2_disturbance = c2 * real(3.0);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t44 = e2.map(T::tanh);
+    let t44 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t44 * state.eps2;
     let t45 = G_norm2_1 * s_c1;
@@ -754,8 +770,8 @@ pub fn control<T: Real>(
     let u = -t51;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]), T::max)
-        .zip(Vector::<T, 6>::from_f64([40.0, 40.0, 40.0, 5.0, 5.0, 5.0]), T::min);
+        .max(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]))
+        .min(Vector::<T, 6>::from_f64([40.0, 40.0, 40.0, 5.0, 5.0, 5.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 28ca4d25dc84fd15baf633a5fb2495224a91d790728aa68d0ead7ca83c99d8f8
+// SHA-256 of the text below: c19fd87ebe9ff0f54aa208543e5f2624132d623bff6b3be49b03b07409e6349f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
-// lyapunov: 6491 additions, 6972 multiplications, 137 divisions, 2 square roots, 29 elementary functions, 69 comparisons and selections
+// lyapunov: 6488 additions, 6972 multiplications, 135 divisions, 2 square roots, 28 elementary functions, 68 comparisons and selections
 
 //! `underwater_vehicle`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,8 +29,8 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 6491 additions, 6972 multiplications, 137 divisions, 2 square roots, 29
-/// elementary functions, 69 comparisons and selections.
+/// Operations: 6488 additions, 6972 multiplications, 135 divisions, 2 square roots, 28
+/// elementary functions, 68 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
@@ -328,7 +328,7 @@ pub fn lyapunov<T: Real>(
     let Lam2_disturbance = c2 * real(3.0);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t77 = e2.map(T::tanh);
+    let t77 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t77 * state.eps2;
     let t78 = G_norm2_1 * s_c1;
@@ -356,8 +356,8 @@ pub fn lyapunov<T: Real>(
     let u = -t85;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]), T::max)
-        .zip(Vector::<T, 6>::from_f64([40.0, 40.0, 40.0, 5.0, 5.0, 5.0]), T::min);
+        .max(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]))
+        .min(Vector::<T, 6>::from_f64([40.0, 40.0, 40.0, 5.0, 5.0, 5.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)

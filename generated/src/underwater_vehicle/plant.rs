@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 27083fc8b8c2c4fde83a404865b2db59407dd5b3ebb5c44bfec0276315e8a00f
+// SHA-256 of the text below: 14cbc5379b746d5a2110cd9ada2d910474589828db47c07542e162aaa86fb8fa
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // plant: 540 additions, 627 multiplications, 10 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
@@ -11,7 +11,7 @@
 
 use super::params::Params;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
 
 /// Number of plant states: `north` (m), `east` (m), `down` (m), `phi` (dimensionless), `theta`
@@ -62,7 +62,7 @@ pub struct Plant<T> {
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
     #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        T::outlined(|| plant(t, *x, self.u_sat, &self.params).drift)
+        T::outlined(Drift { plant: self, t, x })
     }
 
     #[inline(always)]
@@ -71,7 +71,7 @@ impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
         t: T,
         x: &Vector<T, STATES>,
     ) -> Matrix<T, STATES, NOISE_CHANNELS> {
-        T::outlined(|| plant(t, *x, self.u_sat, &self.params).diffusion)
+        T::outlined(Diffusion { plant: self, t, x })
     }
 
     #[inline(always)]
@@ -81,10 +81,48 @@ impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
         x: &Vector<T, STATES>,
         dw: &Vector<T, NOISE_CHANNELS>,
     ) -> (Vector<T, STATES>, Vector<T, STATES>) {
-        T::outlined(|| {
-            let rate = plant(t, *x, self.u_sat, &self.params);
-            (rate.drift, diffuse(&rate.diffusion, dw))
-        })
+        T::outlined(Rates { plant: self, t, x, dw })
+    }
+}
+/// Drift.
+struct Drift<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Drift<'_, T> {
+    type Output = Vector<T, STATES>;
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
+    }
+}
+/// Diffusion.
+struct Diffusion<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Diffusion<'_, T> {
+    type Output = Matrix<T, STATES, NOISE_CHANNELS>;
+    #[inline(always)]
+    fn run(self) -> Matrix<T, STATES, NOISE_CHANNELS> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).diffusion
+    }
+}
+/// Drift, and diffusion times noise.
+struct Rates<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+    dw: &'a Vector<T, NOISE_CHANNELS>,
+}
+impl<T: Real> Part for Rates<'_, T> {
+    type Output = (Vector<T, STATES>, Vector<T, STATES>);
+    #[inline(always)]
+    fn run(self) -> (Vector<T, STATES>, Vector<T, STATES>) {
+        let rate = plant(self.t, *self.x, self.plant.u_sat, &self.plant.params);
+        (rate.drift, diffuse(&rate.diffusion, self.dw))
     }
 }
 

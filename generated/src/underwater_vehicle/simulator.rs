@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 58f79fa2a9aea6d2531a87b8c1c4e4a351b4aa543a737fdbeb2e0216100ad1a4
+// SHA-256 of the text below: 578a5c4b78df4962bc1b61b8312ee962f96572ab0b30b903b9ba42bed2370fe2
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
@@ -223,15 +223,13 @@ impl<T: Real> Runs<T> for Simulator<T> {
                 Vector([x[6], x[7], x[8], x[9], x[10], x[11]]),
             );
         let state = *controller.state();
-        let output = T::outlined(|| {
-            controller
-                .clone()
-                .step(
-                    T::zero(),
-                    Vector([x[0], x[1], x[2], x[3], x[4], x[5]]),
-                    Vector([x[6], x[7], x[8], x[9], x[10], x[11]]),
-                )
-        });
+        let output = controller
+            .clone()
+            .step(
+                T::zero(),
+                Vector([x[0], x[1], x[2], x[3], x[4], x[5]]),
+                Vector([x[6], x[7], x[8], x[9], x[10], x[11]]),
+            );
         let process = Noise::process(options.seed, options.run);
         Self {
             controller,
@@ -245,10 +243,12 @@ impl<T: Real> Runs<T> for Simulator<T> {
     }
 
     #[inline(always)]
-    fn control(&mut self, observed: bool) {
-        if observed {
-            self.state = *self.controller.state();
-        }
+    fn observe(&mut self) {
+        self.state = *self.controller.state();
+    }
+
+    #[inline(always)]
+    fn control(&mut self) {
         let t = T::from_f64(self.time());
         self.output = self.controller.step(t, self.x1(), self.x2());
     }

@@ -12,5 +12,6 @@ extern crate std;
 
 mod elementary;
 pub mod lanes;
+pub mod rare;
 pub mod real;
 mod scalar;

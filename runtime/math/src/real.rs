@@ -57,6 +57,15 @@ pub trait Bits: Copy + Debug {
     fn mul_wide(self, other: Self) -> (Self, Self);
 }
 
+/// A part of a computation that [`Real::outlined`] makes a function of its own, to split large bodies or to share one of them. It is a trait
+/// of its own because a closure might be left outside that function, where its instructions are not enabled.
+pub trait Part {
+    /// What it gives.
+    type Output;
+    /// The computation; `#[inline(always)]` in every implementation.
+    fn run(self) -> Self::Output;
+}
+
 /// Real numbers in floating point. Arithmetic is IEEE 754, rounded to nearest, never fused.
 pub trait Real:
     Copy
@@ -91,9 +100,8 @@ pub trait Real:
     fn from_bits(bits: Self::Bits) -> Self;
     /// The representation.
     fn to_bits(self) -> Self::Bits;
-    /// The result of `f`, in a function of its own that is compiled for the instruction set of this type. It splits large bodies of
-    /// generated code.
-    fn outlined<R>(f: impl FnOnce() -> R) -> R;
+    /// The result of a part, in a function of its own that is compiled for the instruction set of this type.
+    fn outlined<P: Part>(part: P) -> P::Output;
 
     /// Less; false for NaN.
     fn lt(self, other: Self) -> Self::Mask;

@@ -1,6 +1,6 @@
 //! `f32` and `f64` as numbers of one lane.
 
-use crate::real::{Bits, Mask, Real};
+use crate::real::{Bits, Mask, Part, Real};
 
 impl Mask for bool {
     #[inline(always)]
@@ -225,8 +225,8 @@ macro_rules! scalar {
             }
 
             #[inline(never)]
-            fn outlined<R>(f: impl FnOnce() -> R) -> R {
-                f()
+            fn outlined<P: Part>(part: P) -> P::Output {
+                part.run()
             }
 
             #[inline(always)]

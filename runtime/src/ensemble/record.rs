@@ -5,11 +5,11 @@ use std::vec;
 use std::vec::Vec;
 
 use super::Campaign;
-use crate::band::{self, Grid};
+use crate::band::Grid;
 use crate::closed_loop::{ClosedLoop, Options, Runs};
 use crate::lanes::{self, Kernel, Width};
-use crate::real::{Mask, Real};
-use crate::simulation::{samples_in, simulate};
+use crate::real::{Mask, Part, Real};
+use crate::simulation::{Observer, samples_in, simulate};
 
 /// Counts and sums over the samples of a run.
 pub(super) struct Record {
@@ -70,29 +70,71 @@ impl<L: ClosedLoop> Kernel for Batch<'_, L> {
             dispersion: campaign.dispersion,
         };
         let last = samples_in::<L>(campaign.horizon);
-        let settle = samples_in::<L>(campaign.settle);
-        let grid = (campaign.band && self.first < band::RUNS).then(|| Grid::new::<L>(last));
-        let observed = |sample| grid.as_ref().is_some_and(|grid| grid.contains(sample));
-        let mut sums = Sums::<T>::new::<L>();
-        let mut bands = vec![Vec::new(); self.count];
-        let mut row = vec![T::zero(); L::SIGNALS.len()];
-        let alive = simulate::<T, L>(&options, last, observed, |sample, runs, alive| {
-            sums.add(runs, alive, sample >= settle);
-            if let Some(grid) = grid.as_ref().filter(|grid| grid.contains(sample)) {
-                T::outlined(|| runs.telemetry(&mut row));
-                for (lane, values) in bands.iter_mut().enumerate() {
-                    if alive.to_bits() >> lane & 1 == 1 {
-                        grid.pick(|signal| row[signal].lane(lane), values);
-                    }
+        let grid = campaign.band.then(|| Grid::new::<L>(last));
+        let mut watch = Watch::<T> {
+            settle: samples_in::<L>(campaign.settle),
+            sums: Sums::new::<L>(),
+            grid,
+            row: vec![T::zero(); L::SIGNALS.len()],
+            bands: vec![Vec::new(); self.count],
+        };
+        let alive = simulate::<T, L>(&options, last, &mut watch).to_bits();
+        let mut records = Vec::with_capacity(self.count);
+        for (lane, values) in watch.bands.into_iter().enumerate() {
+            let diverged = alive >> lane & 1 == 0;
+            let band = watch.grid.is_some().then_some(values);
+            records.push(watch.sums.record(lane, diverged, band));
+        }
+        records
+    }
+}
+
+/// What is kept of the runs while they go on.
+struct Watch<T: Real> {
+    /// Sample from which the tracking error counts.
+    settle: u64,
+    sums: Sums<T>,
+    grid: Option<Grid>,
+    /// A row of telemetry.
+    row: Vec<T>,
+    /// The values of each run on the grid.
+    bands: Vec<Vec<f64>>,
+}
+
+impl<T: Real, L: ClosedLoop> Observer<T, L> for Watch<T> {
+    #[inline(always)]
+    fn observes(&self, sample: u64) -> bool {
+        match &self.grid {
+            Some(grid) => grid.contains(sample),
+            None => false,
+        }
+    }
+
+    #[inline(always)]
+    fn sample(&mut self, sample: u64, runs: &L::Runs<T>, alive: T::Mask) {
+        self.sums.add(runs, alive, sample >= self.settle);
+        if let Some(grid) = &self.grid
+            && grid.contains(sample)
+        {
+            T::outlined(Telemetry(runs, &mut self.row));
+            let alive = alive.to_bits();
+            for (lane, values) in self.bands.iter_mut().enumerate() {
+                if alive >> lane & 1 == 1 {
+                    grid.pick(|signal| self.row[signal].lane(lane), values);
                 }
             }
-        });
-        let banded = |lane: usize| grid.is_some() && self.first + (lane as u64) < band::RUNS;
-        let records = bands.into_iter().enumerate().map(|(lane, values)| {
-            let diverged = alive.to_bits() >> lane & 1 == 0;
-            sums.record(lane, diverged, banded(lane).then_some(values))
-        });
-        records.collect()
+        }
+    }
+}
+
+struct Telemetry<'a, T, R>(&'a R, &'a mut Vec<T>);
+
+impl<T: Real, R: Runs<T>> Part for Telemetry<'_, T, R> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        self.0.telemetry(self.1);
     }
 }
 

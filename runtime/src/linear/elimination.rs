@@ -5,7 +5,7 @@
     reason = "indices stand as in the formulas"
 )]
 
-use super::{Vector, array};
+use super::{Matrix, Vector};
 use crate::real::Real;
 
 /// `A^-1 b` by the definition in [`super::Matrix::solve`]. The size is known at compile time, so one arm remains.
@@ -26,9 +26,9 @@ fn over_determinant<T: Real, const N: usize>(
     b: [T; N],
     adjugate: [[T; N]; N],
 ) -> Vector<T, N> {
-    let first_column = Vector(array(|i| adjugate[i][0]));
+    let first_column = Matrix(adjugate).column(0);
     let determinant = Vector(a[0]).dot(first_column);
-    Vector(array(|i| Vector(adjugate[i]).dot(Vector(b)) / determinant))
+    Matrix(adjugate) * Vector(b) / determinant
 }
 
 /// The signs stand on the entries: `a_00 a_11 + a_01 (-a_10)` has the bits of `a_00 a_11 - a_01 a_10`.

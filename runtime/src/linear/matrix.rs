@@ -2,8 +2,8 @@
 
 use core::ops::{Add, Div, Index, IndexMut, Mul, Neg, Sub};
 
-use super::{Vector, array, elimination, rows, singular, sum};
-use crate::real::{Mask, Real};
+use super::{Vector, all_finite, dot, elimination, singular};
+use crate::real::Real;
 
 /// `R` rows of `C` numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,94 +16,48 @@ impl<T: Real, const R: usize, const C: usize> Matrix<T, R, C> {
         Self([[value; C]; R])
     }
 
-    /// Zeros.
-    #[inline(always)]
-    pub fn zero() -> Self {
-        Self::splat(T::zero())
-    }
-
     /// Entries from literals, by rows.
     #[inline(always)]
-    pub fn from_f64(entries: [[f64; C]; R]) -> Self {
-        Self(rows(|i, j| T::from_f64(entries[i][j])))
+    pub fn from_f64(rows: [[f64; C]; R]) -> Self {
+        let mut matrix = Self::zero();
+        for (row, values) in matrix.0.iter_mut().zip(rows) {
+            *row = Vector::from_f64(values).0;
+        }
+        matrix
     }
 
-    /// `a` where the mask is true, else `b`.
-    #[inline(always)]
-    pub fn select(mask: T::Mask, a: Self, b: Self) -> Self {
-        a.zip(b, |a, b| T::select(mask, a, b))
-    }
-
-    /// `f` of each entry.
-    #[inline(always)]
-    pub fn map(self, f: impl Fn(T) -> T) -> Self {
-        Self(rows(|i, j| f(self.0[i][j])))
-    }
-
-    /// `f` of the entries at each place.
-    #[inline(always)]
-    pub fn zip(self, other: Self, f: impl Fn(T, T) -> T) -> Self {
-        Self(rows(|i, j| f(self.0[i][j], other.0[i][j])))
-    }
-
-    /// `a_ij s`.
-    #[inline(always)]
-    pub fn scale(self, factor: T) -> Self {
-        self.map(|x| x * factor)
-    }
-
-    /// `a_ij + s`.
-    #[inline(always)]
-    pub fn add_scalar(self, term: T) -> Self {
-        self.map(|x| x + term)
-    }
-
-    /// Elementwise product `a_ij b_ij`.
-    #[inline(always)]
-    pub fn hadamard(self, other: Self) -> Self {
-        self.zip(other, |a, b| a * b)
-    }
-
-    /// Elementwise quotient `a_ij / b_ij`.
-    #[inline(always)]
-    pub fn quotient(self, other: Self) -> Self {
-        self.zip(other, |a, b| a / b)
-    }
+    entries!();
 
     /// Rows and columns exchanged.
     #[inline(always)]
     pub fn transpose(self) -> Matrix<T, C, R> {
-        Matrix(rows(|j, i| self.0[i][j]))
+        let mut transpose = Matrix::zero();
+        for (i, row) in self.0.into_iter().enumerate() {
+            for (j, entry) in row.into_iter().enumerate() {
+                transpose.0[j][i] = entry;
+            }
+        }
+        transpose
     }
 
     /// Column `j`.
     #[inline(always)]
     pub fn column(&self, j: usize) -> Vector<T, R> {
-        Vector(array(|i| self.0[i][j]))
+        let mut column = Vector::zero();
+        for (entry, row) in column.0.iter_mut().zip(&self.0) {
+            *entry = row[j];
+        }
+        column
     }
 
-    /// Sum of the squares of all entries, row after row, left to right.
     #[inline(always)]
-    pub fn sum_squares(self) -> T {
-        if R == 0 || C == 0 {
-            return T::zero();
-        }
-        let mut sum = self.0[0][0] * self.0[0][0];
-        for k in 1..R * C {
-            let entry = self.0[k / C][k % C];
-            sum = sum + entry * entry;
-        }
-        sum
+    fn entries(&self) -> &[T] {
+        self.0.as_flattened()
     }
 
-    /// Whether every entry is finite.
     #[inline(always)]
-    pub fn is_finite(self) -> T::Mask {
-        let mut all = T::Mask::splat(true);
-        for i in 0..R {
-            all = all.and(Vector(self.0[i]).is_finite());
-        }
-        all
+    fn entries_mut(&mut self) -> &mut [T] {
+        self.0.as_flattened_mut()
     }
 
     /// Unit right singular vector `v` of the largest singular value, so that `||A v||` is the spectral norm of `A`.
@@ -161,51 +115,7 @@ impl<T, const R: usize, const C: usize> IndexMut<(usize, usize)> for Matrix<T, R
     }
 }
 
-impl<T: Real, const R: usize, const C: usize> Add for Matrix<T, R, C> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        self.zip(other, |a, b| a + b)
-    }
-}
-
-impl<T: Real, const R: usize, const C: usize> Sub for Matrix<T, R, C> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        self.zip(other, |a, b| a - b)
-    }
-}
-
-impl<T: Real, const R: usize, const C: usize> Neg for Matrix<T, R, C> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn neg(self) -> Self {
-        self.map(|x| -x)
-    }
-}
-
-impl<T: Real, const R: usize, const C: usize> Mul<T> for Matrix<T, R, C> {
-    type Output = Self;
-
-    #[inline(always)]
-    fn mul(self, factor: T) -> Self {
-        self.scale(factor)
-    }
-}
-
-impl<T: Real, const R: usize, const C: usize> Div<T> for Matrix<T, R, C> {
-    type Output = Self;
-
-    /// `a_ij / s`, a division for each entry.
-    #[inline(always)]
-    fn div(self, divisor: T) -> Self {
-        self.map(|x| x / divisor)
-    }
-}
+operators!(Matrix<T, R, C>, const R: usize, const C: usize);
 
 impl<T: Real, const R: usize, const C: usize> Mul<Vector<T, C>> for Matrix<T, R, C> {
     type Output = Vector<T, R>;
@@ -213,7 +123,11 @@ impl<T: Real, const R: usize, const C: usize> Mul<Vector<T, C>> for Matrix<T, R,
     /// Entry i is row i times the vector, summed over columns left to right.
     #[inline(always)]
     fn mul(self, vector: Vector<T, C>) -> Vector<T, R> {
-        Vector(array(|i| Vector(self.0[i]).dot(vector)))
+        let mut product = Vector::zero();
+        for (entry, row) in product.0.iter_mut().zip(&self.0) {
+            *entry = dot(row, &vector.0);
+        }
+        product
     }
 }
 
@@ -225,6 +139,13 @@ impl<T: Real, const R: usize, const K: usize, const C: usize> Mul<Matrix<T, K, C
     /// Entry (i, j) is `a_i0 b_0j + a_i1 b_1j + ...`, left to right.
     #[inline(always)]
     fn mul(self, other: Matrix<T, K, C>) -> Matrix<T, R, C> {
-        Matrix(rows(|i, j| sum::<T, K>(|k| self.0[i][k] * other.0[k][j])))
+        let columns = other.transpose();
+        let mut product = Matrix::zero();
+        for (row, a) in product.0.iter_mut().zip(&self.0) {
+            for (entry, b) in row.iter_mut().zip(&columns.0) {
+                *entry = dot(a, b);
+            }
+        }
+        product
     }
 }

@@ -5,7 +5,7 @@
     reason = "indices stand as in the formulas"
 )]
 
-use super::{Matrix, Vector, array, rows, sum};
+use super::{Matrix, Vector};
 use crate::real::Real;
 
 /// Jacobi converges quadratically: with eight sweeps the off-diagonal part of a matrix of the sizes at hand is zero to rounding.
@@ -16,8 +16,11 @@ const SWEEPS: usize = 8;
 pub(super) fn leading_right_vector<T: Real, const R: usize, const C: usize>(
     a: &Matrix<T, R, C>,
 ) -> Vector<T, C> {
-    let mut s: [[T; C]; C] = rows(|i, j| sum::<T, R>(|k| a.0[k][i] * a.0[k][j]));
-    let mut v: [[T; C]; C] = rows(|i, j| if i == j { T::one() } else { T::zero() });
+    let Matrix(mut s) = a.transpose() * *a;
+    let Matrix(mut v) = Matrix::<T, C, C>::zero();
+    for i in 0..C {
+        v[i][i] = T::one();
+    }
     for _ in 0..SWEEPS {
         for p in 0..C {
             for q in p + 1..C {
@@ -60,13 +63,12 @@ fn rotate<T: Real, const C: usize>(s: &mut [[T; C]; C], v: &mut [[T; C]; C], p: 
 /// The column of `V` of the first largest diagonal entry of `S`.
 #[inline(always)]
 fn column_of_largest<T: Real, const C: usize>(s: &[[T; C]; C], v: &[[T; C]; C]) -> Vector<T, C> {
-    let column = |j: usize| Vector(array(|i| v[i][j]));
     let mut largest = s[0][0];
-    let mut chosen = column(0);
+    let mut chosen = Matrix(*v).column(0);
     for j in 1..C {
         let larger = s[j][j].gt(largest);
         largest = T::select(larger, s[j][j], largest);
-        chosen = Vector::select(larger, column(j), chosen);
+        chosen = Vector::select(larger, Matrix(*v).column(j), chosen);
     }
     chosen
 }

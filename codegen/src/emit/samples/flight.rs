@@ -49,7 +49,8 @@ fn a_run_depends_on_its_seed_and_number_alone<L: ClosedLoop>() {
         });
         let mut row = vec![0.0; L::SIGNALS.len()];
         for _ in 0..100 {
-            simulator.control(true);
+            simulator.observe();
+            simulator.control();
             simulator.telemetry(&mut row);
             simulator.advance();
         }
@@ -71,7 +72,7 @@ fn a_bare_loop_decays() {
     assert!(simulator.constraint_ratio().is_nan());
     let mut error = [0.0];
     for _ in 0..1000 {
-        simulator.control(false);
+        simulator.control();
         simulator.advance();
     }
     simulator.tracking_error(&mut error);

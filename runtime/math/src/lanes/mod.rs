@@ -13,7 +13,9 @@ mod portable;
 )]
 pub(crate) mod x86;
 
-use crate::real::Real;
+use core::marker::PhantomData;
+
+use crate::real::{Part, Real};
 
 /// Work that is done in lanes of `f64`, or of `f32` by [`run_single`].
 pub trait Kernel {
@@ -95,6 +97,23 @@ const fn has_avx512() -> bool {
     cfg!(all(target_feature = "avx512f", target_feature = "avx512dq"))
 }
 
+/// A kernel in lanes of a type.
+struct InLanes<T, K>(K, PhantomData<T>);
+
+impl<T: Real, K: Kernel> Part for InLanes<T, K> {
+    type Output = K::Output;
+
+    #[inline(always)]
+    fn run(self) -> K::Output {
+        self.0.run::<T>()
+    }
+}
+
+#[inline(always)]
+fn in_lanes<T: Real, K: Kernel>(kernel: K) -> K::Output {
+    T::outlined(InLanes::<T, K>(kernel, PhantomData))
+}
+
 /// Runs a kernel in lanes of `f64`; `None` if the processor lacks the width.
 #[inline]
 pub fn run<K: Kernel>(width: Width, kernel: K) -> Option<K::Output> {
@@ -102,15 +121,15 @@ pub fn run<K: Kernel>(width: Width, kernel: K) -> Option<K::Output> {
         return None;
     }
     Some(match width {
-        Width::Scalar => f64::outlined(|| kernel.run::<f64>()),
+        Width::Scalar => in_lanes::<f64, K>(kernel),
         #[cfg(target_arch = "x86_64")]
-        Width::Bits128 => x86::F64x2::outlined(|| kernel.run::<x86::F64x2>()),
+        Width::Bits128 => in_lanes::<x86::F64x2, K>(kernel),
         #[cfg(target_arch = "x86_64")]
-        Width::Bits256 => x86::F64x4::outlined(|| kernel.run::<x86::F64x4>()),
+        Width::Bits256 => in_lanes::<x86::F64x4, K>(kernel),
         #[cfg(target_arch = "x86_64")]
-        Width::Bits512 => x86::F64x8::outlined(|| kernel.run::<x86::F64x8>()),
+        Width::Bits512 => in_lanes::<x86::F64x8, K>(kernel),
         #[cfg(not(target_arch = "x86_64"))]
-        _ => kernel.run::<portable::F64x2>(),
+        _ => in_lanes::<portable::F64x2, K>(kernel),
     })
 }
 
@@ -121,26 +140,26 @@ pub fn run_single<K: Kernel>(width: Width, kernel: K) -> Option<K::Output> {
         return None;
     }
     Some(match width {
-        Width::Scalar => f32::outlined(|| kernel.run::<f32>()),
+        Width::Scalar => in_lanes::<f32, K>(kernel),
         #[cfg(target_arch = "x86_64")]
-        Width::Bits128 => x86::F32x4::outlined(|| kernel.run::<x86::F32x4>()),
+        Width::Bits128 => in_lanes::<x86::F32x4, K>(kernel),
         #[cfg(target_arch = "x86_64")]
-        Width::Bits256 => x86::F32x8::outlined(|| kernel.run::<x86::F32x8>()),
+        Width::Bits256 => in_lanes::<x86::F32x8, K>(kernel),
         #[cfg(target_arch = "x86_64")]
-        Width::Bits512 => x86::F32x16::outlined(|| kernel.run::<x86::F32x16>()),
+        Width::Bits512 => in_lanes::<x86::F32x16, K>(kernel),
         #[cfg(not(target_arch = "x86_64"))]
-        _ => kernel.run::<portable::F32x4>(),
+        _ => in_lanes::<portable::F32x4, K>(kernel),
     })
 }
 
 /// Runs a kernel in pairs of `f64` that use no vector instruction: what other processors than x86-64 do, for tests on any of them.
 #[inline]
 pub fn run_portable<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run::<portable::F64x2>()
+    in_lanes::<portable::F64x2, K>(kernel)
 }
 
 /// Runs a kernel in lanes of `f32` that use no vector instruction, as [`run_portable`].
 #[inline]
 pub fn run_portable_single<K: Kernel>(kernel: K) -> K::Output {
-    kernel.run::<portable::F32x4>()
+    in_lanes::<portable::F32x4, K>(kernel)
 }

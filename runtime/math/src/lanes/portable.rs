@@ -3,7 +3,7 @@
 use core::array::from_fn;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::real::{Bits, Mask, Real};
+use crate::real::{Bits, Mask, Part, Real};
 
 /// `N` things of one kind.
 #[derive(Clone, Copy, Debug)]
@@ -205,8 +205,8 @@ impl<S: Real<Mask = bool>, const N: usize> Real for Array<S, N> {
     }
 
     #[inline(never)]
-    fn outlined<R>(f: impl FnOnce() -> R) -> R {
-        f()
+    fn outlined<P: Part>(part: P) -> P::Output {
+        part.run()
     }
 
     #[inline(always)]

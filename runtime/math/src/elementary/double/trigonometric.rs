@@ -6,7 +6,7 @@
 
 use super::large_angle;
 use crate::elementary::polynomial::polynomial;
-use crate::elementary::rare::replaced;
+use crate::rare::replaced;
 use crate::real::{Bits, Real};
 
 /// Largest |x| of the reduction below, rad; `k` stays below 2^16.
@@ -50,11 +50,10 @@ pub(super) struct Angle<T: Real> {
     pub(super) quadrant: T::Bits,
 }
 
-/// `sin(r - low) = r - sine_tail` and `cos(r - low) = cosine_head + cosine_tail`, `cosine_head = 1 - z/2` rounded.
+/// `sin(r - low) = r - sine_tail` and `cos(r - low) = 1 - half_z + cosine_rest`.
 struct Parts<T: Real> {
     sine_tail: T,
     half_z: T,
-    cosine_head: T,
     cosine_rest: T,
 }
 
@@ -83,12 +82,9 @@ impl<T: Real> Angle<T> {
     fn parts(&self) -> Parts<T> {
         let Self { r, low, .. } = *self;
         let z = r * r;
-        let half_z = z * T::from_f64(0.5);
-        let cosine_head = T::one() - half_z;
         Parts {
             sine_tail: low + r * z * polynomial(z, SINE),
-            half_z,
-            cosine_head,
+            half_z: z * T::from_f64(0.5),
             cosine_rest: z * z * polynomial(z, COSINE) + r * low,
         }
     }
@@ -121,8 +117,11 @@ impl<T: Real> Angle<T> {
         let parts = self.parts();
         let s = r - parts.sine_tail;
         let ds = (r - s) - parts.sine_tail;
-        let c = parts.cosine();
-        let dc = (parts.cosine_head - c) + parts.cosine_correction();
+        // More exactly than `Parts::cosine`: the rounding of 1 - z/2 is added again.
+        let head = T::one() - parts.half_z;
+        let correction = ((T::one() - head) - parts.half_z) + parts.cosine_rest;
+        let c = head + correction;
+        let dc = (head - c) + correction;
         let product_tail = r * (c - T::one()) + r * dc;
         let odd = self.is_odd();
         let numerator = T::select(odd, c, parts.sine_tail + product_tail);
@@ -135,15 +134,9 @@ impl<T: Real> Angle<T> {
 }
 
 impl<T: Real> Parts<T> {
-    /// What the head of the cosine lacks: the rounding of 1 - z/2, and the higher powers.
-    #[inline(always)]
-    fn cosine_correction(&self) -> T {
-        ((T::one() - self.cosine_head) - self.half_z) + self.cosine_rest
-    }
-
     #[inline(always)]
     fn cosine(&self) -> T {
-        self.cosine_head + self.cosine_correction()
+        T::one() - (self.half_z - self.cosine_rest)
     }
 }
 

@@ -6,7 +6,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use super::bits::*;
 use super::choice::*;
 use super::mask::*;
-use crate::real::Real;
+use crate::real::{Part, Real};
 use crate::scalar::elementary;
 
 /// An operator as one instruction.
@@ -93,13 +93,13 @@ macro_rules! lanes {
             }
 
             #[inline(always)]
-            fn outlined<R>(f: impl FnOnce() -> R) -> R {
+            fn outlined<P: Part>(part: P) -> P::Output {
                 #[inline(never)]
                 #[target_feature(enable = $feature)]
-                fn compiled<R>(f: impl FnOnce() -> R) -> R {
-                    f()
+                fn compiled<P: Part>(part: P) -> P::Output {
+                    part.run()
                 }
-                unsafe { compiled(f) }
+                unsafe { compiled(part) }
             }
 
             #[inline(always)]

@@ -5,11 +5,15 @@ use crate::real::{Mask, Real};
 /// More lanes than any type has.
 const MOST_LANES: usize = 16;
 
-/// `f` of the argument in the lanes of `rare`, `usual` in the others. No lane's value depends on another lane.
+/// `f` of the argument in the lanes of `rare`, `usual` in the others. No lane's value depends on another lane. The usual path costs one
+/// branch.
 #[inline(always)]
-pub(super) fn replaced<T: Real>(rare: T::Mask, usual: T, x: T, f: fn(f64) -> f64) -> T {
+pub fn replaced<T: Real>(rare: T::Mask, usual: T, x: T, f: fn(f64) -> f64) -> T {
     if !rare.any() {
         return usual;
+    }
+    if T::LANES == 1 {
+        return T::from_f64(replace_one(x.to_f64(), f));
     }
     let (mut arguments, mut values) = ([0.0; MOST_LANES], [0.0; MOST_LANES]);
     for lane in 0..T::LANES {
@@ -23,6 +27,12 @@ pub(super) fn replaced<T: Real>(rare: T::Mask, usual: T, x: T, f: fn(f64) -> f64
         f,
     );
     T::from_lanes(|lane| values[lane])
+}
+
+#[cold]
+#[inline(never)]
+fn replace_one(x: f64, f: fn(f64) -> f64) -> f64 {
+    f(x)
 }
 
 #[cold]
