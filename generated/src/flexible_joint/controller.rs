@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 6379e1aae1117a6d2b9d73445dbe05f2f4b13640156d245228d33b1090048f76
+// SHA-256 of the text below: 6a2620474faf2a2b88b06e6ca9fdecc78c378e7f2f7a7e4763ad48fa143b14c9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // initial: 36 additions, 61 multiplications, 12 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
@@ -295,7 +295,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the states where the mask is true; zero if not finite.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -317,8 +317,8 @@ impl<T: Real> Part for Begin<'_, T> {
             self.x4,
             &self.controller.params,
         );
-        let start = State::select(start.is_finite(), &start, &State::zero());
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0b6b76e5b88361e0cf83979b008e935212a97c5694e1d72aac268e744d894967
+// SHA-256 of the text below: db9bc948921c2978239aacf6529568f5185718d2652761b4c77d47c125e3fa9a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // initial: 38 additions, 70 multiplications, 13 divisions, 1 square roots, 9 elementary functions, 3 comparisons and selections
@@ -286,7 +286,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the states where the mask is true; zero if not finite.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -300,8 +300,8 @@ impl<T: Real> Part for Begin<'_, T> {
     #[inline(always)]
     fn run(self) {
         let start = initial(self.t, self.x1, self.x2, self.x3, &self.controller.params);
-        let start = State::select(start.is_finite(), &start, &State::zero());
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: a1c28e1772c0df6fe9c0b8da19c41d1cd5f27d3fe9182361ef45194ba9c89f81
+// SHA-256 of the text below: 262975783d7eea2637898815869734655b8d7e12ae7cc995626660f46da445c8
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // initial: 162 additions, 225 multiplications, 15 divisions, 0 square roots, 19 elementary functions, 6 comparisons and selections
@@ -271,7 +271,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the states where the mask is true; zero if not finite.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -284,8 +284,8 @@ impl<T: Real> Part for Begin<'_, T> {
     #[inline(always)]
     fn run(self) {
         let start = initial(self.t, self.x1, self.x2, &self.controller.params);
-        let start = State::select(start.is_finite(), &start, &State::zero());
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 6ca2d56a0804771dd605b47c876565e2308e30772ba810901ad3c6e3c876819d
+// SHA-256 of the text below: 16288353ef267b802ec4e20b66b29ba3997d7d4414ac8e8054da24964f1f983c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // initial: 7 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
@@ -221,7 +221,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the states where the mask is true; zero if not finite.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -234,8 +234,8 @@ impl<T: Real> Part for Begin<'_, T> {
     #[inline(always)]
     fn run(self) {
         let start = initial(self.t, self.x1, self.x2);
-        let start = State::select(start.is_finite(), &start, &State::zero());
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 

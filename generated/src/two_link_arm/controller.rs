@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 643b01169a244e5e443465fa38a71267ce83355b05f03ba50d94c71884bfa9a5
+// SHA-256 of the text below: 0f523d5527b61afeb87e9afcb1f8c7f4b6963a55d383dc03b8bf6d2e84a025f4
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // initial: 25 additions, 42 multiplications, 7 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
@@ -232,7 +232,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the states where the mask is true; zero if not finite.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -245,8 +245,8 @@ impl<T: Real> Part for Begin<'_, T> {
     #[inline(always)]
     fn run(self) {
         let start = initial(self.t, self.x1, self.x2);
-        let start = State::select(start.is_finite(), &start, &State::zero());
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 

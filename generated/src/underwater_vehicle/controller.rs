@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 47c8e97ed4f06526b94ca03a0caf0b5cc3e2a317dea609a42269a89c16b52195
+// SHA-256 of the text below: 004da0cf9faf38ea558f986f3566a69f34bd383f3ab316fb47da9dae84b13a46
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // initial: 259 additions, 296 multiplications, 32 divisions, 0 square roots, 18 elementary functions, 18 comparisons and selections
@@ -264,7 +264,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the states where the mask is true; zero if not finite.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -277,8 +277,8 @@ impl<T: Real> Part for Begin<'_, T> {
     #[inline(always)]
     fn run(self) {
         let start = initial(self.t, self.x1, self.x2);
-        let start = State::select(start.is_finite(), &start, &State::zero());
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 
