@@ -1,6 +1,6 @@
-// SHA-256 of the text below: a4d01db1ea91bed7486b090fb17144cd2f747b7f7418a96c47c308c9b4d0c3e7
+// SHA-256 of the text below: 16061b710c24add325ff680fbdaa3e80fa0c3cc52f5b3bf32c40146d8e838d6e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
+// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // initial: 25 additions, 58 multiplications, 7 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
 // control: 95 additions, 133 multiplications, 8 divisions, 0 square roots, 8 elementary functions, 6 comparisons and selections
 
@@ -295,7 +295,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the controller where the mask is true.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -317,7 +317,8 @@ impl<T: Real> Part for Begin<'_, T> {
             self.x4,
             &self.controller.params,
         );
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 0f9f51c597236a2d19d196aabc1025770b9cfa10ade12ba938e4d9b4caea1761
+// SHA-256 of the text below: b17a7f3364a01faac298917b3803af3b5ee1e11e21a9b84274b457f59d0fa236
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
+// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // lyapunov: 251 additions, 325 multiplications, 16 divisions, 0 square roots, 13 elementary functions, 11 comparisons and selections
 
 //! `flexible_joint`: Lyapunov function and its generator.

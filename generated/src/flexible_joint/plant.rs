@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 09a34dd9c5d4bed356ad30b2af1af0855ca9764d1309226a837359fc6e1ca7e3
+// SHA-256 of the text below: 5aec944c65b55e2728a75ec284bc3e631a8a730315a54d3cb012d57b3152d973
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
+// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // plant: 10 additions, 17 multiplications, 0 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `flexible_joint`: plant and disturbances.

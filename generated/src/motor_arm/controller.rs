@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 75063c5273f92d7cff0215a73684ad82729fa9ff0ce9640401716e1c821b2930
+// SHA-256 of the text below: c7581fc32f008f7fd95096b6dcc18ee7347edf9941c6574afa9f387e3e7a3bec
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // initial: 26 additions, 60 multiplications, 10 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
@@ -286,7 +286,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the controller where the mask is true.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -300,7 +300,8 @@ impl<T: Real> Part for Begin<'_, T> {
     #[inline(always)]
     fn run(self) {
         let start = initial(self.t, self.x1, self.x2, self.x3, &self.controller.params);
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: c9914ff6882ae113ed308b9b1e9f365e62d98048ad87b04ddb47f38042259218
+// SHA-256 of the text below: 54d05e3a5a4db51878c7cc8220c3fa194816b2927e51bb38b89552c7d565a01d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // initial: 74 additions, 116 multiplications, 8 divisions, 0 square roots, 21 elementary functions, 6 comparisons and selections
@@ -271,7 +271,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the controller where the mask is true.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -284,7 +284,8 @@ impl<T: Real> Part for Begin<'_, T> {
     #[inline(always)]
     fn run(self) {
         let start = initial(self.t, self.x1, self.x2, &self.controller.params);
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 

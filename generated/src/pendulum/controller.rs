@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 308ca3066882dbb3063b9080e32b8966cfa01c0b6500137cf9ed37b78b763d06
+// SHA-256 of the text below: dd27705badc6acad9ce1fbb9984f80d84893cdf3d7f7555c9c000aed422a5c83
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // initial: 5 additions, 19 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
@@ -221,7 +221,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the controller where the mask is true.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -234,7 +234,8 @@ impl<T: Real> Part for Begin<'_, T> {
     #[inline(always)]
     fn run(self) {
         let start = initial(self.t, self.x1, self.x2);
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: be5f453161243cf066de1daffaa3ee082e6eded1e9b9b0208596b0894c04732e
+// SHA-256 of the text below: 1a32f0fa1230e5f10a207212baf098d3c88bb02d7e0779e23d3be19ddc192415
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // initial: 13 additions, 32 multiplications, 4 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
@@ -232,7 +232,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the controller where the mask is true.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -245,7 +245,8 @@ impl<T: Real> Part for Begin<'_, T> {
     #[inline(always)]
     fn run(self) {
         let start = initial(self.t, self.x1, self.x2);
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 

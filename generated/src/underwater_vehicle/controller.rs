@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 424e5f79b7332c3133a980436031a25534c4ab7a9a735f513066cde026724976
+// SHA-256 of the text below: d236ccab2a77ae4603577604d968d32ccc2b86727b92a4887faa2bb4dba00d1d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
+// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // initial: 187 additions, 237 multiplications, 27 divisions, 0 square roots, 20 elementary functions, 18 comparisons and selections
-// control: 1681 additions, 2048 multiplications, 58 divisions, 3 square roots, 27 elementary functions, 49 comparisons and selections
+// control: 1680 additions, 2044 multiplications, 58 divisions, 3 square roots, 27 elementary functions, 49 comparisons and selections
 
 //! `underwater_vehicle`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -264,7 +264,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the controller where the mask is true.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -277,7 +277,8 @@ impl<T: Real> Part for Begin<'_, T> {
     #[inline(always)]
     fn run(self) {
         let start = initial(self.t, self.x1, self.x2);
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 
@@ -647,7 +648,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 1017 additions, 1235 multiplications, 50 divisions, 2 square roots, 19
+/// Operations: 1016 additions, 1231 multiplications, 50 divisions, 2 square roots, 19
 /// elementary functions, 49 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -716,44 +717,41 @@ pub fn law<T: Real>(
     let surge = x2[0];
     let sway = x2[1];
     let heave = x2[2];
+    let t7 = q * heave - r * sway;
+    let t8 = r * surge - p * heave;
+    let carried = Vector([t7, t8, p * sway - q * surge]);
     let added_momentum = Vector([
         real(5.5) * surge,
         real(12.7) * sway,
         real(14.57) * heave,
     ]) * params.added_scale;
-    let t7 = Vector([
+    let t9 = Vector([
         (real(4.03) + real(18.18) * surge.abs()) * surge,
         (real(6.22) + real(21.66) * sway.abs()) * sway,
         (real(5.18) + real(36.99) * heave.abs()) * heave,
     ]);
-    let drag = t7 * params.drag_scale;
-    let t8 = q * heave - r * sway;
-    let t9 = r * surge - p * heave;
-    let t10 = q * real(0.02);
-    let t11 = -(p * real(0.02));
-    let t12 = Vector([-(r * t11), r * t10, p * t11 - q * t10]);
-    let t13 = down_axis * real(-1.9849999999999852)
-        - (Vector([t8, t9, p * sway - q * surge]) + t12) * real(11.5);
-    let t14 = Vector([
+    let drag = t9 * params.drag_scale;
+    let t10 = Vector([p * r, q * r, -(p * p) - q * q]) * real(0.02);
+    let t11 = Vector([
         q * added_momentum[2] - r * added_momentum[1],
         r * added_momentum[0] - p * added_momentum[2],
         p * added_momentum[1] - q * added_momentum[0],
     ]);
-    let force = t13 - t14 - drag;
-    let t15 = Vector([
+    let force = down_axis * real(-1.9849999999999852) - (carried + t10) * real(11.5)
+        - t11 - drag;
+    let t12 = Vector([
         (real(0.07) + real(1.55) * p.abs()) * p,
         (real(0.07) + real(1.55) * q.abs()) * q,
         (real(0.07) + real(1.55) * r.abs()) * r,
     ]);
-    let drag_torque = t15 * params.torque_scale;
-    let t16 = Vector([-(real(0.02) * t9), real(0.02) * t8, real(0.0)]) * real(11.5);
-    let t17 = Vector([
+    let drag_torque = t12 * params.torque_scale;
+    let t13 = Vector([
         sway * added_momentum[2] - heave * added_momentum[1],
         heave * added_momentum[0] - surge * added_momentum[2],
         surge * added_momentum[1] - sway * added_momentum[0],
     ]);
-    let moment = Vector([-(real(0.02) * t5), real(0.02) * t4, real(0.0)])
-        * real(112.81500000000001) - t16 - t17 - drag_torque;
+    let moment = Vector([t8 - real(9.81) * t5, real(9.81) * t4 - t7, real(0.0)])
+        * real(0.23) - t13 - drag_torque;
 
     // -- known dynamics of block 2 (velocity) (11) --
     // F_2(x_1 .. x_2)
@@ -767,9 +765,9 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t18 = s1 / clock.E1_free_1;
+    let t14 = s1 / clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t18 * t18);
+    let E1_free = real(FRAC_PI_2) * (t14 * t14);
     // E_1 >= pi/2 - delta
     let violated1 = E1_free.ge(real(1.5697963267948967));
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
@@ -804,15 +802,15 @@ pub fn law<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t19 = state.zeta1 * real(5.0);
+    let t15 = state.zeta1 * real(5.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t19 - clock.y_r_dot + D_hat1 + Lam1;
+    let bracket1 = t15 - clock.y_r_dot + D_hat1 + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -J.solve(bracket1);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = J * state.zeta2 - t19;
+    let zeta1_dot = J * state.zeta2 - t15;
 
     // -- observer dynamics of block 1 (21) (50) --
     // th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)
@@ -839,7 +837,7 @@ pub fn law<T: Real>(
     let A_hat2 = state.W2.transpose_mul(P2);
 
     // -- disturbance observer of block 2 (20) (49) --
-    let t20 = Vector([
+    let t16 = Vector([
         real(-8.0) * e2[0],
         real(5.8) * e2[0],
         real(-8.0) * e2[1],
@@ -854,7 +852,7 @@ pub fn law<T: Real>(
         real(5.8) * e2[5],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t20;
+    let w_hat2 = state.th2 + t16;
     // d_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([
         w_hat2[1],
@@ -872,32 +870,32 @@ pub fn law<T: Real>(
     let Lam2_disturbance = c2 * real(3.0);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t21 = e2.tanh();
+    let t17 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t21 * state.eps2;
-    let t22 = G_norm2_1 * s_c1;
+    let Lam2_error_bound = t17 * state.eps2;
+    let t18 = G_norm2_1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t22 * t22) * real(0.25);
-    let t23 = s2 * s2;
+    let Lam2_coupling = e2 * (t18 * t18) * real(0.25);
+    let t19 = s2 * s2;
     // 1 / sqrt(s_2^2 + varsigma_2^2)
-    let s_scale2 = real(1.0) / (t23 + real(1.0)).sqrt();
+    let s_scale2 = real(1.0) / (t19 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
     let Lam2_noise = e2 * (prepared.Psi2_1 * state.sigma2 * s_scale2);
-    let t24 = prepared.Psi2 / (state.phi2 * state.phi2 + t23);
+    let t20 = prepared.Psi2 / (state.phi2 * state.phi2 + t19);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t24;
+    let Lam2_diffusion = e2 * t20;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
 
     // -- control (64) of block 2 --
-    let t25 = F2 + A_hat2;
-    let t26 = state.zeta2 * real(10.0);
+    let t21 = F2 + A_hat2;
+    let t22 = state.zeta2 * real(10.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t25 - h1_dot + t26 + D_hat2 + Lam2;
-    let t27 = prepared.inverse_M.solve(bracket2);
+    let bracket2 = t21 - h1_dot + t22 + D_hat2 + Lam2;
+    let t23 = prepared.inverse_M.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t27;
+    let u = -t23;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]))
@@ -905,10 +903,10 @@ pub fn law<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = prepared.inverse_M * (u_sat + t27) - t26;
+    let zeta2_dot = prepared.inverse_M * (u_sat + t23) - t22;
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t28 = Vector([
+    let t24 = Vector([
         real(9.0) * w_hat2[1],
         real(-6.0) * w_hat2[1] - w_hat2[0],
         real(9.0) * w_hat2[3],
@@ -922,36 +920,36 @@ pub fn law<T: Real>(
         real(9.0) * w_hat2[11],
         real(-6.0) * w_hat2[11] - w_hat2[10],
     ]);
-    let t29 = t25 + prepared.inverse_M * u - h1_dot + t26;
-    let t30 = Vector([
-        real(-8.0) * t29[0],
-        real(5.8) * t29[0],
-        real(-8.0) * t29[1],
-        real(5.8) * t29[1],
-        real(-8.0) * t29[2],
-        real(5.8) * t29[2],
-        real(-8.0) * t29[3],
-        real(5.8) * t29[3],
-        real(-8.0) * t29[4],
-        real(5.8) * t29[4],
-        real(-8.0) * t29[5],
-        real(5.8) * t29[5],
+    let t25 = t21 + prepared.inverse_M * u - h1_dot + t22;
+    let t26 = Vector([
+        real(-8.0) * t25[0],
+        real(5.8) * t25[0],
+        real(-8.0) * t25[1],
+        real(5.8) * t25[1],
+        real(-8.0) * t25[2],
+        real(5.8) * t25[2],
+        real(-8.0) * t25[3],
+        real(5.8) * t25[3],
+        real(-8.0) * t25[4],
+        real(5.8) * t25[4],
+        real(-8.0) * t25[5],
+        real(5.8) * t25[5],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = t28 - t30;
+    let th2_dot = t24 - t26;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 * e2.dot(t21) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 * e2.dot(t17) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = prepared.Psi2_1 * t23 * s_scale2 - real(0.1) * state.sigma2;
+    let sigma2_dot = prepared.Psi2_1 * t19 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t24 + real(0.5);
+    let phi2_decay = t20 + real(0.5);
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'
@@ -964,7 +962,7 @@ pub fn law<T: Real>(
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
     let zeta2_next = state.zeta2 + zeta2_dot * real(0.009516258196404044);
-    let t31 = Vector([
+    let t27 = Vector([
         real(0.0099985222988428) * th2_dot[0]
             + real(0.00044110044503657773) * th2_dot[1],
         real(-4.9011160559619754e-5) * th2_dot[0]
@@ -991,7 +989,7 @@ pub fn law<T: Real>(
             + real(0.009704455335485081) * th2_dot[11],
     ]);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + t31;
+    let th2_next = state.th2 + t27;
     // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
     let W2_next = state.W2 * real(0.999000499833375)
         + P2.outer(c2 * real(0.009995001666250083));
@@ -1033,7 +1031,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 1681 additions, 2048 multiplications, 58 divisions, 3 square roots, 27
+/// Operations: 1680 additions, 2044 multiplications, 58 divisions, 3 square roots, 27
 /// elementary functions, 49 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

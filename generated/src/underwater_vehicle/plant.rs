@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 3d8504cddf91b8bbad13d2c8872c757eff72c070d94c666e69de85d0ed3d4dd3
+// SHA-256 of the text below: cb184e110e3bce504950bb15604af1fdb6affff7482bd093858356112baa6f2e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
-// plant: 343 additions, 421 multiplications, 10 divisions, 0 square roots, 13 elementary functions, 0 comparisons and selections
+// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
+// plant: 342 additions, 417 multiplications, 10 divisions, 0 square roots, 13 elementary functions, 0 comparisons and selections
 
 //! `underwater_vehicle`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -270,7 +270,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 155 additions, 194 multiplications, 2 divisions, 0 square roots, 9 elementary
+/// Operations: 154 additions, 190 multiplications, 2 divisions, 0 square roots, 9 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -338,44 +338,41 @@ pub fn dynamics<T: Real>(
     let q = x[10];
     let r = x[11];
     let down_axis = Vector([t4, t5, t6]);
+    let t7 = q * heave - r * sway;
+    let t8 = r * surge - p * heave;
+    let carried = Vector([t7, t8, p * sway - q * surge]);
     let added_momentum = Vector([
         real(5.5) * surge,
         real(12.7) * sway,
         real(14.57) * heave,
     ]) * params.added_scale;
-    let t7 = Vector([
+    let t9 = Vector([
         (real(4.03) + real(18.18) * surge.abs()) * surge,
         (real(6.22) + real(21.66) * sway.abs()) * sway,
         (real(5.18) + real(36.99) * heave.abs()) * heave,
     ]);
-    let drag = t7 * params.drag_scale;
-    let t8 = q * heave - r * sway;
-    let t9 = r * surge - p * heave;
-    let t10 = q * real(0.02);
-    let t11 = -(p * real(0.02));
-    let t12 = Vector([-(r * t11), r * t10, p * t11 - q * t10]);
-    let t13 = down_axis * real(-1.9849999999999852)
-        - (Vector([t8, t9, p * sway - q * surge]) + t12) * real(11.5);
-    let t14 = Vector([
+    let drag = t9 * params.drag_scale;
+    let t10 = Vector([p * r, q * r, -(p * p) - q * q]) * real(0.02);
+    let t11 = Vector([
         q * added_momentum[2] - r * added_momentum[1],
         r * added_momentum[0] - p * added_momentum[2],
         p * added_momentum[1] - q * added_momentum[0],
     ]);
-    let force = t13 - t14 - drag;
-    let t15 = Vector([
+    let force = down_axis * real(-1.9849999999999852) - (carried + t10) * real(11.5)
+        - t11 - drag;
+    let t12 = Vector([
         (real(0.07) + real(1.55) * p.abs()) * p,
         (real(0.07) + real(1.55) * q.abs()) * q,
         (real(0.07) + real(1.55) * r.abs()) * r,
     ]);
-    let drag_torque = t15 * params.torque_scale;
-    let t16 = Vector([-(real(0.02) * t9), real(0.02) * t8, real(0.0)]) * real(11.5);
-    let t17 = Vector([
+    let drag_torque = t12 * params.torque_scale;
+    let t13 = Vector([
         sway * added_momentum[2] - heave * added_momentum[1],
         heave * added_momentum[0] - surge * added_momentum[2],
         surge * added_momentum[1] - sway * added_momentum[0],
     ]);
-    let moment = Vector([-(real(0.02) * t5), real(0.02) * t4, real(0.0)])
-        * real(112.81500000000001) - t16 - t17 - drag_torque;
+    let moment = Vector([t8 - real(9.81) * t5, real(9.81) * t4 - t7, real(0.0)])
+        * real(0.23) - t13 - drag_torque;
 
     // -- given --
     let x2 = Vector([surge, sway, heave, p, q, r]);
@@ -770,7 +767,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 343 additions, 421 multiplications, 10 divisions, 0 square roots, 13 elementary
+/// Operations: 342 additions, 417 multiplications, 10 divisions, 0 square roots, 13 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(
