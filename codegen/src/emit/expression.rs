@@ -1,5 +1,7 @@
 //! One value as a Rust expression, parenthesised where the precedence of Rust's operators asks for it and nowhere else.
 
+use std::collections::BTreeMap;
+
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
@@ -59,6 +61,8 @@ pub(crate) struct Names<'a> {
     pub(crate) inputs: Vec<TokenStream>,
     /// Variable of each bound value.
     pub(crate) variables: Vec<Option<Ident>>,
+    /// Variables of values that are entries of a pack.
+    pub(crate) packs: BTreeMap<ValueId, Vec<TokenStream>>,
     /// Function of each polynomial, by position.
     pub(crate) polynomials: Vec<TokenStream>,
     /// Each family, by position.
@@ -157,6 +161,9 @@ impl Names<'_> {
         if let Some(family) = self.family(array) {
             let (values, field) = (&self.variables[array.0 as usize], &family.fields[row]);
             return quote!(#values.#field);
+        }
+        if let Some(entries) = self.packs.get(&array) {
+            return entries[row].clone();
         }
         let matrix = matches!(self.program.shape(array), Shape::Matrix(..));
         let (array, row, column) = (self.at(array, Level::Postfix), index(row), index(column));

@@ -9,6 +9,7 @@ use quote::{format_ident, quote};
 use crate::emit::comment::{Comments, code, docs};
 use crate::emit::expression::Names;
 use crate::emit::names::{Fields, Scope, camel, ident, snake};
+use crate::emit::pack::packs;
 use crate::emit::plan::Plan;
 use crate::emit::polynomial::Library;
 use crate::emit::quantity;
@@ -217,13 +218,23 @@ impl Function<'_> {
         for (id, variable) in labelled {
             variables[id.0 as usize] = Some(variable);
         }
+        let packed = packs(program, plan);
         let mut next = 0;
-        for &id in plan.steps.iter().flat_map(|step| &step.temporaries) {
+        let temporaries = plan.steps.iter().flat_map(|step| &step.temporaries);
+        for &id in temporaries.filter(|id| !packed.contains_key(id)) {
             variables[id.0 as usize].get_or_insert_with(|| match program.instruction(id).op {
                 Op::Family(family, _) => scope.claim(&program.families[family.0 as usize].name),
                 _ => scope.temporary(&mut next),
             });
         }
+        let name = |id: ValueId| match program.instruction(id).op {
+            Op::Input(position) => Some(program.inputs[position].name.clone()),
+            _ => variables[id.0 as usize].as_ref().map(Ident::to_string),
+        };
+        let packs = packed
+            .iter()
+            .map(|(id, pack)| (*id, pack.variables(name, &mut scope)));
+        let packs = packs.collect();
         let (polynomials, families, bases) = (
             self.tables.polynomial_paths(program),
             self.tables.family_names(program),
@@ -234,6 +245,7 @@ impl Function<'_> {
                 program,
                 inputs,
                 variables,
+                packs,
                 polynomials,
                 families,
                 bases,
@@ -298,7 +310,10 @@ impl Function<'_> {
             return quote!(let #variable: #ty = #value;);
         }
         let formula = names.formula(id).tokens;
-        quote!(let #variable = #formula;)
+        match names.packs.get(&id) {
+            Some(entries) => quote!(let [#(#entries),*] = #formula.0;),
+            None => quote!(let #variable = #formula;),
+        }
     }
 
     fn origin(&self, id: ValueId) -> Option<&Origin> {

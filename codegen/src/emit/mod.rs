@@ -16,6 +16,7 @@ mod lyapunov;
 mod methods;
 mod module;
 mod names;
+mod pack;
 mod params;
 mod pieces;
 mod plan;

@@ -99,6 +99,14 @@ fn bound(program: &Program, live: &[bool], labels: &BTreeMap<ValueId, String>) -
         if let Some(operand) = evaluated_repeatedly(program, id) {
             repeated[operand.0 as usize] = true;
         }
+        // Values of a function on an array are named after its arguments.
+        if let Op::Apply(_, array) = instruction.op
+            && let Op::Array(arguments) = &program.instruction(array).op
+        {
+            for argument in arguments {
+                repeated[argument.0 as usize] = true;
+            }
+        }
     }
     let mut bound = vec![false; live.len()];
     let mut weights = vec![1usize; live.len()];

@@ -202,7 +202,8 @@ fn operation(program: &Program, op: &Op, ty: Type) -> Cost {
     }
 }
 
-fn elementary(function: Function) -> Cost {
+/// One call of a function.
+pub(super) fn elementary(function: Function) -> Cost {
     match function {
         Function::Neg | Function::Abs => NOTHING,
         Function::Sign => 2 * SELECTION,

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::cost::{self, Cost};
 use super::{Arithmetic, optimise_watched};
-use crate::ir::{Op, Program, ValueId};
+use crate::ir::{Op, Program, Shape, Type, ValueId};
 
 /// The operations of a program on its way through the optimiser.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -129,7 +129,7 @@ fn by_quantity(program: &Program) -> Quantities {
     }
     let rest = (0..).map(ValueId).zip(&program.instructions);
     let rest: Cost = rest.map(|(value, _)| counter.count(value)).sum();
-    let rest = rest + counter.whole_families();
+    let rest = rest + counter.unused_entries();
     if rest != Cost::default() {
         quantities.insert(String::new(), (None, rest));
     }
@@ -140,8 +140,10 @@ fn by_quantity(program: &Program) -> Quantities {
 struct Counter<'p> {
     program: &'p Program,
     counted: Vec<bool>,
-    /// Members of families that were counted: where their value is taken.
-    members: BTreeSet<(ValueId, usize)>,
+    /// Whether single entries are all that is used of a value.
+    apart: Vec<bool>,
+    /// Entries of families and of functions of arrays that were counted where they are used.
+    entries: BTreeSet<(ValueId, usize)>,
 }
 
 impl<'p> Counter<'p> {
@@ -149,7 +151,8 @@ impl<'p> Counter<'p> {
         Counter {
             program,
             counted: vec![false; program.instructions.len()],
-            members: BTreeSet::new(),
+            apart: apart(program),
+            entries: BTreeSet::new(),
         }
     }
 
@@ -168,37 +171,63 @@ impl<'p> Counter<'p> {
         sum
     }
 
-    /// The operations of an instruction; a member of a family belongs to where its value is taken.
+    /// The operations of an instruction; an entry of a family or of a function of an array belongs to where it is used.
     fn own(&mut self, value: ValueId) -> Cost {
         let instruction = self.program.instruction(value);
         match instruction.op {
-            Op::Family(..) => Cost::default(),
-            Op::Element(values, row, _) => self.member(values, row),
+            Op::Element(values, row, _) => self.entry(values, row),
+            _ if self.entries_of(value) > 0 => Cost::default(),
             _ => cost::of(self.program, instruction),
         }
     }
 
-    fn member(&mut self, values: ValueId, row: usize) -> Cost {
+    /// Number of entries that are counted where they are used.
+    fn entries_of(&self, value: ValueId) -> usize {
+        let instruction = self.program.instruction(value);
+        match (&instruction.op, instruction.ty) {
+            (Op::Family(id, _), _) => self.program.families[id.0 as usize].members.len(),
+            (Op::Apply(..), Type::Real(Shape::Vector(n))) if self.apart[value.0 as usize] => n,
+            _ => 0,
+        }
+    }
+
+    fn entry(&mut self, values: ValueId, row: usize) -> Cost {
+        if self.entries_of(values) == 0 || !self.entries.insert((values, row)) {
+            return Cost::default();
+        }
         match self.program.instruction(values).op {
-            Op::Family(id, _) if self.members.insert((values, row)) => {
-                cost::member(&self.program.families[id.0 as usize].members[row])
-            }
+            Op::Family(id, _) => cost::member(&self.program.families[id.0 as usize].members[row]),
+            Op::Apply(function, _) => cost::elementary(function),
             _ => Cost::default(),
         }
     }
 
-    /// The members of families that no instruction takes alone.
-    fn whole_families(&mut self) -> Cost {
+    /// The entries that no instruction uses alone.
+    fn unused_entries(&mut self) -> Cost {
         let mut sum = Cost::default();
-        for (value, instruction) in (0..).map(ValueId).zip(&self.program.instructions) {
-            if let Op::Family(id, _) = instruction.op {
-                for row in 0..self.program.families[id.0 as usize].members.len() {
-                    sum = sum + self.member(value, row);
-                }
+        for value in (0..).map(ValueId).take(self.program.instructions.len()) {
+            for row in 0..self.entries_of(value) {
+                sum = sum + self.entry(value, row);
             }
         }
         sum
     }
+}
+
+/// Whether single entries are all that is used of each value.
+fn apart(program: &Program) -> Vec<bool> {
+    let mut apart = vec![true; program.instructions.len()];
+    for (_, output) in &program.outputs {
+        apart[output.0 as usize] = false;
+    }
+    let whole = program
+        .instructions
+        .iter()
+        .filter(|instruction| !matches!(instruction.op, Op::Element(..)));
+    for operand in whole.flat_map(|instruction| instruction.op.operands()) {
+        apart[operand.0 as usize] = false;
+    }
+    apart
 }
 
 #[cfg(test)]

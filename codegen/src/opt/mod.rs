@@ -8,6 +8,7 @@ pub mod stage;
 
 mod arrays;
 mod dead_code;
+mod elementary;
 mod families;
 mod fold;
 mod identities;
@@ -43,7 +44,7 @@ pub struct Pass {
 }
 
 /// All passes, in the order of a round.
-pub static PASSES: [Pass; 11] = [
+pub static PASSES: [Pass; 12] = [
     Pass {
         name: "fold",
         kind: Kind::Exact,
@@ -100,6 +101,11 @@ pub static PASSES: [Pass; 11] = [
         name: "dead_code",
         kind: Kind::Exact,
         run: dead_code::run,
+    },
+    Pass {
+        name: "elementary",
+        kind: Kind::Exact,
+        run: elementary::run,
     },
 ];
 

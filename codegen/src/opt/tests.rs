@@ -323,6 +323,15 @@ fn members_that_nothing_needs_leave_their_family() {
 }
 
 #[test]
+fn elementary() {
+    let text = "input t: real\ninput x: vec2\n%0: real = input t\n%1: real = sin %0\n%2: vec2 = input x\n%3: real = element %2, 0, 0\n\
+                %4: real = sin %3\n%5: real = add %4, %1\n%6: real = sin %5\n%7: real = element %2, 1, 0\n%8 s: real = sin %7\n\
+                %9: real = cos %7\n%10: real = add %0, %0\n%11: real = cos %10\n%12: real = sin %10\n%13: real = cos %3\n\
+                output a = %6\noutput b = %8\noutput c = %9\noutput d = %11\noutput e = %12\noutput f = %13";
+    check("elementary", text);
+}
+
+#[test]
 fn reciprocals() {
     let text = "input x: vec3\ninput d: real\n%0: vec3 = input x\n%1: real = input d\n%2: vec3 = div %0, %1\n%3: real = sum_squares %0
 %4: real = div %1, %3\noutput a = %2\noutput b = %4";

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 69603b93fe25560b3bbcffe4bde31e835560d5385bab38df9669945f9d5dac2a
+// SHA-256 of the text below: e35e3da1ef7253f58d26d7775d488e69b37a3151777bbf87149e4892f89c3f49
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // lyapunov: 293 additions, 387 multiplications, 57 divisions, 2 square roots, 16 elementary functions, 14 comparisons and selections
@@ -73,23 +73,26 @@ pub fn lyapunov<T: Real>(
     let G3: Matrix<T, 1, 1> = Matrix::from_f64([[40.0]]);
 
     // -- reference and constraints --
-    let t3 = t.sin();
-    let t4 = real(FRAC_PI_2) * t3;
-    let t5 = t * t;
-    let t6 = (real(-0.1) * (t5 * t)).exp();
-    let t7 = real(1.0) - t6;
+    let t3 = real(20.0) * t;
+    let t4 = Vector([t, t3]);
+    let [sin_t, sin_t3] = t4.map(T::sin).0;
+    let t5 = real(FRAC_PI_2) * sin_t;
+    let t6 = t * t;
+    let t7 = (real(-0.1) * (t6 * t)).exp();
+    let t8 = real(1.0) - t7;
     // y_r(t)
-    let y_r = Vector([t4 * t7]);
-    let t8 = real(FRAC_PI_2) * t.cos();
-    let t9 = real(-0.1) * (real(3.0) * t5);
-    let t10 = t6 * t9;
+    let y_r = Vector([t5 * t8]);
+    let [cos_t, cos_t3] = t4.map(T::cos).0;
+    let t9 = real(FRAC_PI_2) * cos_t;
+    let t10 = real(-0.1) * (real(3.0) * t6);
+    let t11 = t7 * t10;
     // y_r'
-    let y_r_dot = Vector([t7 * t8 - t4 * t10]);
-    let t11 = (real(-2.0) * t).exp();
+    let y_r_dot = Vector([t8 * t9 - t5 * t11]);
+    let t12 = (real(-2.0) * t).exp();
     // k_1(t)
-    let k1 = real(0.3) * t11 + real(0.05);
+    let k1 = real(0.3) * t12 + real(0.05);
     // k1'
-    let k1_dot = real(0.3) * (t11 * real(-2.0));
+    let k1_dot = real(0.3) * (t12 * real(-2.0));
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -98,23 +101,23 @@ pub fn lyapunov<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t12 = k1 * k1;
-    let t13 = s1 / t12;
+    let t13 = k1 * k1;
+    let t14 = s1 / t13;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t13 * t13);
+    let E1_free = real(FRAC_PI_2) * (t14 * t14);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t14 = cosE1 * cosE1;
+    let t15 = cosE1 * cosE1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t14;
+    let c1 = e1 * s1 / t15;
 
     // -- robust feedback of block 1 (31) (63) --
-    let t15 = kernel::sin_cos_over(E1);
-    let t16 = real(1.5697963267948967) / E1_free;
+    let t16 = kernel::sin_cos_over(E1);
+    let t17 = real(1.5697963267948967) / E1_free;
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(3.2199999999999998) * (t15 * real(1.0).min(t16))
+    let Lam0_1 = e1 * real(3.2199999999999998) * (t16 * real(1.0).min(t17))
         + e1 * real(1.72);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
@@ -124,16 +127,16 @@ pub fn lyapunov<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t17 = state.zeta1 * real(20.0);
+    let t18 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t17 - y_r_dot + Lam1;
-    let t18 = G1.solve(bracket1);
+    let bracket1 = t18 - y_r_dot + Lam1;
+    let t19 = G1.solve(bracket1);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t18;
+    let alpha1 = -t19;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t17;
+    let zeta1_dot = state.zeta2 - t18;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -154,9 +157,9 @@ pub fn lyapunov<T: Real>(
     let z2 = Vector([t2, rate]);
     // P_2 = P_m(z_2), 6 nodes
     let P2 = polynomials::basis2(z2);
-    let t19 = state.W2.transpose();
+    let t20 = state.W2.transpose();
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = t19 * P2;
+    let A_hat2 = t20 * P2;
 
     // -- disturbance observer of block 2 (20) (49) --
     // w_hat_2 = th_2 + S_2 e_2
@@ -177,36 +180,36 @@ pub fn lyapunov<T: Real>(
     let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t20 = H_norm2_2 * Ybar_norm2;
+    let t21 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t20 * t20 * real(0.5) + real(0.5) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
+    let Psi2 = t21 * t21 * real(0.5) + real(0.5) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
     let Lam0_2 = e2 * real(25.0) + e2 * real(20.0);
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(0.5);
-    let t21 = real(0.05) * G_norm2_2;
+    let t22 = real(0.05) * G_norm2_2;
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam2_filter = c2 * t21;
+    let Lam2_filter = c2 * t22;
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t22 = e2.map(T::tanh);
+    let t23 = e2.map(T::tanh);
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t22 * state.eps2;
-    let t23 = s_c1 * s_c1;
+    let Lam2_error_bound = t23 * state.eps2;
+    let t24 = s_c1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * t23 * real(0.25);
-    let t24 = t20 * state.sigma2;
-    let t25 = s2 * s2;
-    let t26 = (t25 + real(1.0)).sqrt();
+    let Lam2_coupling = e2 * t24 * real(0.25);
+    let t25 = t21 * state.sigma2;
+    let t26 = s2 * s2;
+    let t27 = (t26 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * t24 / t26;
-    let t27 = state.phi2 * state.phi2;
-    let t28 = t27 + t25;
-    let t29 = Psi2 / t28;
+    let Lam2_noise = e2 * t25 / t27;
+    let t28 = state.phi2 * state.phi2;
+    let t29 = t28 + t26;
+    let t30 = Psi2 / t29;
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t29;
+    let Lam2_diffusion = e2 * t30;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
@@ -214,17 +217,17 @@ pub fn lyapunov<T: Real>(
     let s_c2 = c2.sum_squares();
 
     // -- virtual control (31) of block 2 --
-    let t30 = F2 + A_hat2;
-    let t31 = state.zeta2 * real(50.0);
+    let t31 = F2 + A_hat2;
+    let t32 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t30 - h1_dot + t31 + w_hat2 + Lam2;
-    let t32 = G2.solve(bracket2);
+    let bracket2 = t31 - h1_dot + t32 + w_hat2 + Lam2;
+    let t33 = G2.solve(bracket2);
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let alpha2 = -t32;
+    let alpha2 = -t33;
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
-    let zeta2_dot = G2 * state.zeta3 - t31;
+    let zeta2_dot = G2 * state.zeta3 - t32;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
@@ -233,20 +236,20 @@ pub fn lyapunov<T: Real>(
     // -- observer dynamics of block 2 (21) (50) --
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
     let th2_dot = w_hat2 * real(-12.0)
-        - (t30 + G2 * (x3 - state.zeta3) - h1_dot + t31) * real(10.0);
+        - (t31 + G2 * (x3 - state.zeta3) - h1_dot + t32) * real(10.0);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 * e2.dot(t22) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 * e2.dot(t23) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t20 * t25 / t26 - real(0.1) * state.sigma2;
+    let sigma2_dot = t21 * t26 / t27 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t29 + real(0.5);
+    let phi2_decay = t30 + real(0.5);
     // phi_2' = -phi_2 Psi_2/(phi_2^2 + s_2^2) - kappa_phi phi_2 if ||e_2|| >= iota_phi, else 0
     let phi2_dot = T::select(
         s2.sqrt().ge(real(0.2)),
@@ -277,64 +280,63 @@ pub fn lyapunov<T: Real>(
     let Lam0_3 = e3 * real(125.0) + e3 * real(100.0);
     // eta_1/2 c^T (36)
     let Lam3_disturbance = c3 * real(0.5);
-    let t33 = G_norm2_2 * s_c2;
+    let t34 = G_norm2_2 * s_c2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam3_coupling = e3 * (t33 * t33) * real(0.015625);
+    let Lam3_coupling = e3 * (t34 * t34) * real(0.015625);
     // Lam_3, sum of the terms above
     let Lam3 = Lam0_3 + Lam3_disturbance + Lam3_coupling;
 
     // -- control (64) of block 3 --
-    let t34 = state.zeta3 * real(100.0);
+    let t35 = state.zeta3 * real(100.0);
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
-    let bracket3 = F3 - h2_dot + t34 + D_hat3 + Lam3;
-    let t35 = G3.solve(bracket3);
+    let bracket3 = F3 - h2_dot + t35 + D_hat3 + Lam3;
+    let t36 = G3.solve(bracket3);
     // u = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
-    let u = -t35;
+    let u = -t36;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.map(|entry| entry.max(real(-40.0))).map(|entry| entry.min(real(40.0)));
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
-    let zeta3_dot = (u_sat + t35) * real(40.0) - t34;
+    let zeta3_dot = (u_sat + t36) * real(40.0) - t35;
 
     // -- true dynamics of block 2 (speed) (11) --
-    let t36 = real(0.017315216666666668) + plant.load_mass * real(0.093025)
+    let t37 = real(0.017315216666666668) + plant.load_mass * real(0.093025)
         + real(2.0) * plant.load_mass * real(0.000529) / real(5.0);
     // F_2 with the plant's parameters
     let F2_plant = Vector([
-        -(t1 + (real(0.253) + plant.load_mass) * real(0.305) * real(9.81) * t2) / t36,
+        -(t1 + (real(0.253) + plant.load_mass) * real(0.305) * real(9.81) * t2) / t37,
     ]);
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[real(0.9) / t36]]);
+    let G2_plant = Matrix([[real(0.9) / t37]]);
     // w_2' = M_2 w_2 (12)
     let w2_flow = w2 * real(-2.0);
     // F_2 + G_2 x_3 + d_2
     let x2_flow = F2_plant + G2_plant * x3 + w2;
 
     // -- true dynamics of block 3 (current) (11) --
-    let t37 = real(20.0) * t;
     // d_3(t)
-    let d3 = Vector([real(0.5) * t37.sin() / real(0.025)]);
+    let d3 = Vector([real(0.5) * sin_t3 / real(0.025)]);
     let t38 = u_sat * real(40.0);
     // F_3 + G_3 x_4 + d_3
     let x3_flow = F3 + t38 + d3;
 
     // -- Lyapunov function of block 1 (23) (52) --
-    let t39 = t12 * t12 / real(TAU);
+    let t39 = t13 * t13 / real(TAU);
     let t40 = E1.tan();
     // k_1^4/(2 pi) tan E_1
     let V_T1 = t39 * t40;
     // 1/2 ||zeta_1||^2
     let V_zeta1 = state.zeta1.sum_squares() * real(0.5);
     // chi_1 = h_1 - alpha_1 (34)
-    let chi1 = state.h1 + t18;
+    let chi1 = state.h1 + t19;
     // 1/2 ||chi_1||^2
     let V_chi1 = chi1.sum_squares() * real(0.5);
 
     // -- Lyapunov function of block 2 (23) (52) --
     // k_2^4/(2 pi) tan E_2
-    let V_T2 = t25 * real(0.25);
-    let t41 = t19 * state.W2;
+    let V_T2 = t26 * real(0.25);
+    let t41 = t20 * state.W2;
     // tr(W_2^T W_2)/(2 Gamma_2)
     let V_W2 = t41[(0, 0)] * real(0.5);
     // w_2 - w_hat_2
@@ -344,7 +346,7 @@ pub fn lyapunov<T: Real>(
     // 1/2 ||zeta_2||^2
     let V_zeta2 = state.zeta2.sum_squares() * real(0.5);
     // chi_2 = h_2 - alpha_2 (34)
-    let chi2 = state.h2 + t32;
+    let chi2 = state.h2 + t33;
     // 1/2 ||chi_2||^2
     let V_chi2 = chi2.sum_squares() * real(0.5);
     // eps_hat_2^2/(2 iota_20)
@@ -353,7 +355,7 @@ pub fn lyapunov<T: Real>(
     // (sigma_bar_2 - sigma_hat_2)^2/(2 taubar_2)
     let V_sigma2 = t42 * t42 * real(0.5);
     // phi_2^2/2
-    let V_phi2 = t27 * real(0.5);
+    let V_phi2 = t28 * real(0.5);
 
     // -- Lyapunov function of block 3 (23) (52) --
     // k_3^4/(2 pi) tan E_3
@@ -371,7 +373,7 @@ pub fn lyapunov<T: Real>(
     let V = t43 + V_sigma2 + V_phi2 + V_T3 + V_D3 + V_zeta3;
 
     // -- Ito generator (2) --
-    let t44 = real(0.01) / t36;
+    let t44 = real(0.01) / t37;
     // column 1 of HSigma2
     let HSigma2_1 = Vector([t44]);
     // e1' along the flow
@@ -379,7 +381,7 @@ pub fn lyapunov<T: Real>(
     let t45 = e1_flow.dot(e1);
     // s1' along the flow
     let s1_flow = t45 + t45;
-    let t46 = (t13 + t13) * (s1_flow / t12 - t13 / t12 * ((k1 + k1) * k1_dot));
+    let t46 = (t14 + t14) * (s1_flow / t13 - t14 / t13 * ((k1 + k1) * k1_dot));
     // E1_free' along the flow
     let E1_free_flow = real(FRAC_PI_2) * t46;
     // E1' along the flow
@@ -389,30 +391,30 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t40 * (real(4.0) * (t12 * k1) * k1_dot / real(TAU))
-        + t39 * (E1_flow / t14);
+    let V_T1_flow = t40 * (real(4.0) * (t13 * k1) * k1_dot / real(TAU))
+        + t39 * (E1_flow / t15);
     let t47 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
     let V_zeta1_flow = (t47 + t47) * real(0.5);
-    let t48 = t8 * t10;
-    let t49 = t48 + t4 * (t9 * t10 + t6 * (real(-0.1) * (real(3.0) * (t + t))));
+    let t48 = t9 * t11;
+    let t49 = t48 + t5 * (t10 * t11 + t7 * (real(-0.1) * (real(3.0) * (t + t))));
     // y_r''
-    let y_r_dot2 = Vector([t7 * (real(FRAC_PI_2) * -t3) - t48 - t49]);
-    let t50 = real(1.0).lt(t16);
-    let t51 = T::select(t50, real(1.0), t16);
+    let y_r_dot2 = Vector([t8 * (real(FRAC_PI_2) * -sin_t) - t48 - t49]);
+    let t50 = real(1.0).lt(t17);
+    let t51 = T::select(t50, real(1.0), t17);
     let t52 = t51 * (kernel::sin_cos_over_d1(E1) * E1_flow)
-        + T::select(t50, real(0.0), -(t15 * (t16 / E1_free * E1_free_flow)));
+        + T::select(t50, real(0.0), -(t16 * (t17 / E1_free * E1_free_flow)));
     // Lam0_1' along the flow
     let Lam0_1_flow = Vector([
         real(3.2199999999999998) * e1[0] * t52
-            + t15 * t51 * (real(3.2199999999999998) * e1_flow[0])
+            + t16 * t51 * (real(3.2199999999999998) * e1_flow[0])
             + real(1.72) * e1_flow[0],
     ]);
     // cosE1' along the flow
     let cosE1_flow = -(E1.sin() * E1_flow);
-    let t53 = s1 * e1[0] / t14 / t14 * ((cosE1 + cosE1) * cosE1_flow);
+    let t53 = s1 * e1[0] / t15 / t15 * ((cosE1 + cosE1) * cosE1_flow);
     // c1' along the flow
-    let c1_flow = Vector([(e1[0] * s1_flow + s1 * e1_flow[0]) / t14 - t53]);
+    let c1_flow = Vector([(e1[0] * s1_flow + s1 * e1_flow[0]) / t15 - t53]);
     // Lam1_filter' along the flow
     let Lam1_filter_flow = c1_flow * real(0.5);
     // Lam1' along the flow
@@ -436,7 +438,7 @@ pub fn lyapunov<T: Real>(
     // V_T2' along the flow
     let V_T2_flow = (t57 + t57) * real(0.25);
     let t58 = W2_dot.transpose();
-    let t59 = t58 * state.W2 + t19 * W2_dot;
+    let t59 = t58 * state.W2 + t20 * W2_dot;
     // V_W2' along the flow
     let V_W2_flow = t59[(0, 0)] * real(0.5);
     // w_hat2' along the flow
@@ -457,7 +459,7 @@ pub fn lyapunov<T: Real>(
     // P2' along the flow
     let P2_flow = polynomials::basis2_rate(z2, z2_flow);
     // A_hat2' along the flow
-    let A_hat2_flow = t58 * P2 + t19 * P2_flow;
+    let A_hat2_flow = t58 * P2 + t20 * P2_flow;
     // h1_dot' along the flow
     let h1_dot_flow = (alpha1_flow - h1_dot) / real(0.02);
     // Lam0_2' along the flow
@@ -467,7 +469,7 @@ pub fn lyapunov<T: Real>(
     // Lam2_disturbance' along the flow
     let Lam2_disturbance_flow = c2_flow * real(0.5);
     // Lam2_filter' along the flow
-    let Lam2_filter_flow = c2_flow * t21;
+    let Lam2_filter_flow = c2_flow * t22;
     // Lam2_network' along the flow
     let Lam2_network_flow = e2_flow * real(0.5);
     let t63 = e2[0].tanh();
@@ -481,20 +483,20 @@ pub fn lyapunov<T: Real>(
     let s_c1_flow = t65 + t65;
     // Lam2_coupling' along the flow
     let Lam2_coupling_flow = Vector([
-        (e2[0] * ((s_c1 + s_c1) * s_c1_flow) + t23 * e2_flow[0]) * real(0.25),
+        (e2[0] * ((s_c1 + s_c1) * s_c1_flow) + t24 * e2_flow[0]) * real(0.25),
     ]);
-    let t66 = t24 * e2[0] / t26 / t26;
+    let t66 = t25 * e2[0] / t27 / t27;
     let t67 = s2 + s2;
     let t68 = t67 * s2_flow;
-    let t69 = t26 + t26;
+    let t69 = t27 + t27;
     // Lam2_noise' along the flow
     let Lam2_noise_flow = Vector([
-        (e2[0] * (t20 * sigma2_dot) + t24 * e2_flow[0]) / t26 - t66 * (t68 / t69),
+        (e2[0] * (t21 * sigma2_dot) + t25 * e2_flow[0]) / t27 - t66 * (t68 / t69),
     ]);
-    let t70 = t29 / t28;
+    let t70 = t30 / t29;
     // Lam2_diffusion' along the flow
     let Lam2_diffusion_flow = Vector([
-        t29 * e2_flow[0] - e2[0] * (t70 * ((state.phi2 + state.phi2) * phi2_dot + t68)),
+        t30 * e2_flow[0] - e2[0] * (t70 * ((state.phi2 + state.phi2) * phi2_dot + t68)),
     ]);
     // Lam2' along the flow
     let Lam2_flow = Lam0_2_flow + Lam2_disturbance_flow + Lam2_filter_flow
@@ -526,7 +528,7 @@ pub fn lyapunov<T: Real>(
     // V_T3' along the flow
     let V_T3_flow = (t76 + t76) * real(0.25);
     // d3'
-    let d3_dot = Vector([real(0.5) * (t37.cos() * real(20.0)) / real(0.025)]);
+    let d3_dot = Vector([real(0.5) * (cos_t3 * real(20.0)) / real(0.025)]);
     // D_hat3' along the flow
     let D_hat3_flow = x3_flow * real(50.0) - (D_hat3 + F3 + t38) * real(50.0);
     // D_error3' along the flow
@@ -558,7 +560,7 @@ pub fn lyapunov<T: Real>(
     // D^1 P2 along noise1
     let P2_noise1_ = polynomials::basis2_rate(z2, z2_noise1_);
     // D^1 A_hat2 along noise1
-    let A_hat2_noise1_ = t19 * P2_noise1_;
+    let A_hat2_noise1_ = t20 * P2_noise1_;
     // D^1 Lam0_2 along noise1
     let Lam0_2_noise1_ = HSigma2_1 * real(25.0) + HSigma2_1 * real(20.0);
     // D^1 c2 along noise1
@@ -566,15 +568,15 @@ pub fn lyapunov<T: Real>(
     // D^1 Lam2_disturbance along noise1
     let Lam2_disturbance_noise1_ = c2_noise1_ * real(0.5);
     // D^1 Lam2_filter along noise1
-    let Lam2_filter_noise1_ = c2_noise1_ * t21;
+    let Lam2_filter_noise1_ = c2_noise1_ * t22;
     // D^1 Lam2_network along noise1
     let Lam2_network_noise1_ = HSigma2_1 * real(0.5);
     let t83 = t64 * t44;
     // D^1 Lam2_error_bound along noise1
     let Lam2_error_bound_noise1_ = Vector([state.eps2 * t83]);
     // D^1 Lam2_coupling along noise1
-    let Lam2_coupling_noise1_ = Vector([t23 * t44 * real(0.25)]);
-    let t84 = t24 * t44 / t26;
+    let Lam2_coupling_noise1_ = Vector([t24 * t44 * real(0.25)]);
+    let t84 = t25 * t44 / t27;
     let t85 = t67 * s2_noise1_;
     let t86 = t85 / t69;
     let t87 = t84 - t66 * t86;
@@ -582,7 +584,7 @@ pub fn lyapunov<T: Real>(
     let Lam2_noise_noise1_ = Vector([t87]);
     let t88 = t70 * t85;
     // D^1 Lam2_diffusion along noise1
-    let Lam2_diffusion_noise1_ = Vector([t29 * t44 - e2[0] * t88]);
+    let Lam2_diffusion_noise1_ = Vector([t30 * t44 - e2[0] * t88]);
     // D^1 Lam2 along noise1
     let Lam2_noise1_ = Lam0_2_noise1_ + Lam2_disturbance_noise1_ + Lam2_filter_noise1_
         + Lam2_network_noise1_ + Lam2_error_bound_noise1_ + Lam2_coupling_noise1_
@@ -596,23 +598,23 @@ pub fn lyapunov<T: Real>(
     // D^2 P2 along noise1
     let P2_noise1_2 = polynomials::basis2_rate2(z2, z2_noise1_, z2_noise1_2);
     // D^2 A_hat2 along noise1
-    let A_hat2_noise1_2 = t19 * P2_noise1_2;
+    let A_hat2_noise1_2 = t20 * P2_noise1_2;
     let t89 = HSigma2_1 * s2_noise1_;
     // D^2 c2 along noise1
     let c2_noise1_2 = e2 * s2_noise1_2 + t89 + t89;
     // D^2 Lam2_disturbance along noise1
     let Lam2_disturbance_noise1_2 = c2_noise1_2 * real(0.5);
     // D^2 Lam2_filter along noise1
-    let Lam2_filter_noise1_2 = c2_noise1_2 * t21;
+    let Lam2_filter_noise1_2 = c2_noise1_2 * t22;
     // D^2 Lam2_error_bound along noise1
     let Lam2_error_bound_noise1_2 = Vector([state.eps2 * -(t44 * ((t63 + t63) * t83))]);
     let t90 = s2_noise1_ * (s2_noise1_ + s2_noise1_) + t67 * s2_noise1_2;
     let t91 = t66 * (t90 / t69 - t86 / t69 * (t86 + t86));
-    let t92 = t86 * (t87 / t26 - t66 / t26 * t86) + t91;
+    let t92 = t86 * (t87 / t27 - t66 / t27 * t86) + t91;
     // D^2 Lam2_noise along noise1
-    let Lam2_noise_noise1_2 = Vector([-(t84 / t26 * t86) - t92]);
+    let Lam2_noise_noise1_2 = Vector([-(t84 / t27 * t86) - t92]);
     let t93 = t44 * t88;
-    let t94 = e2[0] * (t70 * t90 - t85 * (t88 / t28 + t70 / t28 * t85));
+    let t94 = e2[0] * (t70 * t90 - t85 * (t88 / t29 + t70 / t29 * t85));
     // D^2 Lam2_diffusion along noise1
     let Lam2_diffusion_noise1_2 = Vector([-t93 - (t93 + t94)]);
     // D^2 Lam2 along noise1

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: f1dc90e502e3016e6a33202846981683e050f7aad6d4e57813cc262f13b18ff4
+// SHA-256 of the text below: 1ce27b78d2388cc20d4ab9d087a2f5b0b41605004c4fcbe14a41ecfc669b0046
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // initial: 75 additions, 108 multiplications, 15 divisions, 0 square roots, 17 elementary functions, 6 comparisons and selections
@@ -280,52 +280,57 @@ pub fn initial<T: Real>(
             + at_alpha_deg.CY_RUD);
 
     // -- known dynamics of block 1 (attitude) (11) --
-    let t1 = real(1332506.5352200002) * mu.cos();
-    let t2 = beta.cos();
-    let t3 = beta.tan();
+    let [sin_alpha, sin_mu] = Vector([alpha, mu]).map(T::sin).0;
+    let [cos_alpha, cos_mu, cos_beta] = Vector([alpha, mu, beta]).map(T::cos).0;
+    let t1 = real(1332506.5352200002) * cos_mu;
+    let t2 = beta.tan();
     // F_1(x_1 .. x_1)
     let F1 = Vector([
-        (t1 - lift) / (real(410460000.0) * t2),
-        (side + real(1332506.5352200002) * mu.sin()) / real(410460000.0),
-        (lift * t3 - t1 * t3) / real(410460000.0),
+        (t1 - lift) / (real(410460000.0) * cos_beta),
+        (side + real(1332506.5352200002) * sin_mu) / real(410460000.0),
+        (lift * t2 - t1 * t2) / real(410460000.0),
     ]);
-    let t4 = alpha.sin();
-    let t5 = alpha.cos();
-    let t6 = -t3;
-    let t7 = t6 * t5;
-    let t8 = t6 * t4;
-    let t9 = -t5;
-    let t10 = t5 / t2;
-    let t11 = t4 / t2;
+    let t3 = -t2;
+    let t4 = t3 * cos_alpha;
+    let t5 = t3 * sin_alpha;
+    let t6 = -cos_alpha;
+    let t7 = cos_alpha / cos_beta;
+    let t8 = sin_alpha / cos_beta;
     // G_1(x_1 .. x_1)
-    let G1 = Matrix([[t7, real(1.0), t8], [t4, real(0.0), t9], [t10, real(0.0), t11]]);
+    let G1 = Matrix([
+        [t4, real(1.0), t5],
+        [sin_alpha, real(0.0), t6],
+        [t7, real(0.0), t8],
+    ]);
 
     // -- reference and constraints --
-    let t12 = t.le(real(4.0));
-    let t13 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
-    let t14 = real(0.9424777960769379) * t;
-    let t15 = real(0.5) * t;
+    let t9 = t.le(real(4.0));
+    let t10 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
+    let t11 = real(0.5) * t;
+    let t12 = real(0.9424777960769379) * t;
+    let t13 = Vector([t, t10, t12, t11]);
+    let [sin_t, sin_t10, sin_t12, sin_t11] = t13.map(T::sin).0;
+    let [cos_t, cos_t10, cos_t12, cos_t11] = t13.map(T::cos).0;
     // y_r(t)
     let y_r = Vector([
         T::select(
-            t12,
-            (real(2.5) * t13.sin() + real(1.5)) * real(0.017453292519943295),
+            t9,
+            (real(2.5) * sin_t10 + real(1.5)) * real(0.017453292519943295),
             real(0.06981317007977318),
         ),
-        real(0.5) * t14.sin() * real(0.017453292519943295),
-        (real(-2.0) * t.sin() + real(0.5) * t15.cos()) * real(0.017453292519943295),
+        real(0.5) * sin_t12 * real(0.017453292519943295),
+        (real(-2.0) * sin_t + real(0.5) * cos_t11) * real(0.017453292519943295),
     ]);
     // y_r'
     let y_r_dot = Vector([
         T::select(
-            t12,
-            real(0.017453292519943295) * (real(2.5) * (t13.cos() * real(FRAC_PI_4))),
+            t9,
+            real(0.017453292519943295) * (real(2.5) * (cos_t10 * real(FRAC_PI_4))),
             real(0.0),
         ),
+        real(0.017453292519943295) * (real(0.5) * (cos_t12 * real(0.9424777960769379))),
         real(0.017453292519943295)
-            * (real(0.5) * (t14.cos() * real(0.9424777960769379))),
-        real(0.017453292519943295)
-            * (real(-2.0) * t.cos() - real(0.5) * (t15.sin() * real(0.5))),
+            * (real(-2.0) * cos_t - real(0.5) * (sin_t11 * real(0.5))),
     ]);
     // k_1(t)
     let k1 = (real(3.0) * (-t).exp() + real(0.5)) * real(0.017453292519943295);
@@ -337,8 +342,8 @@ pub fn initial<T: Real>(
     // -- given --
     let zeta1: Vector<T, 3> = Vector::zero();
     let W1: Matrix<T, 19, 3> = Matrix::zero();
-    let t16 = x1 * real(10.0);
-    let th1 = -t16;
+    let t14 = x1 * real(10.0);
+    let th1 = -t14;
     let zeta2: Vector<T, 3> = Vector::zero();
     let W2: Matrix<T, 19, 3> = Matrix::zero();
     let eps2 = real(0.0);
@@ -348,20 +353,20 @@ pub fn initial<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t17 = s1 / (k1 * k1);
+    let t15 = s1 / (k1 * k1);
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t17 * t17);
+    let E1_free = real(FRAC_PI_2) * (t15 * t15);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t18 = cosE1 * cosE1;
+    let t16 = cosE1 * cosE1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t18;
+    let c1 = e1 * s1 / t16;
 
     // -- disturbance observer of block 1 (20) (49) --
     // D_hat_1 = th_1 + S_1 x_1
-    let D_hat1 = t16 - t16;
+    let D_hat1 = t14 - t14;
 
     // -- norms of block 1 --
     // ||G_1||^2
@@ -382,29 +387,26 @@ pub fn initial<T: Real>(
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = F1 - y_r_dot + D_hat1 + Lam1;
-    let t19 = t9 * t10 - t4 * t11;
-    let t20 = t19 * bracket1[0] + (t11 * t7 - t10 * t8) * bracket1[1];
-    let t21 = Vector([
-        (-t11 * bracket1[1] + t9 * bracket1[2]) / t19,
-        (t20 + (t8 * t4 - t7 * t9) * bracket1[2]) / t19,
-        (t10 * bracket1[1] + -t4 * bracket1[2]) / t19,
-    ]);
+    let t17 = t6 * t7 - sin_alpha * t8;
+    let t18 = (-t8 * bracket1[1] + t6 * bracket1[2]) / t17;
+    let t19 = t17 * bracket1[0] + (t8 * t4 - t7 * t5) * bracket1[1];
+    let t20 = (t19 + (t5 * sin_alpha - t4 * t6) * bracket1[2]) / t17;
+    let t21 = (t7 * bracket1[1] + -sin_alpha * bracket1[2]) / t17;
+    let t22 = Vector([t18, t20, t21]);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t21;
+    let alpha1 = -t22;
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t21;
+    let e2 = x2 + t22;
 
     // -- given --
-    let th2 = -Vector([
-        real(-1.5) * e2[0],
-        real(1.5) * e2[0],
-        real(1.5) * e2[1],
-        e2[1],
-        real(-2.0) * e2[2],
-        real(4.0) * e2[2],
-    ]);
+    let t23 = real(-1.5) * e2[0];
+    let t24 = real(1.5) * e2[0];
+    let t25 = real(1.5) * e2[1];
+    let t26 = real(-2.0) * e2[2];
+    let t27 = real(4.0) * e2[2];
+    let th2 = -Vector([t23, t24, t25, e2[1], t26, t27]);
     State {
         zeta1,
         zeta2,
@@ -492,28 +494,31 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     // -- reference and constraints --
     let t1 = t.le(real(4.0));
     let t2 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
-    let t3 = real(0.9424777960769379) * t;
-    let t4 = real(0.5) * t;
+    let t3 = real(0.5) * t;
+    let t4 = real(0.9424777960769379) * t;
+    let t5 = Vector([t, t2, t4, t3]);
+    let [sin_t, sin_t2, sin_t4, sin_t3] = t5.map(T::sin).0;
+    let [cos_t, cos_t2, cos_t4, cos_t3] = t5.map(T::cos).0;
     // y_r(t)
     let y_r = Vector([
         T::select(
             t1,
-            (real(2.5) * t2.sin() + real(1.5)) * real(0.017453292519943295),
+            (real(2.5) * sin_t2 + real(1.5)) * real(0.017453292519943295),
             real(0.06981317007977318),
         ),
-        real(0.5) * t3.sin() * real(0.017453292519943295),
-        (real(-2.0) * t.sin() + real(0.5) * t4.cos()) * real(0.017453292519943295),
+        real(0.5) * sin_t4 * real(0.017453292519943295),
+        (real(-2.0) * sin_t + real(0.5) * cos_t3) * real(0.017453292519943295),
     ]);
     // y_r'
     let y_r_dot = Vector([
         T::select(
             t1,
-            real(0.017453292519943295) * (real(2.5) * (t2.cos() * real(FRAC_PI_4))),
+            real(0.017453292519943295) * (real(2.5) * (cos_t2 * real(FRAC_PI_4))),
             real(0.0),
         ),
-        real(0.017453292519943295) * (real(0.5) * (t3.cos() * real(0.9424777960769379))),
+        real(0.017453292519943295) * (real(0.5) * (cos_t4 * real(0.9424777960769379))),
         real(0.017453292519943295)
-            * (real(-2.0) * t.cos() - real(0.5) * (t4.sin() * real(0.5))),
+            * (real(-2.0) * cos_t - real(0.5) * (sin_t3 * real(0.5))),
     ]);
     // k_2(t)
     let k2 = real(3.0) * (-t).exp() + real(0.5);
@@ -616,25 +621,28 @@ pub fn law<T: Real>(
     let yaw_delta = dCn * prepared.yaw_delta_1 * real(97170193.3485195);
 
     // -- known dynamics of block 1 (attitude) (11) --
-    let t3 = real(1332506.5352200002) * mu.cos();
-    let t4 = beta.cos();
-    let t5 = beta.tan();
+    let [sin_alpha, sin_mu] = Vector([alpha, mu]).map(T::sin).0;
+    let [cos_alpha, cos_mu, cos_beta] = Vector([alpha, mu, beta]).map(T::cos).0;
+    let t3 = real(1332506.5352200002) * cos_mu;
+    let t4 = beta.tan();
     // F_1(x_1 .. x_1)
     let F1 = Vector([
-        (t3 - lift) / (real(410460000.0) * t4),
-        (side + real(1332506.5352200002) * mu.sin()) / real(410460000.0),
-        (lift * t5 - t3 * t5) / real(410460000.0),
+        (t3 - lift) / (real(410460000.0) * cos_beta),
+        (side + real(1332506.5352200002) * sin_mu) / real(410460000.0),
+        (lift * t4 - t3 * t4) / real(410460000.0),
     ]);
-    let t6 = alpha.sin();
-    let t7 = alpha.cos();
-    let t8 = -t5;
-    let t9 = t8 * t7;
-    let t10 = t8 * t6;
-    let t11 = -t7;
-    let t12 = t7 / t4;
-    let t13 = t6 / t4;
+    let t5 = -t4;
+    let t6 = t5 * cos_alpha;
+    let t7 = t5 * sin_alpha;
+    let t8 = -cos_alpha;
+    let t9 = cos_alpha / cos_beta;
+    let t10 = sin_alpha / cos_beta;
     // G_1(x_1 .. x_1)
-    let G1 = Matrix([[t9, real(1.0), t10], [t6, real(0.0), t11], [t12, real(0.0), t13]]);
+    let G1 = Matrix([
+        [t6, real(1.0), t7],
+        [sin_alpha, real(0.0), t8],
+        [t9, real(0.0), t10],
+    ]);
 
     // -- known dynamics of block 2 (rates) (11) --
     // F_2(x_1 .. x_2)
@@ -643,17 +651,17 @@ pub fn law<T: Real>(
         (real(12202362.0) * p * r + pitch) / real(13558180.0),
         (real(-12202362.0) * p * q + yaw) / real(13558180.0),
     ]);
-    let t14 = roll_delta[0] / real(1355818.0);
-    let t15 = roll_delta[1] / real(1355818.0);
-    let t16 = roll_delta[2] / real(1355818.0);
-    let t17 = pitch_delta[0] / real(13558180.0);
-    let t18 = pitch_delta[1] / real(13558180.0);
-    let t19 = pitch_delta[2] / real(13558180.0);
-    let t20 = yaw_delta[0] / real(13558180.0);
-    let t21 = yaw_delta[1] / real(13558180.0);
-    let t22 = yaw_delta[2] / real(13558180.0);
+    let t11 = roll_delta[0] / real(1355818.0);
+    let t12 = roll_delta[1] / real(1355818.0);
+    let t13 = roll_delta[2] / real(1355818.0);
+    let t14 = pitch_delta[0] / real(13558180.0);
+    let t15 = pitch_delta[1] / real(13558180.0);
+    let t16 = pitch_delta[2] / real(13558180.0);
+    let t17 = yaw_delta[0] / real(13558180.0);
+    let t18 = yaw_delta[1] / real(13558180.0);
+    let t19 = yaw_delta[2] / real(13558180.0);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix([[t14, t15, t16], [t17, t18, t19], [t20, t21, t22]]);
+    let H2 = Matrix([[t11, t12, t13], [t14, t15, t16], [t17, t18, t19]]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -662,18 +670,18 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t23 = s1 / clock.E1_free_1;
+    let t20 = s1 / clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t23 * t23);
+    let E1_free = real(FRAC_PI_2) * (t20 * t20);
     // E_1 >= pi/2 - delta
     let violated1 = E1_free.ge(real(1.5697963267948967));
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t24 = cosE1 * cosE1;
+    let t21 = cosE1 * cosE1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t24;
+    let c1 = e1 * s1 / t21;
 
     // -- MTPN of block 1 (4) (16) --
     // P_1 = P_m(z_1), 19 nodes
@@ -704,23 +712,21 @@ pub fn law<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t25 = F1 + A_hat1;
-    let t26 = state.zeta1 * real(20.0);
+    let t22 = F1 + A_hat1;
+    let t23 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t25 - clock.y_r_dot + t26 + D_hat1 + Lam1;
-    let t27 = t11 * t12 - t6 * t13;
-    let t28 = t27 * bracket1[0] + (t13 * t9 - t12 * t10) * bracket1[1];
-    let t29 = Vector([
-        (-t13 * bracket1[1] + t11 * bracket1[2]) / t27,
-        (t28 + (t10 * t6 - t9 * t11) * bracket1[2]) / t27,
-        (t12 * bracket1[1] + -t6 * bracket1[2]) / t27,
-    ]);
+    let bracket1 = t22 - clock.y_r_dot + t23 + D_hat1 + Lam1;
+    let t24 = t8 * t9 - sin_alpha * t10;
+    let t25 = (-t10 * bracket1[1] + t8 * bracket1[2]) / t24;
+    let t26 = t24 * bracket1[0] + (t10 * t6 - t9 * t7) * bracket1[1];
+    let t27 = (t26 + (t7 * sin_alpha - t6 * t8) * bracket1[2]) / t24;
+    let t28 = (t9 * bracket1[1] + -sin_alpha * bracket1[2]) / t24;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t29;
+    let alpha1 = -Vector([t25, t27, t28]);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t26;
+    let zeta1_dot = G1 * state.zeta2 - t23;
 
     // -- weight law of block 1 (32) (65) --
     // W_1' = Gamma_1 (P_1 c_1 I_1 - lambda_1 W_1)
@@ -728,7 +734,7 @@ pub fn law<T: Real>(
 
     // -- observer dynamics of block 1 (21) (50) --
     // th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)
-    let th1_dot = -((D_hat1 + t25 + G1 * x2) * real(10.0));
+    let th1_dot = -((D_hat1 + t22 + G1 * x2) * real(10.0));
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -741,18 +747,18 @@ pub fn law<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t30 = s2 / clock.E2_free_1;
+    let t29 = s2 / clock.E2_free_1;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t30 * t30);
+    let E2_free = real(FRAC_PI_2) * (t29 * t29);
     // E_2 >= pi/2 - delta
     let violated2 = E2_free.ge(real(1.5697963267948967));
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
     // cos E_2
     let cosE2 = E2.cos();
-    let t31 = cosE2 * cosE2;
+    let t30 = cosE2 * cosE2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * s2 / t31;
+    let c2 = e2 * s2 / t30;
 
     // -- MTPN of block 2 (4) (16) --
     // P_2 = P_m(z_2), 19 nodes
@@ -761,7 +767,7 @@ pub fn law<T: Real>(
     let A_hat2 = state.W2.transpose() * P2 * real(0.1);
 
     // -- disturbance observer of block 2 (20) (49) --
-    let t32 = Vector([
+    let t31 = Vector([
         real(-1.5) * e2[0],
         real(1.5) * e2[0],
         real(1.5) * e2[1],
@@ -770,7 +776,7 @@ pub fn law<T: Real>(
         real(4.0) * e2[2],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t32;
+    let w_hat2 = state.th2 + t31;
     // d_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([
         real(2.0) * w_hat2[1],
@@ -781,24 +787,24 @@ pub fn law<T: Real>(
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
-    let t33 = real(3.0) / t31;
-    let t34 = real(8.0) * E2_free * E2.sin() / (t31 * cosE2) + t33;
+    let t32 = real(3.0) / t30;
+    let t33 = real(8.0) * E2_free * E2.sin() / (t30 * cosE2) + t32;
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = (t34 * t34 + real(2.0) * (t33 * t33)).sqrt();
+    let Ybar_norm2 = (t33 * t33 + real(2.0) * (t32 * t32)).sqrt();
     // S_2 H_2
     let SH2 = Matrix([
-        [real(-1.5) * t14, real(-1.5) * t15, real(-1.5) * t16],
+        [real(-1.5) * t11, real(-1.5) * t12, real(-1.5) * t13],
+        [real(1.5) * t11, real(1.5) * t12, real(1.5) * t13],
         [real(1.5) * t14, real(1.5) * t15, real(1.5) * t16],
-        [real(1.5) * t17, real(1.5) * t18, real(1.5) * t19],
-        [t17, t18, t19],
-        [real(-2.0) * t20, real(-2.0) * t21, real(-2.0) * t22],
-        [real(4.0) * t20, real(4.0) * t21, real(4.0) * t22],
+        [t14, t15, t16],
+        [real(-2.0) * t17, real(-2.0) * t18, real(-2.0) * t19],
+        [real(4.0) * t17, real(4.0) * t18, real(4.0) * t19],
     ]);
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t35 = H_norm2_2 * Ybar_norm2;
+    let t34 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t35 * t35 * real(0.5) + real(12.0)
+    let Psi2 = t34 * t34 * real(0.5) + real(12.0)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
@@ -808,39 +814,39 @@ pub fn law<T: Real>(
         + e2 * real(2.0);
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(75.0);
-    let t36 = e2 * real(0.5);
+    let t35 = e2 * real(0.5);
     // e / (2 cos^2 E) (63)
-    let Lam2_network = t36 / t31;
-    let t37 = t36.map(T::tanh);
+    let Lam2_network = t35 / t30;
+    let t36 = t35.map(T::tanh);
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t37 * state.eps2;
-    let t38 = G_norm2_1 * s_c1;
+    let Lam2_error_bound = t36 * state.eps2;
+    let t37 = G_norm2_1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t38 * t38) * real(0.25) * t31;
-    let t39 = s2 * s2;
-    let t40 = (t39 + real(1.0)).sqrt();
+    let Lam2_coupling = e2 * (t37 * t37) * real(0.25) * t30;
+    let t38 = s2 * s2;
+    let t39 = (t38 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t35 * state.sigma2) / t40;
-    let t41 = Psi2 / (state.phi2 * state.phi2 + t39);
+    let Lam2_noise = e2 * (t34 * state.sigma2) / t39;
+    let t40 = Psi2 / (state.phi2 * state.phi2 + t38);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t41 * t31;
+    let Lam2_diffusion = e2 * t40 * t30;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
 
     // -- control (64) of block 2 --
-    let t42 = F2 + A_hat2;
-    let t43 = state.zeta2 * real(50.0);
+    let t41 = F2 + A_hat2;
+    let t42 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t42 - h1_dot + t43 + D_hat2 + Lam2;
-    let t44: Vector<T, 3> = Vector::from_f64([
+    let bracket2 = t41 - h1_dot + t42 + D_hat2 + Lam2;
+    let t43: Vector<T, 3> = Vector::from_f64([
         7.375621211696555e-7,
         7.375621211696555e-8,
         7.375621211696555e-8,
     ]);
-    let t45 = bracket2.quotient(t44);
+    let t44 = bracket2.quotient(t43);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t45;
+    let u = -t44;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .zip(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]), T::max)
@@ -848,14 +854,14 @@ pub fn law<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = t44.hadamard(u_sat + t45) - t43;
+    let zeta2_dot = t43.hadamard(u_sat + t44) - t42;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(c2 * real(0.1)) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t46 = Vector([
+    let t45 = Vector([
         real(6.0) * w_hat2[1],
         real(-3.0) * w_hat2[0] + real(-3.0) * w_hat2[1],
         real(-4.5) * w_hat2[2] + real(3.0) * w_hat2[3],
@@ -863,30 +869,30 @@ pub fn law<T: Real>(
         real(2.0) * w_hat2[4] + real(5.0) * w_hat2[5],
         real(-7.0) * w_hat2[4] + real(-4.0) * w_hat2[5],
     ]);
-    let t47 = t42 + t44.hadamard(u) - h1_dot + t43;
-    let t48 = Vector([
-        real(-1.5) * t47[0],
-        real(1.5) * t47[0],
-        real(1.5) * t47[1],
-        t47[1],
-        real(-2.0) * t47[2],
-        real(4.0) * t47[2],
+    let t46 = t41 + t43.hadamard(u) - h1_dot + t42;
+    let t47 = Vector([
+        real(-1.5) * t46[0],
+        real(1.5) * t46[0],
+        real(1.5) * t46[1],
+        t46[1],
+        real(-2.0) * t46[2],
+        real(4.0) * t46[2],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = t46 - t48;
+    let th2_dot = t45 - t47;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 / t31 * e2.dot(t37) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 / t30 * e2.dot(t36) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t35 * t39 / t31 / t40 - real(0.1) * state.sigma2;
+    let sigma2_dot = t34 * t38 / t30 / t39 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t41 + real(2.0);
+    let phi2_decay = t40 + real(2.0);
 
     // -- status --
     // some E_i >= pi/2 - delta
@@ -905,7 +911,7 @@ pub fn law<T: Real>(
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
     let zeta2_next = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
-    let t49 = Vector([
+    let t48 = Vector([
         real(0.0019999760360430705) * th2_dot[0]
             + real(1.1975964129556617e-5) * th2_dot[1],
         real(-5.9879820647783075e-6) * th2_dot[0]
@@ -920,7 +926,7 @@ pub fn law<T: Real>(
             + real(0.0019919747640585435) * th2_dot[5],
     ]);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + t49;
+    let th2_next = state.th2 + t48;
     // W2(t + dt) = W2 + Gamma W2'
     let W2_next = state.W2 + W2_dot * real(0.001999800013332667);
     // eps2(t + dt) = eps2 + Gamma eps2'

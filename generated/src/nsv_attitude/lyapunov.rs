@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 7f2c7de2485549030c4029f6d9384e55e99c523e517f45691d4bfdc75cebbd6e
+// SHA-256 of the text below: cbc95c9cce9b1d19f9b04a52df1d87f5c872790ba8c8255949693f8d4a0173c3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // lyapunov: 1966 additions, 2341 multiplications, 127 divisions, 3 square roots, 32 elementary functions, 33 comparisons and selections
@@ -50,8 +50,8 @@ pub fn lyapunov<T: Real>(
     let at_alpha_deg_2 = polynomials::at_alpha_deg_2_2(alpha_deg);
     let t2 = at_alpha_deg_2.CL_alpha + at_alpha_deg_2.CL_LE + at_alpha_deg_2.CL_RE;
     let lift = t1 * t2;
-    let mu = x1[2];
     let beta = x1[1];
+    let mu = x1[2];
     let t3 = real(97170193.3485195) * params.CY_scale;
     let t4 = at_alpha_deg_2.CY_beta * beta + at_alpha_deg_2.CY_LE + at_alpha_deg_2.CY_RE
         + at_alpha_deg_2.CY_RUD;
@@ -87,98 +87,98 @@ pub fn lyapunov<T: Real>(
     let yaw_delta = dCn * (real(18.288) * params.Cn_scale) * real(97170193.3485195);
 
     // -- known dynamics of block 1 (attitude) (11) --
-    let t11 = mu.cos();
-    let t12 = real(1332506.5352200002) * t11;
-    let t13 = beta.cos();
-    let t14 = real(410460000.0) * t13;
-    let t15 = (t12 - lift) / t14;
-    let t16 = mu.sin();
-    let t17 = real(1332506.5352200002) * t16;
-    let t18 = beta.tan();
-    let t19 = t12 * t18;
+    let t11 = Vector([alpha, mu, beta]);
+    let [sin_alpha, sin_mu, sin_beta] = t11.map(T::sin).0;
+    let [cos_alpha, cos_mu, cos_beta] = t11.map(T::cos).0;
+    let t12 = real(1332506.5352200002) * cos_mu;
+    let t13 = real(410460000.0) * cos_beta;
+    let t14 = (t12 - lift) / t13;
+    let t15 = real(1332506.5352200002) * sin_mu;
+    let t16 = beta.tan();
+    let t17 = t12 * t16;
     // F_1(x_1 .. x_1)
     let F1 = Vector([
-        t15,
-        (side + t17) / real(410460000.0),
-        (lift * t18 - t19) / real(410460000.0),
+        t14,
+        (side + t15) / real(410460000.0),
+        (lift * t16 - t17) / real(410460000.0),
     ]);
-    let t20 = alpha.sin();
-    let t21 = alpha.cos();
-    let t22 = -t18;
-    let t23 = t22 * t21;
-    let t24 = t22 * t20;
-    let t25 = -t21;
-    let t26 = t21 / t13;
-    let t27 = t20 / t13;
+    let t18 = -t16;
+    let t19 = t18 * cos_alpha;
+    let t20 = t18 * sin_alpha;
+    let t21 = -cos_alpha;
+    let t22 = cos_alpha / cos_beta;
+    let t23 = sin_alpha / cos_beta;
     // G_1(x_1 .. x_1)
     let G1 = Matrix([
-        [t23, real(1.0), t24],
-        [t20, real(0.0), t25],
-        [t26, real(0.0), t27],
+        [t19, real(1.0), t20],
+        [sin_alpha, real(0.0), t21],
+        [t22, real(0.0), t23],
     ]);
 
     // -- known dynamics of block 2 (rates) (11) --
-    let t28 = real(12202362.0) * p * r;
-    let t29 = real(-12202362.0) * p * q;
+    let t24 = real(12202362.0) * p * r;
+    let t25 = real(-12202362.0) * p * q;
     // F_2(x_1 .. x_2)
     let F2 = Vector([
         roll / real(1355818.0),
-        (t28 + pitch) / real(13558180.0),
-        (t29 + yaw) / real(13558180.0),
+        (t24 + pitch) / real(13558180.0),
+        (t25 + yaw) / real(13558180.0),
     ]);
-    let t30 = roll_delta[0] / real(1355818.0);
-    let t31 = roll_delta[1] / real(1355818.0);
-    let t32 = roll_delta[2] / real(1355818.0);
-    let t33 = pitch_delta[0] / real(13558180.0);
-    let t34 = pitch_delta[1] / real(13558180.0);
-    let t35 = pitch_delta[2] / real(13558180.0);
-    let t36 = yaw_delta[0] / real(13558180.0);
-    let t37 = yaw_delta[1] / real(13558180.0);
-    let t38 = yaw_delta[2] / real(13558180.0);
+    let t26 = roll_delta[0] / real(1355818.0);
+    let t27 = roll_delta[1] / real(1355818.0);
+    let t28 = roll_delta[2] / real(1355818.0);
+    let t29 = pitch_delta[0] / real(13558180.0);
+    let t30 = pitch_delta[1] / real(13558180.0);
+    let t31 = pitch_delta[2] / real(13558180.0);
+    let t32 = yaw_delta[0] / real(13558180.0);
+    let t33 = yaw_delta[1] / real(13558180.0);
+    let t34 = yaw_delta[2] / real(13558180.0);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix([[t30, t31, t32], [t33, t34, t35], [t36, t37, t38]]);
+    let H2 = Matrix([[t26, t27, t28], [t29, t30, t31], [t32, t33, t34]]);
 
     // -- reference and constraints --
-    let t39 = t.le(real(4.0));
-    let t40 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
-    let t41 = t40.sin();
-    let t42 = real(0.9424777960769379) * t;
-    let t43 = t42.sin();
-    let t44 = t.sin();
-    let t45 = real(0.5) * t;
-    let t46 = real(0.5) * t45.cos();
+    let t35 = t.le(real(4.0));
+    let t36 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
+    let t37 = real(2.0) * t;
+    let t38 = real(0.5) * t;
+    let t39 = real(0.9424777960769379) * t;
+    let t40 = Vector([t, t36, t39, t38, t37]);
+    let [sin_t, sin_t36, sin_t39, sin_t38, sin_t37] = t40.map(T::sin).0;
+    let [cos_t, cos_t36, cos_t39, cos_t38, cos_t37] = t40.map(T::cos).0;
+    let t41 = real(0.5) * cos_t38;
     // y_r(t)
     let y_r = Vector([
         T::select(
-            t39,
-            (real(2.5) * t41 + real(1.5)) * real(0.017453292519943295),
+            t35,
+            (real(2.5) * sin_t36 + real(1.5)) * real(0.017453292519943295),
             real(0.06981317007977318),
         ),
-        real(0.5) * t43 * real(0.017453292519943295),
-        (real(-2.0) * t44 + t46) * real(0.017453292519943295),
+        real(0.5) * sin_t39 * real(0.017453292519943295),
+        (real(-2.0) * sin_t + t41) * real(0.017453292519943295),
     ]);
-    let t47 = t.cos();
     // y_r'
     let y_r_dot = Vector([
         T::select(
-            t39,
-            real(0.017453292519943295) * (real(2.5) * (t40.cos() * real(FRAC_PI_4))),
+            t35,
+            real(0.017453292519943295) * (real(2.5) * (cos_t36 * real(FRAC_PI_4))),
             real(0.0),
         ),
+        real(0.017453292519943295) * (real(0.5) * (cos_t39 * real(0.9424777960769379))),
         real(0.017453292519943295)
-            * (real(0.5) * (t42.cos() * real(0.9424777960769379))),
-        real(0.017453292519943295)
-            * (real(-2.0) * t47 - real(0.5) * (t45.sin() * real(0.5))),
+            * (real(-2.0) * cos_t - real(0.5) * (sin_t38 * real(0.5))),
     ]);
-    let t48 = real(3.0) * (-t).exp();
+    let t42 = -t;
+    let t43 = real(-0.1) * t;
+    let [exp_t42, exp_t43] = Vector([t42, t43]).map(T::exp).0;
+    let t44 = real(3.0) * exp_t42;
     // k_2(t)
-    let k2 = t48 + real(0.5);
+    let k2 = t44 + real(0.5);
     // k_1(t)
     let k1 = k2 * real(0.017453292519943295);
     // k1'
-    let k1_dot = -(real(0.017453292519943295) * t48);
+    let k1_dot = -(real(0.017453292519943295) * t44);
     // k2'
-    let k2_dot = -t48;
+    let k2_dot = -t44;
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -187,24 +187,24 @@ pub fn lyapunov<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t49 = k1 * k1;
-    let t50 = s1 / t49;
+    let t45 = k1 * k1;
+    let t46 = s1 / t45;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t50 * t50);
+    let E1_free = real(FRAC_PI_2) * (t46 * t46);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t51 = cosE1 * cosE1;
+    let t47 = cosE1 * cosE1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t51;
+    let c1 = e1 * s1 / t47;
 
     // -- MTPN of block 1 (4) (16) --
     // P_1 = P_m(z_1), 19 nodes
     let P1 = polynomials::basis1(x1);
-    let t52 = state.W1.transpose();
+    let t48 = state.W1.transpose();
     // A_hat_1 = iota_1 W_1^T P_1
-    let A_hat1 = t52 * P1 * real(0.1);
+    let A_hat1 = t48 * P1 * real(0.1);
 
     // -- disturbance observer of block 1 (20) (49) --
     // D_hat_1 = th_1 + S_1 x_1
@@ -215,41 +215,40 @@ pub fn lyapunov<T: Real>(
     let G_norm2_1 = G1.sum_squares();
 
     // -- robust feedback of block 1 (31) (63) --
-    let t53 = kernel::sin_cos_over(E1);
-    let t54 = real(1.5697963267948967) / E1_free;
+    let t49 = kernel::sin_cos_over(E1);
+    let t50 = real(1.5697963267948967) / E1_free;
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(2.375) * (t53 * real(1.0).min(t54)) + e1 * real(2.0);
+    let Lam0_1 = e1 * real(2.375) * (t49 * real(1.0).min(t50)) + e1 * real(2.0);
     // eta_1/2 c^T (36)
     let Lam1_disturbance = c1 * real(0.5);
-    let t55 = real(0.5) * G_norm2_1;
+    let t51 = real(0.5) * G_norm2_1;
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * t55;
+    let Lam1_filter = c1 * t51;
     // Lam_1, sum of the terms above
     let Lam1 = Lam0_1 + Lam1_disturbance + Lam1_filter;
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t56 = F1 + A_hat1;
-    let t57 = state.zeta1 * real(20.0);
+    let t52 = F1 + A_hat1;
+    let t53 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t56 - y_r_dot + t57 + D_hat1 + Lam1;
-    let t58 = -t27;
-    let t59 = t25 * t26 - t20 * t27;
-    let t60 = t27 * t23 - t26 * t24;
-    let t61 = t24 * t20 - t23 * t25;
-    let t62 = -t20;
-    let t63 = Vector([
-        (t58 * bracket1[1] + t25 * bracket1[2]) / t59,
-        (t59 * bracket1[0] + t60 * bracket1[1] + t61 * bracket1[2]) / t59,
-        (t26 * bracket1[1] + t62 * bracket1[2]) / t59,
-    ]);
+    let bracket1 = t52 - y_r_dot + t53 + D_hat1 + Lam1;
+    let t54 = -t23;
+    let t55 = t21 * t22 - sin_alpha * t23;
+    let t56 = t23 * t19 - t22 * t20;
+    let t57 = t20 * sin_alpha - t19 * t21;
+    let t58 = -sin_alpha;
+    let t59 = (t54 * bracket1[1] + t21 * bracket1[2]) / t55;
+    let t60 = (t55 * bracket1[0] + t56 * bracket1[1] + t57 * bracket1[2]) / t55;
+    let t61 = (t22 * bracket1[1] + t58 * bracket1[2]) / t55;
+    let t62 = Vector([t59, t60, t61]);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t63;
+    let alpha1 = -t62;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t57;
+    let zeta1_dot = G1 * state.zeta2 - t53;
 
     // -- weight law of block 1 (32) (65) --
     // W_1' = Gamma_1 (P_1 c_1 I_1 - lambda_1 W_1)
@@ -266,27 +265,27 @@ pub fn lyapunov<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t64 = k2 * k2;
-    let t65 = s2 / t64;
+    let t63 = k2 * k2;
+    let t64 = s2 / t63;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t65 * t65);
+    let E2_free = real(FRAC_PI_2) * (t64 * t64);
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
     // cos E_2
     let cosE2 = E2.cos();
-    let t66 = cosE2 * cosE2;
+    let t65 = cosE2 * cosE2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * s2 / t66;
+    let c2 = e2 * s2 / t65;
 
     // -- MTPN of block 2 (4) (16) --
     // P_2 = P_m(z_2), 19 nodes
     let P2 = polynomials::basis2(x2);
-    let t67 = state.W2.transpose();
+    let t66 = state.W2.transpose();
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = t67 * P2 * real(0.1);
+    let A_hat2 = t66 * P2 * real(0.1);
 
     // -- disturbance observer of block 2 (20) (49) --
-    let t68 = Vector([
+    let t67 = Vector([
         real(-1.5) * e2[0],
         real(1.5) * e2[0],
         real(1.5) * e2[1],
@@ -295,7 +294,7 @@ pub fn lyapunov<T: Real>(
         real(4.0) * e2[2],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t68;
+    let w_hat2 = state.th2 + t67;
     // d_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([
         real(2.0) * w_hat2[1],
@@ -306,25 +305,25 @@ pub fn lyapunov<T: Real>(
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
-    let t69 = E2.sin();
-    let t70 = real(3.0) / t66;
-    let t71 = real(8.0) * E2_free * t69 / (t66 * cosE2) + t70;
+    let t68 = E2.sin();
+    let t69 = real(3.0) / t65;
+    let t70 = real(8.0) * E2_free * t68 / (t65 * cosE2) + t69;
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = (t71 * t71 + real(2.0) * (t70 * t70)).sqrt();
+    let Ybar_norm2 = (t70 * t70 + real(2.0) * (t69 * t69)).sqrt();
     // S_2 H_2
     let SH2 = Matrix([
-        [real(-1.5) * t30, real(-1.5) * t31, real(-1.5) * t32],
-        [real(1.5) * t30, real(1.5) * t31, real(1.5) * t32],
-        [real(1.5) * t33, real(1.5) * t34, real(1.5) * t35],
-        [t33, t34, t35],
-        [real(-2.0) * t36, real(-2.0) * t37, real(-2.0) * t38],
-        [real(4.0) * t36, real(4.0) * t37, real(4.0) * t38],
+        [real(-1.5) * t26, real(-1.5) * t27, real(-1.5) * t28],
+        [real(1.5) * t26, real(1.5) * t27, real(1.5) * t28],
+        [real(1.5) * t29, real(1.5) * t30, real(1.5) * t31],
+        [t29, t30, t31],
+        [real(-2.0) * t32, real(-2.0) * t33, real(-2.0) * t34],
+        [real(4.0) * t32, real(4.0) * t33, real(4.0) * t34],
     ]);
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t72 = H_norm2_2 * Ybar_norm2;
+    let t71 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t72 * t72 * real(0.5) + real(12.0)
+    let Psi2 = t71 * t71 * real(0.5) + real(12.0)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
@@ -334,40 +333,40 @@ pub fn lyapunov<T: Real>(
         + e2 * real(2.0);
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(75.0);
-    let t73 = e2 * real(0.5);
+    let t72 = e2 * real(0.5);
     // e / (2 cos^2 E) (63)
-    let Lam2_network = t73 / t66;
-    let t74 = t73.map(T::tanh);
+    let Lam2_network = t72 / t65;
+    let t73 = t72.map(T::tanh);
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t74 * state.eps2;
-    let t75 = G_norm2_1 * s_c1;
+    let Lam2_error_bound = t73 * state.eps2;
+    let t74 = G_norm2_1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t75 * t75) * real(0.25) * t66;
-    let t76 = s2 * s2;
-    let t77 = (t76 + real(1.0)).sqrt();
+    let Lam2_coupling = e2 * (t74 * t74) * real(0.25) * t65;
+    let t75 = s2 * s2;
+    let t76 = (t75 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t72 * state.sigma2) / t77;
-    let t78 = state.phi2 * state.phi2;
-    let t79 = Psi2 / (t78 + t76);
+    let Lam2_noise = e2 * (t71 * state.sigma2) / t76;
+    let t77 = state.phi2 * state.phi2;
+    let t78 = Psi2 / (t77 + t75);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t79 * t66;
+    let Lam2_diffusion = e2 * t78 * t65;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
 
     // -- control (64) of block 2 --
-    let t80 = F2 + A_hat2;
-    let t81 = state.zeta2 * real(50.0);
+    let t79 = F2 + A_hat2;
+    let t80 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t80 - h1_dot + t81 + D_hat2 + Lam2;
-    let t82: Vector<T, 3> = Vector::from_f64([
+    let bracket2 = t79 - h1_dot + t80 + D_hat2 + Lam2;
+    let t81: Vector<T, 3> = Vector::from_f64([
         7.375621211696555e-7,
         7.375621211696555e-8,
         7.375621211696555e-8,
     ]);
-    let t83 = bracket2.quotient(t82);
+    let t82 = bracket2.quotient(t81);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t83;
+    let u = -t82;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .zip(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]), T::max)
@@ -375,14 +374,14 @@ pub fn lyapunov<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = t82.hadamard(u_sat + t83) - t81;
+    let zeta2_dot = t81.hadamard(u_sat + t82) - t80;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(c2 * real(0.1)) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t84 = Vector([
+    let t83 = Vector([
         real(6.0) * w_hat2[1],
         real(-3.0) * w_hat2[0] + real(-3.0) * w_hat2[1],
         real(-4.5) * w_hat2[2] + real(3.0) * w_hat2[3],
@@ -390,30 +389,30 @@ pub fn lyapunov<T: Real>(
         real(2.0) * w_hat2[4] + real(5.0) * w_hat2[5],
         real(-7.0) * w_hat2[4] + real(-4.0) * w_hat2[5],
     ]);
-    let t85 = t80 + t82.hadamard(u) - h1_dot + t81;
-    let t86 = Vector([
-        real(-1.5) * t85[0],
-        real(1.5) * t85[0],
-        real(1.5) * t85[1],
-        t85[1],
-        real(-2.0) * t85[2],
-        real(4.0) * t85[2],
+    let t84 = t79 + t81.hadamard(u) - h1_dot + t80;
+    let t85 = Vector([
+        real(-1.5) * t84[0],
+        real(1.5) * t84[0],
+        real(1.5) * t84[1],
+        t84[1],
+        real(-2.0) * t84[2],
+        real(4.0) * t84[2],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = t84 - t86;
+    let th2_dot = t83 - t85;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 / t66 * e2.dot(t74) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 / t65 * e2.dot(t73) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t72 * t76 / t66 / t77 - real(0.1) * state.sigma2;
+    let sigma2_dot = t71 * t75 / t65 / t76 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t79 + real(2.0);
+    let phi2_decay = t78 + real(2.0);
     // phi_2' = -phi_2 Psi_2/(phi_2^2 + s_2^2) - kappa_phi phi_2 if ||e_2|| >= iota_phi, else 0
     let phi2_dot = T::select(
         s2.sqrt().ge(real(0.01)),
@@ -422,34 +421,32 @@ pub fn lyapunov<T: Real>(
     );
 
     // -- true dynamics of block 1 (attitude) (11) --
-    let t87 = real(97170193.3485195) * plant.CL_scale;
-    let t88 = t87 * t2;
-    let t89 = (t12 - t88) / t14;
-    let t90 = real(97170193.3485195) * plant.CY_scale;
+    let t86 = real(97170193.3485195) * plant.CL_scale;
+    let t87 = t86 * t2;
+    let t88 = (t12 - t87) / t13;
+    let t89 = real(97170193.3485195) * plant.CY_scale;
     // F_1 with the plant's parameters
     let F1_plant = Vector([
-        t89,
-        (t90 * t4 + t17) / real(410460000.0),
-        (t88 * t18 - t19) / real(410460000.0),
+        t88,
+        (t89 * t4 + t15) / real(410460000.0),
+        (t87 * t16 - t17) / real(410460000.0),
     ]);
-    let t91 = real(2.0) * t;
-    let t92 = real(0.02) * t91.sin();
-    let t93 = (real(-0.1) * t).exp();
-    let t94 = t92 * t93;
-    let t95 = real(0.02) * t44;
+    let t90 = real(0.02) * sin_t37;
+    let t91 = t90 * exp_t43;
+    let t92 = real(0.02) * sin_t;
     // d_1(t)
-    let d1 = Vector([t94, t95 * t93, t94]);
-    let t96 = G1 * x2;
+    let d1 = Vector([t91, t92 * exp_t43, t91]);
+    let t93 = G1 * x2;
     // F_1 + G_1 x_2 + d_1
-    let x1_flow = F1_plant + t96 + d1;
+    let x1_flow = F1_plant + t93 + d1;
 
     // -- true dynamics of block 2 (rates) (11) --
-    let t97 = real(1777048495.9577248) * plant.Cl_scale;
+    let t94 = real(1777048495.9577248) * plant.Cl_scale;
     // F_2 with the plant's parameters
     let F2_plant = Vector([
-        t97 * t7 / real(1355818.0),
-        (t28 + real(2369397994.6102996) * plant.Cm_scale * t8) / real(13558180.0),
-        (t29 + real(1777048495.9577248) * plant.Cn_scale * t10) / real(13558180.0),
+        t94 * t7 / real(1355818.0),
+        (t24 + real(2369397994.6102996) * plant.Cm_scale * t8) / real(13558180.0),
+        (t25 + real(1777048495.9577248) * plant.Cn_scale * t10) / real(13558180.0),
     ]);
     // d_2 = L_2 w_2 (12)
     let d2 = Vector([real(2.0) * w2[1], real(3.0) * w2[2], w2[4] + w2[5]]);
@@ -463,34 +460,30 @@ pub fn lyapunov<T: Real>(
         real(-3.0) * w2[4],
     ]);
     // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + t82.hadamard(u_sat) + d2;
-    let t98 = dCl * t97;
-    let t99 = dCm * (real(24.384) * plant.Cm_scale) * real(97170193.3485195);
-    let t100 = dCn * (real(18.288) * plant.Cn_scale) * real(97170193.3485195);
-    let t101 = Matrix([
-        [t98[0] / real(1355818.0), t98[1] / real(1355818.0), t98[2] / real(1355818.0)],
+    let x2_flow = F2_plant + t81.hadamard(u_sat) + d2;
+    let t95 = dCl * t94;
+    let t96 = dCm * (real(24.384) * plant.Cm_scale) * real(97170193.3485195);
+    let t97 = dCn * (real(18.288) * plant.Cn_scale) * real(97170193.3485195);
+    let t98 = Matrix([
+        [t95[0] / real(1355818.0), t95[1] / real(1355818.0), t95[2] / real(1355818.0)],
         [
-            t99[0] / real(13558180.0),
-            t99[1] / real(13558180.0),
-            t99[2] / real(13558180.0),
+            t96[0] / real(13558180.0),
+            t96[1] / real(13558180.0),
+            t96[2] / real(13558180.0),
         ],
-        [
-            t100[0] / real(13558180.0),
-            t100[1] / real(13558180.0),
-            t100[2] / real(13558180.0),
-        ],
+        [t97[0] / real(13558180.0), t97[1] / real(13558180.0), t97[2] / real(13558180.0)],
     ]);
     // H_2 Sigma_2
-    let HSigma2 = t101 * real(0.05);
+    let HSigma2 = t98 * real(0.05);
 
     // -- Lyapunov function of block 1 (23) (52) --
-    let t102 = t49 * t49 / real(TAU);
-    let t103 = E1.tan();
+    let t99 = t45 * t45 / real(TAU);
+    let t100 = E1.tan();
     // k_1^4/(2 pi) tan E_1
-    let V_T1 = t102 * t103;
-    let t104 = t52 * state.W1;
+    let V_T1 = t99 * t100;
+    let t101 = t48 * state.W1;
     // tr(W_1^T W_1)/(2 Gamma_1)
-    let V_W1 = (t104[(0, 0)] + t104[(1, 1)] + t104[(2, 2)]) * real(0.5);
+    let V_W1 = (t101[(0, 0)] + t101[(1, 1)] + t101[(2, 2)]) * real(0.5);
     // D_1 = d_1 + model error of block 1
     let D1 = d1 + (F1_plant - F1);
     // D_1 - D_hat_1
@@ -500,18 +493,18 @@ pub fn lyapunov<T: Real>(
     // 1/2 ||zeta_1||^2
     let V_zeta1 = state.zeta1.sum_squares() * real(0.5);
     // chi_1 = h_1 - alpha_1 (34)
-    let chi1 = state.h1 + t63;
+    let chi1 = state.h1 + t62;
     // 1/2 ||chi_1||^2
     let V_chi1 = chi1.sum_squares() * real(0.5);
 
     // -- Lyapunov function of block 2 (23) (52) --
-    let t105 = t64 * t64 / real(TAU);
-    let t106 = E2.tan();
+    let t102 = t63 * t63 / real(TAU);
+    let t103 = E2.tan();
     // k_2^4/(2 pi) tan E_2
-    let V_T2 = t105 * t106;
-    let t107 = t67 * state.W2;
+    let V_T2 = t102 * t103;
+    let t104 = t66 * state.W2;
     // tr(W_2^T W_2)/(2 Gamma_2)
-    let V_W2 = (t107[(0, 0)] + t107[(1, 1)] + t107[(2, 2)]) * real(0.5);
+    let V_W2 = (t104[(0, 0)] + t104[(1, 1)] + t104[(2, 2)]) * real(0.5);
     // w_2 - w_hat_2
     let w_error2 = w2 - w_hat2;
     // 1/2 ||theta_2 - th_2||^2
@@ -520,16 +513,16 @@ pub fn lyapunov<T: Real>(
     let V_zeta2 = state.zeta2.sum_squares() * real(0.5);
     // eps_hat_2^2/(2 iota_20)
     let V_eps2 = state.eps2 * state.eps2 / real(0.2);
-    let t108 = real(0.0075000000000000015) - state.sigma2;
+    let t105 = real(0.0075000000000000015) - state.sigma2;
     // (sigma_bar_2 - sigma_hat_2)^2/(2 taubar_2)
-    let V_sigma2 = t108 * t108 * real(0.5);
+    let V_sigma2 = t105 * t105 * real(0.5);
     // phi_2^2/2
-    let V_phi2 = t78 * real(0.5);
+    let V_phi2 = t77 * real(0.5);
 
     // -- Lyapunov function (52) --
-    let t109 = V_T1 + V_W1 + V_D1 + V_zeta1 + V_chi1 + V_T2 + V_W2 + V_D2 + V_zeta2;
+    let t106 = V_T1 + V_W1 + V_D1 + V_zeta1 + V_chi1 + V_T2 + V_W2 + V_D2 + V_zeta2;
     // V, sum of the parts above
-    let V = t109 + V_eps2 + V_sigma2 + V_phi2;
+    let V = t106 + V_eps2 + V_sigma2 + V_phi2;
 
     // -- Ito generator (2) --
     // column 1 of HSigma2
@@ -540,12 +533,12 @@ pub fn lyapunov<T: Real>(
     let HSigma2_3 = Vector([HSigma2[(0, 2)], HSigma2[(1, 2)], HSigma2[(2, 2)]]);
     // e1' along the flow
     let e1_flow = x1_flow - y_r_dot - zeta1_dot;
-    let t110 = e1_flow.dot(e1);
+    let t107 = e1_flow.dot(e1);
     // s1' along the flow
-    let s1_flow = t110 + t110;
-    let t111 = (t50 + t50) * (s1_flow / t49 - t50 / t49 * ((k1 + k1) * k1_dot));
+    let s1_flow = t107 + t107;
+    let t108 = (t46 + t46) * (s1_flow / t45 - t46 / t45 * ((k1 + k1) * k1_dot));
     // E1_free' along the flow
-    let E1_free_flow = real(FRAC_PI_2) * t111;
+    let E1_free_flow = real(FRAC_PI_2) * t108;
     // E1' along the flow
     let E1_flow = T::select(
         E1_free.lt(real(1.5697963267948967)),
@@ -553,153 +546,154 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t103 * (real(4.0) * (t49 * k1) * k1_dot / real(TAU))
-        + t102 * (E1_flow / t51);
-    let t112 = W1_dot.transpose();
-    let t113 = t112 * state.W1 + t52 * W1_dot;
+    let V_T1_flow = t100 * (real(4.0) * (t45 * k1) * k1_dot / real(TAU))
+        + t99 * (E1_flow / t47);
+    let t109 = W1_dot.transpose();
+    let t110 = t109 * state.W1 + t48 * W1_dot;
     // V_W1' along the flow
-    let V_W1_flow = (t113[(0, 0)] + t113[(1, 1)] + t113[(2, 2)]) * real(0.5);
-    let t114 = t93 * real(-0.1);
-    let t115 = t93 * (real(0.02) * (t91.cos() * real(2.0))) + t92 * t114;
+    let V_W1_flow = (t110[(0, 0)] + t110[(1, 1)] + t110[(2, 2)]) * real(0.5);
+    let t111 = exp_t43 * real(-0.1);
+    let t112 = exp_t43 * (real(0.02) * (cos_t37 * real(2.0))) + t90 * t111;
     // d1'
-    let d1_dot = Vector([t115, t93 * (real(0.02) * t47) + t95 * t114, t115]);
-    let t116 = beta.sin() * x1_flow[1];
-    let t117 = real(410460000.0) * t116;
-    let t118 = real(1332506.5352200002) * (t16 * x1_flow[2]);
-    let t119 = x1_flow[0] / real(0.017453292519943295);
-    let t120 = real(0.0001485745427349122) * t119;
-    let t121 = at_alpha_deg_2.CL_alpha_d1 * t119 + t120 + t120;
-    let t122 = t87 * t121;
-    let t123 = beta * (at_alpha_deg_2.CY_beta_d1 * t119)
-        + at_alpha_deg_2.CY_beta * x1_flow[1] + at_alpha_deg_2.CY_LE_d1 * t119
-        + at_alpha_deg_2.CY_RE_d1 * t119;
-    let t124 = t123 + real(4.86e-20) * t119;
-    let t125 = real(1332506.5352200002) * (t11 * x1_flow[2]);
-    let t126 = x1_flow[1] / (t13 * t13);
-    let t127 = t12 * t126 - t18 * t118;
+    let d1_dot = Vector([t112, exp_t43 * (real(0.02) * cos_t) + t92 * t111, t112]);
+    let t113 = sin_beta * x1_flow[1];
+    let t114 = real(410460000.0) * t113;
+    let t115 = real(1332506.5352200002) * (sin_mu * x1_flow[2]);
+    let t116 = x1_flow[0] / real(0.017453292519943295);
+    let t117 = real(0.0001485745427349122) * t116;
+    let t118 = at_alpha_deg_2.CL_alpha_d1 * t116 + t117 + t117;
+    let t119 = t86 * t118;
+    let t120 = beta * (at_alpha_deg_2.CY_beta_d1 * t116)
+        + at_alpha_deg_2.CY_beta * x1_flow[1] + at_alpha_deg_2.CY_LE_d1 * t116
+        + at_alpha_deg_2.CY_RE_d1 * t116;
+    let t121 = t120 + real(4.86e-20) * t116;
+    let t122 = real(1332506.5352200002) * (cos_mu * x1_flow[2]);
+    let t123 = x1_flow[1] / (cos_beta * cos_beta);
+    let t124 = t12 * t123 - t16 * t115;
     // F1_plant' along the flow
     let F1_plant_flow = Vector([
-        t89 / t14 * t117 - (t118 + t122) / t14,
-        (t90 * t124 + t125) / real(410460000.0),
-        (t18 * t122 + t88 * t126 - t127) / real(410460000.0),
+        t88 / t13 * t114 - (t115 + t119) / t13,
+        (t89 * t121 + t122) / real(410460000.0),
+        (t16 * t119 + t87 * t123 - t124) / real(410460000.0),
     ]);
-    let t128 = t1 * t121;
+    let t125 = t1 * t118;
     // F1' along the flow
     let F1_flow = Vector([
-        t15 / t14 * t117 - (t118 + t128) / t14,
-        (t3 * t124 + t125) / real(410460000.0),
-        (t18 * t128 + lift * t126 - t127) / real(410460000.0),
+        t14 / t13 * t114 - (t115 + t125) / t13,
+        (t3 * t121 + t122) / real(410460000.0),
+        (t16 * t125 + lift * t123 - t124) / real(410460000.0),
     ]);
     // D1' along the flow
     let D1_flow = d1_dot + (F1_plant_flow - F1_flow);
     // D_hat1' along the flow
-    let D_hat1_flow = x1_flow * real(10.0) - (D_hat1 + t56 + t96) * real(10.0);
+    let D_hat1_flow = x1_flow * real(10.0) - (D_hat1 + t52 + t93) * real(10.0);
     // D_error1' along the flow
     let D_error1_flow = D1_flow - D_hat1_flow;
-    let t129 = D_error1_flow.dot(D_error1);
+    let t126 = D_error1_flow.dot(D_error1);
     // V_D1' along the flow
-    let V_D1_flow = (t129 + t129) * real(0.5);
-    let t130 = zeta1_dot.dot(state.zeta1);
+    let V_D1_flow = (t126 + t126) * real(0.5);
+    let t127 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
-    let V_zeta1_flow = (t130 + t130) * real(0.5);
-    let t131 = t20 * x1_flow[0];
-    let t132 = -(t21 * t126 - t18 * t131);
-    let t133 = t21 * x1_flow[0];
-    let t134 = -(t20 * t126 + t18 * t133);
-    let t135 = t26 / t13 * t116 - t131 / t13;
-    let t136 = t133 / t13 + t27 / t13 * t116;
+    let V_zeta1_flow = (t127 + t127) * real(0.5);
+    let t128 = sin_alpha * x1_flow[0];
+    let t129 = -(cos_alpha * t123 - t16 * t128);
+    let t130 = cos_alpha * x1_flow[0];
+    let t131 = -(sin_alpha * t123 + t16 * t130);
+    let t132 = t22 / cos_beta * t113 - t128 / cos_beta;
+    let t133 = t130 / cos_beta + t23 / cos_beta * t113;
     // G1' along the flow
     let G1_flow = Matrix([
-        [t132, real(0.0), t134],
-        [t133, real(0.0), t131],
-        [t135, real(0.0), t136],
+        [t129, real(0.0), t131],
+        [t130, real(0.0), t128],
+        [t132, real(0.0), t133],
     ]);
     // P1' along the flow
     let P1_flow = polynomials::basis1_rate(x1, x1_flow);
     // A_hat1' along the flow
-    let A_hat1_flow = (t112 * P1 + t52 * P1_flow) * real(0.1);
+    let A_hat1_flow = (t109 * P1 + t48 * P1_flow) * real(0.1);
     // y_r''
     let y_r_dot2 = Vector([
         T::select(
-            t39,
+            t35,
             real(0.017453292519943295)
-                * (real(2.5) * -(real(FRAC_PI_4) * (t41 * real(FRAC_PI_4)))),
+                * (real(2.5) * -(real(FRAC_PI_4) * (sin_t36 * real(FRAC_PI_4)))),
             real(0.0),
         ),
         real(0.017453292519943295)
             * (real(0.5)
-                * -(real(0.9424777960769379) * (t43 * real(0.9424777960769379)))),
-        real(0.017453292519943295) * (real(-2.0) * -t44 - real(0.5) * (real(0.5) * t46)),
+                * -(real(0.9424777960769379) * (sin_t39 * real(0.9424777960769379)))),
+        real(0.017453292519943295)
+            * (real(-2.0) * -sin_t - real(0.5) * (real(0.5) * t41)),
     ]);
-    let t137 = real(1.0).lt(t54);
-    let t138 = T::select(t137, real(1.0), t54);
-    let t139 = t138 * (kernel::sin_cos_over_d1(E1) * E1_flow)
-        + T::select(t137, real(0.0), -(t53 * (t54 / E1_free * E1_free_flow)));
-    let t140 = t53 * t138;
+    let t134 = real(1.0).lt(t50);
+    let t135 = T::select(t134, real(1.0), t50);
+    let t136 = t135 * (kernel::sin_cos_over_d1(E1) * E1_flow)
+        + T::select(t134, real(0.0), -(t49 * (t50 / E1_free * E1_free_flow)));
+    let t137 = t49 * t135;
     // Lam0_1' along the flow
     let Lam0_1_flow = Vector([
-        real(2.375) * e1[0] * t139 + t140 * (real(2.375) * e1_flow[0])
+        real(2.375) * e1[0] * t136 + t137 * (real(2.375) * e1_flow[0])
             + real(2.0) * e1_flow[0],
-        real(2.375) * e1[1] * t139 + t140 * (real(2.375) * e1_flow[1])
+        real(2.375) * e1[1] * t136 + t137 * (real(2.375) * e1_flow[1])
             + real(2.0) * e1_flow[1],
-        real(2.375) * e1[2] * t139 + t140 * (real(2.375) * e1_flow[2])
+        real(2.375) * e1[2] * t136 + t137 * (real(2.375) * e1_flow[2])
             + real(2.0) * e1_flow[2],
     ]);
     // cosE1' along the flow
     let cosE1_flow = -(E1.sin() * E1_flow);
-    let t141 = (cosE1 + cosE1) * cosE1_flow;
-    let t142 = s1 * e1[0] / t51 / t51 * t141;
-    let t143 = s1 * e1[1] / t51 / t51 * t141;
-    let t144 = s1 * e1[2] / t51 / t51 * t141;
+    let t138 = (cosE1 + cosE1) * cosE1_flow;
+    let t139 = s1 * e1[0] / t47 / t47 * t138;
+    let t140 = s1 * e1[1] / t47 / t47 * t138;
+    let t141 = s1 * e1[2] / t47 / t47 * t138;
     // c1' along the flow
     let c1_flow = Vector([
-        (e1[0] * s1_flow + s1 * e1_flow[0]) / t51 - t142,
-        (e1[1] * s1_flow + s1 * e1_flow[1]) / t51 - t143,
-        (e1[2] * s1_flow + s1 * e1_flow[2]) / t51 - t144,
+        (e1[0] * s1_flow + s1 * e1_flow[0]) / t47 - t139,
+        (e1[1] * s1_flow + s1 * e1_flow[1]) / t47 - t140,
+        (e1[2] * s1_flow + s1 * e1_flow[2]) / t47 - t141,
     ]);
     // Lam1_disturbance' along the flow
     let Lam1_disturbance_flow = c1_flow * real(0.5);
-    let t145 = (t23 + t23) * t132 + (t24 + t24) * t134 + (t20 + t20) * t133;
-    let t146 = t145 + (t25 - t21) * t131 + (t26 + t26) * t135;
+    let t142 = (t19 + t19) * t129 + (t20 + t20) * t131 + (sin_alpha + sin_alpha) * t130;
+    let t143 = t142 + (t21 - cos_alpha) * t128 + (t22 + t22) * t132;
     // G_norm2_1' along the flow
-    let G_norm2_1_flow = t146 + (t27 + t27) * t136;
+    let G_norm2_1_flow = t143 + (t23 + t23) * t133;
     // Lam1_filter' along the flow
-    let Lam1_filter_flow = c1 * (real(0.5) * G_norm2_1_flow) + c1_flow * t55;
+    let Lam1_filter_flow = c1 * (real(0.5) * G_norm2_1_flow) + c1_flow * t51;
     // Lam1' along the flow
     let Lam1_flow = Lam0_1_flow + Lam1_disturbance_flow + Lam1_filter_flow;
     // bracket1' along the flow
     let bracket1_flow = F1_flow + A_hat1_flow - y_r_dot2 + zeta1_dot * real(20.0)
         + D_hat1_flow + Lam1_flow;
-    let t147 = bracket1_flow - G1_flow * t63;
-    let t148 = Vector([
-        (t58 * t147[1] + t25 * t147[2]) / t59,
-        (t59 * t147[0] + t60 * t147[1] + t61 * t147[2]) / t59,
-        (t26 * t147[1] + t62 * t147[2]) / t59,
+    let t144 = bracket1_flow - G1_flow * t62;
+    let t145 = Vector([
+        (t54 * t144[1] + t21 * t144[2]) / t55,
+        (t55 * t144[0] + t56 * t144[1] + t57 * t144[2]) / t55,
+        (t22 * t144[1] + t58 * t144[2]) / t55,
     ]);
     // chi1' along the flow
-    let chi1_flow = h1_dot + t148;
-    let t149 = chi1_flow.dot(chi1);
+    let chi1_flow = h1_dot + t145;
+    let t146 = chi1_flow.dot(chi1);
     // V_chi1' along the flow
-    let V_chi1_flow = (t149 + t149) * real(0.5);
+    let V_chi1_flow = (t146 + t146) * real(0.5);
     // e2' along the flow
     let e2_flow = x2_flow - h1_dot - zeta2_dot;
-    let t150 = e2_flow.dot(e2);
+    let t147 = e2_flow.dot(e2);
     // s2' along the flow
-    let s2_flow = t150 + t150;
-    let t151 = t65 + t65;
+    let s2_flow = t147 + t147;
+    let t148 = t64 + t64;
     // E2_free' along the flow
     let E2_free_flow = real(FRAC_PI_2)
-        * (t151 * (s2_flow / t64 - t65 / t64 * ((k2 + k2) * k2_dot)));
-    let t152 = E2_free.lt(real(1.5697963267948967));
+        * (t148 * (s2_flow / t63 - t64 / t63 * ((k2 + k2) * k2_dot)));
+    let t149 = E2_free.lt(real(1.5697963267948967));
     // E2' along the flow
-    let E2_flow = T::select(t152, E2_free_flow, real(0.0));
+    let E2_flow = T::select(t149, E2_free_flow, real(0.0));
     // V_T2' along the flow
-    let V_T2_flow = t106 * (real(4.0) * (t64 * k2) * k2_dot / real(TAU))
-        + t105 * (E2_flow / t66);
-    let t153 = W2_dot.transpose() * state.W2 + t67 * W2_dot;
+    let V_T2_flow = t103 * (real(4.0) * (t63 * k2) * k2_dot / real(TAU))
+        + t102 * (E2_flow / t65);
+    let t150 = W2_dot.transpose() * state.W2 + t66 * W2_dot;
     // V_W2' along the flow
-    let V_W2_flow = (t153[(0, 0)] + t153[(1, 1)] + t153[(2, 2)]) * real(0.5);
-    let t154 = Vector([
+    let V_W2_flow = (t150[(0, 0)] + t150[(1, 1)] + t150[(2, 2)]) * real(0.5);
+    let t151 = Vector([
         real(-1.5) * e2_flow[0],
         real(1.5) * e2_flow[0],
         real(1.5) * e2_flow[1],
@@ -708,44 +702,44 @@ pub fn lyapunov<T: Real>(
         real(4.0) * e2_flow[2],
     ]);
     // w_hat2' along the flow
-    let w_hat2_flow = th2_dot + t154;
+    let w_hat2_flow = th2_dot + t151;
     // w_error2' along the flow
     let w_error2_flow = w2_flow - w_hat2_flow;
-    let t155 = w_error2_flow.dot(w_error2);
+    let t152 = w_error2_flow.dot(w_error2);
     // V_D2' along the flow
-    let V_D2_flow = (t155 + t155) * real(0.5);
-    let t156 = zeta2_dot.dot(state.zeta2);
+    let V_D2_flow = (t152 + t152) * real(0.5);
+    let t153 = zeta2_dot.dot(state.zeta2);
     // V_zeta2' along the flow
-    let V_zeta2_flow = (t156 + t156) * real(0.5);
-    let t157 = eps2_dot * state.eps2;
+    let V_zeta2_flow = (t153 + t153) * real(0.5);
+    let t154 = eps2_dot * state.eps2;
     // V_eps2' along the flow
-    let V_eps2_flow = (t157 + t157) / real(0.2);
-    let t158 = -sigma2_dot * t108;
+    let V_eps2_flow = (t154 + t154) / real(0.2);
+    let t155 = -sigma2_dot * t105;
     // V_sigma2' along the flow
-    let V_sigma2_flow = (t158 + t158) * real(0.5);
-    let t159 = phi2_dot * state.phi2;
+    let V_sigma2_flow = (t155 + t155) * real(0.5);
+    let t156 = phi2_dot * state.phi2;
     // V_phi2' along the flow
-    let V_phi2_flow = (t159 + t159) * real(0.5);
-    let t160 = HSigma2_1.dot(e2);
+    let V_phi2_flow = (t156 + t156) * real(0.5);
+    let t157 = HSigma2_1.dot(e2);
     // D^1 s2 along noise1
-    let s2_noise1_ = t160 + t160;
-    let t161 = s2_noise1_ / t64;
+    let s2_noise1_ = t157 + t157;
+    let t158 = s2_noise1_ / t63;
     // D^1 E2_free along noise1
-    let E2_free_noise1_ = real(FRAC_PI_2) * (t151 * t161);
+    let E2_free_noise1_ = real(FRAC_PI_2) * (t148 * t158);
     // D^1 E2 along noise1
-    let E2_noise1_ = T::select(t152, E2_free_noise1_, real(0.0));
-    let t162 = HSigma2_1.sum_squares();
+    let E2_noise1_ = T::select(t149, E2_free_noise1_, real(0.0));
+    let t159 = HSigma2_1.sum_squares();
     // D^2 s2 along noise1
-    let s2_noise1_2 = t162 + t162;
+    let s2_noise1_2 = t159 + t159;
     // D^2 E2_free along noise1
     let E2_free_noise1_2 = real(FRAC_PI_2)
-        * (t161 * (t161 + t161) + t151 * (s2_noise1_2 / t64));
+        * (t158 * (t158 + t158) + t148 * (s2_noise1_2 / t63));
     // D^2 E2 along noise1
-    let E2_noise1_2 = T::select(t152, E2_free_noise1_2, real(0.0));
-    let t163 = cosE2 + cosE2;
+    let E2_noise1_2 = T::select(t149, E2_free_noise1_2, real(0.0));
+    let t160 = cosE2 + cosE2;
     // D^2 V_T2 along noise1
-    let V_T2_noise1_2 = t105
-        * (E2_noise1_2 / t66 + E2_noise1_ / t66 / t66 * (t163 * (t69 * E2_noise1_)));
+    let V_T2_noise1_2 = t102
+        * (E2_noise1_2 / t65 + E2_noise1_ / t65 / t65 * (t160 * (t68 * E2_noise1_)));
     // D^1 w_hat2 along noise1
     let w_hat2_noise1_ = Vector([
         real(-1.5) * HSigma2[(0, 0)],
@@ -755,28 +749,28 @@ pub fn lyapunov<T: Real>(
         real(-2.0) * HSigma2[(2, 0)],
         real(4.0) * HSigma2[(2, 0)],
     ]);
-    let t164 = w_hat2_noise1_.sum_squares();
+    let t161 = w_hat2_noise1_.sum_squares();
     // D^2 V_D2 along noise1
-    let V_D2_noise1_2 = (t164 + t164) * real(0.5);
-    let t165 = HSigma2_2.dot(e2);
+    let V_D2_noise1_2 = (t161 + t161) * real(0.5);
+    let t162 = HSigma2_2.dot(e2);
     // D^1 s2 along noise2
-    let s2_noise2_ = t165 + t165;
-    let t166 = s2_noise2_ / t64;
+    let s2_noise2_ = t162 + t162;
+    let t163 = s2_noise2_ / t63;
     // D^1 E2_free along noise2
-    let E2_free_noise2_ = real(FRAC_PI_2) * (t151 * t166);
+    let E2_free_noise2_ = real(FRAC_PI_2) * (t148 * t163);
     // D^1 E2 along noise2
-    let E2_noise2_ = T::select(t152, E2_free_noise2_, real(0.0));
-    let t167 = HSigma2_2.sum_squares();
+    let E2_noise2_ = T::select(t149, E2_free_noise2_, real(0.0));
+    let t164 = HSigma2_2.sum_squares();
     // D^2 s2 along noise2
-    let s2_noise2_2 = t167 + t167;
+    let s2_noise2_2 = t164 + t164;
     // D^2 E2_free along noise2
     let E2_free_noise2_2 = real(FRAC_PI_2)
-        * (t166 * (t166 + t166) + t151 * (s2_noise2_2 / t64));
+        * (t163 * (t163 + t163) + t148 * (s2_noise2_2 / t63));
     // D^2 E2 along noise2
-    let E2_noise2_2 = T::select(t152, E2_free_noise2_2, real(0.0));
+    let E2_noise2_2 = T::select(t149, E2_free_noise2_2, real(0.0));
     // D^2 V_T2 along noise2
-    let V_T2_noise2_2 = t105
-        * (E2_noise2_2 / t66 + E2_noise2_ / t66 / t66 * (t163 * (t69 * E2_noise2_)));
+    let V_T2_noise2_2 = t102
+        * (E2_noise2_2 / t65 + E2_noise2_ / t65 / t65 * (t160 * (t68 * E2_noise2_)));
     // D^1 w_hat2 along noise2
     let w_hat2_noise2_ = Vector([
         real(-1.5) * HSigma2[(0, 1)],
@@ -786,28 +780,28 @@ pub fn lyapunov<T: Real>(
         real(-2.0) * HSigma2[(2, 1)],
         real(4.0) * HSigma2[(2, 1)],
     ]);
-    let t168 = w_hat2_noise2_.sum_squares();
+    let t165 = w_hat2_noise2_.sum_squares();
     // D^2 V_D2 along noise2
-    let V_D2_noise2_2 = (t168 + t168) * real(0.5);
-    let t169 = HSigma2_3.dot(e2);
+    let V_D2_noise2_2 = (t165 + t165) * real(0.5);
+    let t166 = HSigma2_3.dot(e2);
     // D^1 s2 along noise3
-    let s2_noise3_ = t169 + t169;
-    let t170 = s2_noise3_ / t64;
+    let s2_noise3_ = t166 + t166;
+    let t167 = s2_noise3_ / t63;
     // D^1 E2_free along noise3
-    let E2_free_noise3_ = real(FRAC_PI_2) * (t151 * t170);
+    let E2_free_noise3_ = real(FRAC_PI_2) * (t148 * t167);
     // D^1 E2 along noise3
-    let E2_noise3_ = T::select(t152, E2_free_noise3_, real(0.0));
-    let t171 = HSigma2_3.sum_squares();
+    let E2_noise3_ = T::select(t149, E2_free_noise3_, real(0.0));
+    let t168 = HSigma2_3.sum_squares();
     // D^2 s2 along noise3
-    let s2_noise3_2 = t171 + t171;
+    let s2_noise3_2 = t168 + t168;
     // D^2 E2_free along noise3
     let E2_free_noise3_2 = real(FRAC_PI_2)
-        * (t170 * (t170 + t170) + t151 * (s2_noise3_2 / t64));
+        * (t167 * (t167 + t167) + t148 * (s2_noise3_2 / t63));
     // D^2 E2 along noise3
-    let E2_noise3_2 = T::select(t152, E2_free_noise3_2, real(0.0));
+    let E2_noise3_2 = T::select(t149, E2_free_noise3_2, real(0.0));
     // D^2 V_T2 along noise3
-    let V_T2_noise3_2 = t105
-        * (E2_noise3_2 / t66 + E2_noise3_ / t66 / t66 * (t163 * (t69 * E2_noise3_)));
+    let V_T2_noise3_2 = t102
+        * (E2_noise3_2 / t65 + E2_noise3_ / t65 / t65 * (t160 * (t68 * E2_noise3_)));
     // D^1 w_hat2 along noise3
     let w_hat2_noise3_ = Vector([
         real(-1.5) * HSigma2[(0, 2)],
@@ -817,17 +811,17 @@ pub fn lyapunov<T: Real>(
         real(-2.0) * HSigma2[(2, 2)],
         real(4.0) * HSigma2[(2, 2)],
     ]);
-    let t172 = w_hat2_noise3_.sum_squares();
+    let t169 = w_hat2_noise3_.sum_squares();
     // D^2 V_D2 along noise3
-    let V_D2_noise3_2 = (t172 + t172) * real(0.5);
-    let t173 = V_T1_flow + V_W1_flow + V_D1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow
+    let V_D2_noise3_2 = (t169 + t169) * real(0.5);
+    let t170 = V_T1_flow + V_W1_flow + V_D1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow
         + V_W2_flow + V_D2_flow + V_zeta2_flow;
-    let t174 = t173 + V_eps2_flow + V_sigma2_flow + V_phi2_flow
+    let t171 = t170 + V_eps2_flow + V_sigma2_flow + V_phi2_flow
         + V_T2_noise1_2 * real(0.5) + V_D2_noise1_2 * real(0.5);
-    let t175 = t174 + V_T2_noise2_2 * real(0.5) + V_D2_noise2_2 * real(0.5)
+    let t172 = t171 + V_T2_noise2_2 * real(0.5) + V_D2_noise2_2 * real(0.5)
         + V_T2_noise3_2 * real(0.5) + V_D2_noise3_2 * real(0.5);
     // LV = V_t + V_x f + 1/2 sum_j g_j^T V_xx g_j
-    let LV = t175 + real(0.5) + real(0.5) + real(0.5) + real(0.5) + real(0.5)
+    let LV = t172 + real(0.5) + real(0.5) + real(0.5) + real(0.5) + real(0.5)
         + real(0.5);
     LyapunovOutputs { V, LV }
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: cd4a0606044c62e9b2f5d842f44e34cd773817fae7057dd97f515e7be46ad116
+// SHA-256 of the text below: 1480b0589384b62d3c24cb3f969dcbf2d94f9607e74f4c74bb5a1269d345e895
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // plant: 131 additions, 174 multiplications, 23 divisions, 0 square roots, 9 elementary functions, 0 comparisons and selections
@@ -123,10 +123,12 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     let real = T::from_f64;
 
     // -- true dynamics of block 1 (attitude) (11) --
-    let t1 = (real(-0.1) * t).exp();
-    let t2 = real(0.02) * (real(2.0) * t).sin() * t1;
+    let t1 = real(2.0) * t;
+    let [sin_t, sin_t1] = Vector([t, t1]).map(T::sin).0;
+    let t2 = (real(-0.1) * t).exp();
+    let t3 = real(0.02) * sin_t1 * t2;
     // d_1(t)
-    let d1 = Vector([t2, real(0.02) * t.sin() * t1, t2]);
+    let d1 = Vector([t3, real(0.02) * sin_t * t2, t3]);
     Clock { d1 }
 }
 
@@ -198,23 +200,22 @@ pub fn dynamics<T: Real>(
     let yaw_delta = dCn * prepared.yaw_delta_1 * real(97170193.3485195);
 
     // -- true dynamics of block 1 (attitude) (11) --
-    let t3 = real(1332506.5352200002) * mu.cos();
-    let t4 = beta.cos();
-    let t5 = beta.tan();
+    let [sin_alpha, sin_mu] = Vector([alpha, mu]).map(T::sin).0;
+    let [cos_alpha, cos_mu, cos_beta] = Vector([alpha, mu, beta]).map(T::cos).0;
+    let t3 = real(1332506.5352200002) * cos_mu;
+    let t4 = beta.tan();
     // F_1 with the plant's parameters
     let F1_plant = Vector([
-        (t3 - lift) / (real(410460000.0) * t4),
-        (side + real(1332506.5352200002) * mu.sin()) / real(410460000.0),
-        (lift * t5 - t3 * t5) / real(410460000.0),
+        (t3 - lift) / (real(410460000.0) * cos_beta),
+        (side + real(1332506.5352200002) * sin_mu) / real(410460000.0),
+        (lift * t4 - t3 * t4) / real(410460000.0),
     ]);
-    let t6 = alpha.sin();
-    let t7 = alpha.cos();
-    let t8 = -t5;
+    let t5 = -t4;
     // G_1 with the plant's parameters
     let G1_plant = Matrix([
-        [t8 * t7, real(1.0), t8 * t6],
-        [t6, real(0.0), -t7],
-        [t7 / t4, real(0.0), t6 / t4],
+        [t5 * cos_alpha, real(1.0), t5 * sin_alpha],
+        [sin_alpha, real(0.0), -cos_alpha],
+        [cos_alpha / cos_beta, real(0.0), sin_alpha / cos_beta],
     ]);
 
     // -- given --
@@ -240,7 +241,7 @@ pub fn dynamics<T: Real>(
             3,
         >::from_f64([7.375621211696555e-7, 7.375621211696555e-8, 7.375621211696555e-8])
             .hadamard(u_sat) + d2;
-    let t9 = Matrix([
+    let t6 = Matrix([
         [
             roll_delta[0] / real(1355818.0),
             roll_delta[1] / real(1355818.0),
@@ -258,7 +259,7 @@ pub fn dynamics<T: Real>(
         ],
     ]);
     // H_2 Sigma_2
-    let HSigma2 = t9 * real(0.05);
+    let HSigma2 = t6 * real(0.05);
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // dx/dt without noise

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 385ecaccb521884fec65a443643637c5b52ab065d89dc2e179aa40bb64e022b5
+// SHA-256 of the text below: e92cdc06ea5d1a47a5d9511b8a415f018247f613fe99f82a4f832232fdfa6701
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // initial: 14 additions, 30 multiplications, 5 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
@@ -279,13 +279,12 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let e2 = x2 + bracket1;
 
     // -- given --
-    let th2 = -Vector([
-        real(12.0) * e2[0],
-        real(36.0) * e2[0],
-        real(8.0) * e2[1],
-        real(2.0) * e2[1],
-        real(11.0) * e2[1],
-    ]);
+    let t6 = real(12.0) * e2[0];
+    let t7 = real(36.0) * e2[0];
+    let t8 = real(8.0) * e2[1];
+    let t9 = real(2.0) * e2[1];
+    let t10 = real(11.0) * e2[1];
+    let th2 = -Vector([t6, t7, t8, t9, t10]);
     State {
         zeta1,
         zeta2,

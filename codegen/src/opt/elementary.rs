@@ -1,0 +1,198 @@
+//! Calls of one elementary function that do not depend on each other become one call on an array of their arguments, which the emitted
+//! code evaluates with vector instructions. Exact: the bits of a function's value do not depend on what stands beside its argument.
+
+use std::collections::BTreeMap;
+
+use super::dependence::{Dependence, dependences};
+use crate::ir::mnemonic::{FUNCTIONS, word};
+use crate::ir::{Function, Instruction, Op, Program, Shape, Type, ValueId};
+
+/// Which calls go together: of one function, needed equally often, behind equally many other calls, and either close to the inputs or for
+/// equations of one group; others would wait for each other, and so would the equations that read them.
+type Key<'p> = (Dependence, usize, Option<&'p str>, &'static str);
+
+/// Longest path of operations to an argument close to the inputs.
+const CLOSE: usize = 3;
+
+/// Calls that go together, in order.
+#[derive(Default)]
+struct Pack {
+    function: Option<Function>,
+    calls: Vec<ValueId>,
+}
+
+/// Gathers calls.
+pub(super) fn run(program: Program) -> Program {
+    let packs = packs(&program);
+    if packs.is_empty() {
+        return program;
+    }
+    let mut pack_of: Vec<Option<usize>> = vec![None; program.instructions.len()];
+    for (index, pack) in packs.iter().enumerate() {
+        for call in &pack.calls {
+            pack_of[call.0 as usize] = Some(index);
+        }
+    }
+    let source = program;
+    let mut mover = Mover {
+        source: &source,
+        packs: &packs,
+        pack_of,
+        moved: vec![None; source.instructions.len()],
+        program: Program {
+            instructions: Vec::with_capacity(source.instructions.len()),
+            ..source.clone()
+        },
+    };
+    let count = u32::try_from(source.instructions.len());
+    for id in (0..count.expect("invariant: fewer than 2^32 instructions")).map(ValueId) {
+        mover.place(id);
+    }
+    let Mover {
+        moved, mut program, ..
+    } = mover;
+    for (_, value) in &mut program.outputs {
+        *value = moved[value.0 as usize].expect("invariant: every value is placed");
+    }
+    program
+}
+
+/// The function of a scalar call that is worth gathering.
+fn call(instruction: &Instruction) -> Option<(Function, ValueId)> {
+    match instruction.op {
+        Op::Apply(Function::Neg | Function::Abs | Function::Sign, _) => None,
+        Op::Apply(function, a) if instruction.ty == Type::Real(Shape::Scalar) => {
+            Some((function, a))
+        }
+        _ => None,
+    }
+}
+
+/// At least two calls each.
+fn packs(program: &Program) -> Vec<Pack> {
+    let dependences = dependences(program);
+    let groups = groups(program);
+    let mut packs: BTreeMap<Key<'_>, Pack> = BTreeMap::new();
+    // Calls, and operations since the last one, on the longest path among values of the same dependence: others are known before.
+    let mut paths: Vec<(usize, usize)> = Vec::with_capacity(dependences.len());
+    for (id, instruction) in (0..).map(ValueId).zip(&program.instructions) {
+        let dependence = dependences[id.0 as usize];
+        let operands = instruction.op.operands().into_iter();
+        let (calls, operations) = operands
+            .filter(|operand| dependences[operand.0 as usize] == dependence)
+            .map(|operand| paths[operand.0 as usize])
+            .max()
+            .unwrap_or((0, 0));
+        let call = call(instruction).filter(|_| dependence > Dependence::Nothing);
+        paths.push(match call {
+            Some(_) => (calls + 1, 0),
+            None => (calls, operations + 1),
+        });
+        if let Some((function, _)) = call {
+            let group = (operations > CLOSE).then(|| groups[id.0 as usize]);
+            let key = (dependence, calls, group, word(&FUNCTIONS, function));
+            let pack = packs.entry(key).or_default();
+            pack.function = Some(function);
+            pack.calls.push(id);
+        }
+    }
+    packs.retain(|_, pack| pack.calls.len() > 1);
+    let argument = |call: ValueId| program.instruction(call).op.operands()[0];
+    let mut times: BTreeMap<ValueId, usize> = BTreeMap::new();
+    for &call in packs.values().flat_map(|pack| &pack.calls) {
+        *times.entry(argument(call)).or_default() += 1;
+    }
+    let mut packs: Vec<Pack> = packs.into_values().collect();
+    for pack in &mut packs {
+        // Arguments of several functions first: equal vectors of arguments share their reduction.
+        pack.calls
+            .sort_by_key(|&call| (std::cmp::Reverse(times[&argument(call)]), argument(call)));
+    }
+    packs
+}
+
+/// The group of the first named value that uses each value.
+fn groups(program: &Program) -> Vec<&str> {
+    let mut groups = vec![""; program.instructions.len()];
+    for index in (0..groups.len()).rev() {
+        let instruction = &program.instructions[index];
+        if let Some(origin) = instruction.origin {
+            groups[index] = &program.origins[origin].group;
+        }
+        for operand in instruction.op.operands() {
+            groups[operand.0 as usize] = groups[index];
+        }
+    }
+    groups
+}
+
+/// Rebuilds a program in an order in which the arguments of a pack come before it.
+struct Mover<'p> {
+    source: &'p Program,
+    packs: &'p [Pack],
+    pack_of: Vec<Option<usize>>,
+    moved: Vec<Option<ValueId>>,
+    program: Program,
+}
+
+impl Mover<'_> {
+    /// Places a value behind all that it needs, which may be far behind it in the source.
+    fn place(&mut self, id: ValueId) {
+        let mut pending = vec![id];
+        while let Some(&id) = pending.last() {
+            if self.moved[id.0 as usize].is_some() {
+                pending.pop();
+                continue;
+            }
+            let before = pending.len();
+            let pack = self.pack_of[id.0 as usize].map(|pack| &self.packs[pack]);
+            let calls = pack.map_or(std::slice::from_ref(&id), |pack| &pack.calls);
+            for call in calls {
+                let operands = self.source.instruction(*call).op.operands();
+                pending.extend(
+                    operands
+                        .into_iter()
+                        .filter(|operand| self.moved[operand.0 as usize].is_none()),
+                );
+            }
+            if pending.len() == before {
+                match pack {
+                    Some(pack) => self.append_pack(pack),
+                    None => self.append(id),
+                }
+            }
+        }
+    }
+
+    fn append(&mut self, id: ValueId) {
+        let mut instruction = self.source.instruction(id).clone();
+        instruction.op = instruction.op.map_operands(|operand| self.at(operand));
+        self.push(id, instruction);
+    }
+
+    /// [f(a), f(b), ..] == f([a, b, ..]) (exact)
+    fn append_pack(&mut self, pack: &Pack) {
+        let argument = |call: &ValueId| self.at(self.source.instruction(*call).op.operands()[0]);
+        let arguments: Vec<ValueId> = pack.calls.iter().map(argument).collect();
+        let shape = Shape::Vector(arguments.len());
+        let arguments = self.program.array(shape, arguments);
+        let function = pack.function.expect("invariant: a pack has a function");
+        let values = self.program.push(Op::Apply(function, arguments));
+        for (row, &call) in pack.calls.iter().enumerate() {
+            let op = Op::Element(values, row, 0);
+            let instruction = self.source.instruction(call).clone();
+            self.push(call, Instruction { op, ..instruction });
+        }
+    }
+
+    fn at(&self, id: ValueId) -> ValueId {
+        self.moved[id.0 as usize].expect("invariant: operands are placed before")
+    }
+
+    fn push(&mut self, id: ValueId, instruction: Instruction) {
+        let next = u32::try_from(self.program.instructions.len());
+        let next = ValueId(next.expect("invariant: fewer than 2^32 instructions"));
+        self.program.instructions.push(instruction);
+        self.moved[id.0 as usize] = Some(next);
+    }
+}
