@@ -1,4 +1,4 @@
-//! Embeds the runtime library's sources and the locked version of its one dependency, so that `nsv simulate` can build generated code
+//! Embeds the sources of the runtime library and of its numeric types, and the locked version of their one dependency, so that `nsv simulate` can build generated code
 //! wherever a Rust toolchain is.
 
 use std::error::Error;
@@ -8,18 +8,21 @@ use std::{env, fs};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?).join("..");
-    let (sources, lock) = (root.join("runtime/src"), root.join("Cargo.lock"));
-    println!("cargo::rerun-if-changed={}", sources.display());
+    let (runtime, lock) = (root.join("runtime"), root.join("Cargo.lock"));
     println!("cargo::rerun-if-changed={}", lock.display());
     let mut files = Vec::new();
-    collect(&sources, &mut files)?;
+    for folder in ["src", "math/src"] {
+        let sources = runtime.join(folder);
+        println!("cargo::rerun-if-changed={}", sources.display());
+        collect(&sources, &mut files)?;
+    }
     files.sort();
     let mut text = String::from(
-        "/// Path below `src` and text of every file of the runtime library.\npub(super) const RUNTIME: &[(&str, &str)] = &[\n",
+        "/// Path below `runtime` and text of every source file there.\npub(super) const RUNTIME: &[(&str, &str)] = &[\n",
     );
     for file in files {
         let name = file
-            .strip_prefix(&sources)?
+            .strip_prefix(&runtime)?
             .to_string_lossy()
             .replace('\\', "/");
         writeln!(

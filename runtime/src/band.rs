@@ -1,17 +1,17 @@
-//! How the signals of many runs spread over time: percentiles at each time of a grid.
+//! How the signals of many runs spread over time: extremes, percentiles and mean at each time of a grid.
 
 use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
 use crate::closed_loop::ClosedLoop;
-use crate::statistics::percentile;
-
-/// Runs that enter a band, at most: it holds all their values at once.
-pub(crate) const RUNS: u64 = 1000;
+use crate::statistics::{Corrupt, Decoder, Encoder, ExactSum, Sketch};
 
 /// Intervals of the time grid, at most.
-const INTERVALS: u64 = 1000;
+const INTERVALS: u64 = 400;
+
+/// Bins of the percentiles of one signal at one time: they are exact up to as many runs, and take 4 KB.
+const BINS: usize = 256;
 
 /// Where a band looks: every `stride`-th sample, at some of the signals.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,9 +40,9 @@ impl Grid {
         sample.is_multiple_of(self.stride)
     }
 
-    /// Appends the grid's signals out of a row of telemetry.
-    pub(crate) fn pick(&self, row: &[f64], picked: &mut Vec<f64>) {
-        picked.extend(self.signals.iter().map(|&i| row[i]));
+    /// Appends the grid's signals, given by their position in a row of telemetry.
+    pub(crate) fn pick(&self, signal: impl Fn(usize) -> f64, picked: &mut Vec<f64>) {
+        picked.extend(self.signals.iter().map(|&i| signal(i)));
     }
 }
 
@@ -55,29 +55,48 @@ fn has_band(signal: &str) -> bool {
     matches!(group, "x1" | "e1" | "ratio1" | "u_sat") || disturbance
 }
 
-/// The values of the first runs of a campaign on a time grid.
+/// The spread over runs of signals on a time grid. It takes at most 5 KB for each signal at each time, however many the runs: 32 MB for
+/// 16 signals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Band {
     grid: Grid,
     signals: &'static [&'static str],
     sample_time: f64,
-    /// For each run, time after time, the grid's signals; shorter if the run diverged.
-    runs: Vec<Vec<f64>>,
+    /// Time after time, the grid's signals.
+    cells: Vec<Cell>,
 }
 
 impl Band {
     pub(crate) fn new<L: ClosedLoop>(grid: Grid) -> Self {
+        let cells = grid.times * grid.signals.len();
         Self {
             grid,
             signals: L::SIGNALS,
             sample_time: L::SAMPLE_TIME,
-            runs: Vec::new(),
+            cells: (0..cells).map(|_| Cell::new()).collect(),
         }
     }
 
-    /// Adds the values of the next run.
-    pub(crate) fn push(&mut self, run: Vec<f64>) {
-        self.runs.push(run);
+    /// Adds the values of a run, time after time the grid's signals; fewer if it diverged.
+    pub(crate) fn push(&mut self, run: &[f64]) {
+        for (cell, &value) in self.cells.iter_mut().zip(run) {
+            cell.push(value);
+        }
+    }
+
+    /// Adds the runs of another band on the same grid.
+    pub(crate) fn merge(&mut self, other: Band) {
+        for (cell, more) in self.cells.iter_mut().zip(other.cells) {
+            cell.sum.merge(&more.sum);
+            cell.values.merge(more.values);
+        }
+    }
+
+    /// Counts what waits to be counted; needed before a row is asked for.
+    pub(crate) fn settle(&mut self) {
+        for cell in &mut self.cells {
+            cell.values.settle();
+        }
     }
 
     /// `t`, then `NAME:min,:p05,:p50,:p95,:max,:mean` of each signal.
@@ -94,31 +113,73 @@ impl Band {
         self.grid.times
     }
 
-    /// The columns at one time: percentiles by nearest rank and the mean, over the runs that got there with a value that is a number; NaN if
-    /// none did.
+    /// The columns at one time, over the runs that got there with a value that is a number; NaN if none did. Extremes are exact, the mean is
+    /// rounded once, percentiles are those of a [`Sketch`].
     pub fn row(&self, index: usize) -> Vec<f64> {
-        let mut row = Vec::with_capacity(1 + 6 * self.grid.signals.len());
+        let signals = self.grid.signals.len();
+        let mut row = Vec::with_capacity(1 + 6 * signals);
         row.push((index as u64 * self.grid.stride) as f64 * self.sample_time);
-        for signal in 0..self.grid.signals.len() {
-            let place = index * self.grid.signals.len() + signal;
-            let values = self.runs.iter().filter_map(|run| run.get(place)).copied();
-            row.extend(spread(values.filter(|value| !value.is_nan()).collect()));
+        for cell in &self.cells[index * signals..(index + 1) * signals] {
+            row.extend(cell.spread());
         }
         row
     }
+
+    pub(crate) fn encode(&self, encoder: &mut Encoder) {
+        encoder.count(self.cells.len() as u64);
+        for cell in &self.cells {
+            cell.sum.encode(encoder);
+            cell.values.encode(encoder);
+        }
+    }
+
+    pub(crate) fn decode<L: ClosedLoop>(
+        grid: Grid,
+        decoder: &mut Decoder<'_>,
+    ) -> Result<Self, Corrupt> {
+        let mut band = Self::new::<L>(grid);
+        decoder.expect(band.cells.len())?;
+        for cell in &mut band.cells {
+            cell.sum = ExactSum::decode(decoder)?;
+            cell.values = Sketch::decode(BINS, decoder)?;
+        }
+        Ok(band)
+    }
 }
 
-/// Minimum, 5th, 50th and 95th percentile, maximum, mean. The mean is summed in the order given.
-fn spread(mut values: Vec<f64>) -> [f64; 6] {
-    let mean = values.iter().sum::<f64>() / values.len() as f64;
-    values.sort_by(f64::total_cmp);
-    let at = |percent| percentile(&values, percent).unwrap_or(f64::NAN);
-    [at(0), at(5), at(50), at(95), at(100), mean]
+/// The values of one signal at one time.
+#[derive(Clone, Debug, PartialEq)]
+struct Cell {
+    sum: ExactSum,
+    values: Sketch,
+}
+
+impl Cell {
+    fn new() -> Self {
+        Self {
+            sum: ExactSum::default(),
+            values: Sketch::new(BINS),
+        }
+    }
+
+    fn push(&mut self, value: f64) {
+        if !value.is_nan() {
+            self.sum.add(value);
+            self.values.push(value);
+        }
+    }
+
+    /// Minimum, 5th, 50th and 95th percentile, maximum, mean.
+    fn spread(&self) -> [f64; 6] {
+        let at = |percent| self.values.percentile(percent).unwrap_or(f64::NAN);
+        let mean = self.sum.value() / self.values.count() as f64;
+        [at(0), at(5), at(50), at(95), at(100), mean]
+    }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{has_band, spread};
+    use super::{Cell, has_band};
 
     #[test]
     fn bands_are_drawn_of_the_signals_that_show_robustness() {
@@ -148,9 +209,15 @@ mod tests {
 
     #[test]
     fn spread_of_nothing_is_not_a_number() {
-        assert!(spread([].into()).iter().all(|x| x.is_nan()));
+        let spread = |values: &[f64]| {
+            let mut cell = Cell::new();
+            values.iter().for_each(|value| cell.push(*value));
+            cell.values.settle();
+            cell.spread()
+        };
+        assert!(spread(&[f64::NAN]).iter().all(|x| x.is_nan()));
         assert_eq!(
-            spread([3.0, 1.0, 2.0].into()),
+            spread(&[3.0, 1.0, f64::NAN, 2.0]),
             [1.0, 1.0, 2.0, 3.0, 3.0, 2.0]
         );
     }

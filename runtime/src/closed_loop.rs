@@ -1,13 +1,13 @@
-//! The interface of a generated simulator: one run of controller and plant.
+//! The interface of a generated simulator: runs of controller and plant, one in each lane.
 
-use crate::status::Status;
+use crate::real::Real;
 
-/// What sets one run apart.
+/// What sets runs apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
     /// Seed of the campaign.
     pub seed: u64,
-    /// Number of the run; with the seed it fixes every draw.
+    /// Number of the run in the first lane, the next ones in the lanes after it; with the seed it fixes every draw.
     pub run: u64,
     /// Whether the plant is disturbed by noise.
     pub noise: bool,
@@ -15,8 +15,8 @@ pub struct Options {
     pub dispersion: bool,
 }
 
-/// A plant under sampled control. A run is `new`, then `control` and `advance` in turn.
-pub trait ClosedLoop: Sized {
+/// A compiled specification.
+pub trait ClosedLoop {
     /// Name of the specification.
     const NAME: &'static str;
     /// Time between control samples, s.
@@ -28,27 +28,38 @@ pub trait ClosedLoop: Sized {
     /// Telemetry columns, SI: `t`, `x1.CHANNEL`, `e1.CHANNEL`, `ratio1`, `d1.CHANNEL`, `u_sat.INPUT`, ...
     const SIGNALS: &'static [&'static str];
 
-    /// The initial state of a run.
+    /// Its simulator in numbers of any type.
+    type Runs<T: Real>: Runs<T>;
+}
+
+/// A plant under sampled control; each lane is a run of its own. A run is `new`, then `control` and `advance` in turn.
+/// Implementations are `#[inline(always)]`, as [`crate::lanes`] asks.
+pub trait Runs<T: Real> {
+    /// The initial state of the runs.
     fn new(options: &Options) -> Self;
 
-    /// Control sample k: computes the law and updates the controller's states. The other queries are valid afterwards.
-    fn control(&mut self) -> Status;
+    /// Prepares for telemetry of the next control sample.
+    fn observe(&mut self);
+
+    /// Control sample k: computes the law and updates the controller's states. The other queries are valid afterwards, telemetry after
+    /// [`Runs::observe`] only.
+    fn control(&mut self);
 
     /// Moves the plant over one sample time.
     fn advance(&mut self);
 
     /// Writes one value for each of [`ClosedLoop::SIGNALS`].
-    fn telemetry(&self, row: &mut [f64]);
+    fn telemetry(&self, row: &mut [T]);
 
     /// `||e_1|| / k_1`; NaN without a constraint on the output.
-    fn constraint_ratio(&self) -> f64;
+    fn constraint_ratio(&self) -> T;
 
     /// Writes the tracking error `y - y_r` of each output, SI.
-    fn tracking_error(&self, error: &mut [f64]);
+    fn tracking_error(&self, error: &mut [T]);
 
     /// Writes whether each input is at its limit.
-    fn saturated(&self, saturated: &mut [bool]);
+    fn saturated(&self, saturated: &mut [T::Mask]);
 
     /// Whether plant state, controller state and control are all finite.
-    fn is_finite(&self) -> bool;
+    fn is_finite(&self) -> T::Mask;
 }

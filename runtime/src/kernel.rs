@@ -1,138 +1,134 @@
 //! Functions of the barrier that are smooth at 0 although their usual form is 0/0 there.
 //!
-//! With `S(z) = sin z / z`, `sin E cos E / E = S(2 E)`, so all derivatives come from those of `S`:
-//! `S' = (cos z - S) / z`, `S'' = -(S + 2 S' / z)`, `S''' = -(S' + 2 (S'' - S' / z) / z)` (differentiate `z S = sin z`). These lose digits
-//! where `z` is small, so below `|z| = 2`, that is `|E| < 1`, the derivatives are summed from their Taylor series, whose first term left
-//! out is below 2e-18. Both arms are always evaluated and one is selected: the recursion's NaN at 0 never escapes.
+//! `f(E) = sin E cos E / E = S(2 E)` with `S(z) = sin z / z`, and its derivatives. The barrier keeps `|E| < pi/2`; there the derivatives are
+//! polynomials in E^2. Beyond, where no controller works, they come from `z S(z) = sin z` by differentiation:
+//! `S' = (cos z - S) / z`, `S'' = -(S + 2 S' / z)`, `S''' = -(S' + 2 (S'' - S' / z) / z)`.
 //!
-//! Error bounds on `|E| <= pi/2 - 1e-6`, against 60-digit values: 2 ulp for [`sin_cos_over`] and [`tan_over`], a relative 6e-16 for the first and
-//! third derivative, an absolute 6e-16 for the second, which has a zero at `E = 1.041`. Beyond that range everything stays correct to about
+//! Error bounds on `|E| <= pi/2 - 1e-6`, against 60-digit values: a relative 4.4e-16 for [`sin_cos_over`] and [`tan_over`], a relative 6e-16 for the
+//! first and third derivative, an absolute 6e-16 for the second, which has a zero at `E = 1.041`. Beyond that range everything stays correct to about
 //! as many absolute digits.
+
+use nsv_math::rare::replaced;
 
 use crate::real::Real;
 
-/// `z` from which the recursion is used instead of the series.
-const SERIES_LIMIT: f64 = 2.0;
+/// Largest |E| of the polynomials, rad: a little more than pi/2.
+const LIMIT: f64 = 1.571;
 
-/// `S'(z) / z = P(z^2)`, coefficients `(-1)^n 2n / (2n + 1)!` for n = 1..=12.
-const FIRST: [f64; 12] = [
-    -0.3333333333333333,
-    0.03333333333333333,
-    -0.0011904761904761906,
-    2.2045855379188714e-5,
-    -2.505210838544172e-7,
-    1.9270852604185937e-9,
-    -1.0706029224547743e-11,
-    4.498331606952833e-14,
-    -1.4797143443923793e-16,
-    3.9145882126782523e-19,
-    -8.509974375387505e-22,
-    1.5472680682522736e-24,
+/// `f'(E) = E P(E^2 - 5/2)`, relative error 1.3e-17 (math/coefficients/barrier.sollya).
+const FIRST: [f64; 11] = [
+    -0.3972981463641549,
+    0.24361145339364426,
+    -0.042346097423987726,
+    0.0035207485716311484,
+    -0.0001728002764066365,
+    5.61715022099797e-6,
+    -1.3009471791040576e-7,
+    2.25822048969255e-9,
+    -3.0495103330421104e-11,
+    3.287070442428272e-13,
+    -3.1569745725704106e-15,
 ];
 
-/// `S''(z) = P(z^2)`, coefficients `(-1)^n 2n (2n - 1) / (2n + 1)!` for n = 1..=12.
-const SECOND: [f64; 12] = [
-    -0.3333333333333333,
-    0.1,
-    -0.005952380952380952,
-    0.00015432098765432098,
-    -2.2546897546897547e-6,
-    2.1197937864604532e-8,
-    -1.3917837991912066e-10,
-    6.74749741042925e-13,
-    -2.515514385467045e-15,
-    7.437717604088679e-18,
-    -1.787094618831376e-20,
-    3.5587165569802293e-23,
+/// `f''(E) = P(E^2 - 5/4)`, absolute error 1.1e-17 (math/coefficients/barrier.sollya).
+const SECOND: [f64; 11] = [
+    0.14320882342978897,
+    0.8157860142157198,
+    -0.2528341616146013,
+    0.029233423515949323,
+    -0.0018166664737930638,
+    7.110571368895169e-5,
+    -1.9209780925772513e-6,
+    3.80477235726973e-8,
+    -5.767709294757579e-10,
+    6.913962051050824e-12,
+    -6.714499386240045e-14,
 ];
 
-/// `S'''(z) / z = P(z^2)`, coefficients `(-1)^n 2n (2n - 1) (2n - 2) / (2n + 1)!` for n = 2..=13.
-const THIRD: [f64; 12] = [
-    0.2,
-    -0.023809523809523808,
-    0.000925925925925926,
-    -1.8037518037518038e-5,
-    2.119793786460453e-7,
-    -1.6701405590294479e-9,
-    9.44649637460095e-12,
-    -4.024823016747272e-14,
-    1.3387891687359624e-16,
-    -3.574189237662752e-19,
-    7.829176425356505e-22,
-    -1.4326556187521052e-24,
+/// `f'''(E) = E P(E^2 - 5/2)`, relative error 1.3e-17 (math/coefficients/barrier.sollya).
+const THIRD: [f64; 11] = [
+    0.6147467718820442,
+    -0.6356770341826482,
+    0.12713540683652755,
+    -0.01131818986361654,
+    0.0005788581017905622,
+    -1.9346327179404064e-5,
+    4.5714889431588463e-7,
+    -8.057022137311558e-9,
+    1.1012833668371847e-10,
+    -1.1956984027087386e-12,
+    1.18134534028678e-14,
 ];
 
-/// `sin E cos E / E`, 1 at 0: `sin z / z` with `z = E + E`, which is accurate at every `z` but 0.
-#[inline]
+/// `sin E cos E / E`, 1 at 0. It shares the sine and cosine with whoever else needs them.
+#[inline(always)]
 pub fn sin_cos_over<T: Real>(e: T) -> T {
-    let z = e + e;
-    T::select(z.eq(T::zero()), T::one(), z.sin() / z)
+    T::select(e.eq(T::zero()), T::one(), e.sin() * e.cos() / e)
 }
 
-/// First derivative of [`sin_cos_over`]: `S'(z) + S'(z)` with `z = E + E`, and `S'(z) = z P(z z)` by Horner's scheme for `|z| < 2`, else
-/// `(cos z - sin z / z) / z`.
-#[inline]
+/// First derivative of [`sin_cos_over`]: `E P(t)`, t = E^2 - 5/2; beyond pi/2, `s1 + s1` of the recursion.
+#[inline(always)]
 pub fn sin_cos_over_d1<T: Real>(e: T) -> T {
-    let z = e + e;
-    let [s1, _, _] = recursion(z);
-    let first = below_limit(z, z * horner(&FIRST, z * z), s1);
-    first + first
+    within_limit(e, e * about(2.5, &FIRST, e), |e| 2.0 * recursion(e)[0])
 }
 
-/// Second derivative of [`sin_cos_over`]: `4 S''(z)` with `z = E + E`, and `S''(z) = P(z z)` for `|z| < 2`, else
-/// `-(s0 + (s1 + s1) / z)` with `s0 = sin z / z`, `s1 = (cos z - s0) / z`.
-#[inline]
+/// Second derivative of [`sin_cos_over`]: `P(t)`, t = E^2 - 5/4; beyond pi/2, `4 s2` of the recursion.
+#[inline(always)]
 pub fn sin_cos_over_d2<T: Real>(e: T) -> T {
-    let z = e + e;
-    let [_, s2, _] = recursion(z);
-    below_limit(z, horner(&SECOND, z * z), s2) * T::from_f64(4.0)
+    within_limit(e, about(1.25, &SECOND, e), |e| 4.0 * recursion(e)[1])
 }
 
-/// Third derivative of [`sin_cos_over`]: `8 S'''(z)` with `z = E + E`, and `S'''(z) = z P(z z)` for `|z| < 2`, else
-/// `-(s1 + (g + g) / z)` with `g = s2 - s1 / z` and s1, s2 as in [`sin_cos_over_d2`].
-#[inline]
+/// Third derivative of [`sin_cos_over`]: `E P(t)`, t = E^2 - 5/2; beyond pi/2, `8 s3` of the recursion.
+#[inline(always)]
 pub fn sin_cos_over_d3<T: Real>(e: T) -> T {
-    let z = e + e;
-    let [_, _, s3] = recursion(z);
-    below_limit(z, z * horner(&THIRD, z * z), s3) * T::from_f64(8.0)
+    within_limit(e, e * about(2.5, &THIRD, e), |e| 8.0 * recursion(e)[2])
 }
 
 /// `tan E / E`, 1 at 0.
-#[inline]
+#[inline(always)]
 pub fn tan_over<T: Real>(e: T) -> T {
     T::select(e.eq(T::zero()), T::one(), e.tan() / e)
 }
 
-/// The first three derivatives of `sin z / z` by recursion; NaN at 0. What the caller drops is not computed once inlined.
-#[inline]
-fn recursion<T: Real>(z: T) -> [T; 3] {
-    let s0 = z.sin() / z;
-    let s1 = (z.cos() - s0) / z;
+/// `inside`, or where `|E|` is above the limit `beyond`.
+#[inline(always)]
+fn within_limit<T: Real>(e: T, inside: T, beyond: fn(f64) -> f64) -> T {
+    replaced(e.abs().gt(T::from_f64(LIMIT)), inside, e, beyond)
+}
+
+/// `P(t)` with `t = E E - middle`: `(c_0 + w (c_2 + w (c_4 + ..))) + t (c_1 + w (c_3 + ..))` with `w = t t`, each sum from its last coefficient.
+#[inline(always)]
+fn about<T: Real>(middle: f64, coefficients: &[f64; 11], e: T) -> T {
+    let t = e * e - T::from_f64(middle);
+    let w = t * t;
+    let mut even = T::from_f64(coefficients[10]);
+    let mut odd = T::from_f64(coefficients[9]);
+    for n in (0..9).rev() {
+        let c = T::from_f64(coefficients[n]);
+        if n % 2 == 0 {
+            even = even * w + c;
+        } else {
+            odd = odd * w + c;
+        }
+    }
+    even + t * odd
+}
+
+/// The first three derivatives of `sin z / z` at `z = E + E`: with `s0 = sin z / z`, `s1 = (cos z - s0) / z`, `s2 = -(s0 + (s1 + s1) / z)`,
+/// `g = s2 - s1 / z`, `s3 = -(s1 + (g + g) / z)`.
+fn recursion(e: f64) -> [f64; 3] {
+    let z = e + e;
+    let s0 = Real::sin(z) / z;
+    let s1 = (Real::cos(z) - s0) / z;
     let s2 = -(s0 + (s1 + s1) / z);
     let g = s2 - s1 / z;
     let s3 = -(s1 + (g + g) / z);
     [s1, s2, s3]
 }
 
-/// The series where `|z|` is below the limit, else the recursion.
-#[inline]
-fn below_limit<T: Real>(z: T, series: T, recursion: T) -> T {
-    T::select(z.abs().lt(T::from_f64(SERIES_LIMIT)), series, recursion)
-}
-
-/// `c_0 + x (c_1 + x (c_2 + ...))`, from the last coefficient: `r = r x + c`.
-#[inline]
-fn horner<T: Real>(coefficients: &[f64; 12], x: T) -> T {
-    let [lower @ .., last] = coefficients;
-    lower
-        .iter()
-        .rev()
-        .fold(T::from_f64(*last), |r, &c| r * x + T::from_f64(c))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{sin_cos_over, sin_cos_over_d1, sin_cos_over_d2, sin_cos_over_d3, tan_over};
+    use super::{LIMIT, sin_cos_over, sin_cos_over_d1, sin_cos_over_d2, sin_cos_over_d3, tan_over};
 
     /// `[E, f, f', f'', f''', tan E / E]` with `f = sin E cos E / E`, to 60 digits by mpmath, rounded to nearest.
     #[rustfmt::skip]
@@ -198,9 +194,8 @@ mod tests {
     }
 
     #[test]
-    fn series_and_recursion_meet() {
-        // Consecutive floats on both sides of |E| = 1: a step there would show in a controller's telemetry.
-        let (below, above) = (1.0_f64.next_down(), 1.0_f64);
+    fn polynomials_and_recursion_meet() {
+        let (below, above) = (LIMIT, LIMIT.next_up());
         for kernel in [sin_cos_over_d1, sin_cos_over_d2, sin_cos_over_d3] {
             assert!((kernel(below) - kernel(above)).abs() < 3e-15);
         }

@@ -17,12 +17,13 @@
 #[cfg(any(test, feature = "std"))]
 extern crate std;
 
+pub use nsv_math::{entries, lanes, real};
+
 pub mod closed_loop;
 pub mod kernel;
 pub mod linear;
 pub mod noise;
 pub mod polynomial;
-pub mod real;
 pub mod sde;
 pub mod status;
 

@@ -1,94 +1,111 @@
 //! A small closed loop for tests: a noisy scalar plant under limited proportional control, which follows `sin t`. One run in ten or so has an
 //! unstable plant that soon overflows.
 
-use crate::closed_loop::{ClosedLoop, Options};
+use crate::closed_loop::{ClosedLoop, Options, Runs};
 use crate::linear::{Matrix, Vector};
 use crate::noise::Noise;
+use crate::real::{Mask, Real};
 use crate::sde::{self, Scheme, Sde};
-use crate::status::Status;
 
 /// `dx = (a x^3 + u) dt + 0.1 dw`, a = -1 or, in unstable runs, 400.
-pub(crate) struct MockLoop<const CONSTRAINED: bool> {
-    plant: Plant,
-    noise: Option<Noise>,
+pub(crate) struct MockLoop<const CONSTRAINED: bool, T: Real = f64> {
+    plant: Plant<T>,
+    noise: Option<Noise<T>>,
     sample: u64,
-    x: Vector<f64, 1>,
-    u: f64,
+    x: Vector<T, 1>,
+    u: T,
 }
 
-struct Plant {
-    a: f64,
-    u: f64,
+struct Plant<T> {
+    a: T,
+    u: T,
 }
 
-impl Sde<f64, 1, 1> for Plant {
-    fn drift(&self, _: f64, x: &Vector<f64, 1>) -> Vector<f64, 1> {
-        x.map(|x| self.a * x * x * x + self.u)
+impl<T: Real> Sde<T, 1, 1> for Plant<T> {
+    #[inline(always)]
+    fn drift(&self, _: T, x: &Vector<T, 1>) -> Vector<T, 1> {
+        Vector([self.a * x[0] * x[0] * x[0] + self.u])
     }
 
-    fn diffusion(&self, _: f64, _: &Vector<f64, 1>) -> Matrix<f64, 1, 1> {
-        Matrix([[0.1]])
+    #[inline(always)]
+    fn diffusion(&self, _: T, _: &Vector<T, 1>) -> Matrix<T, 1, 1> {
+        Matrix::rows([[T::from_f64(0.1)]])
     }
 }
 
-impl<const CONSTRAINED: bool> MockLoop<CONSTRAINED> {
-    const LIMIT: f64 = 2.0;
+const SAMPLE_TIME: f64 = 0.01;
 
-    fn t(&self) -> f64 {
-        self.sample as f64 * Self::SAMPLE_TIME
+const LIMIT: f64 = 2.0;
+
+impl<const CONSTRAINED: bool, T: Real> MockLoop<CONSTRAINED, T> {
+    fn t(&self) -> T {
+        T::from_f64(self.sample as f64 * SAMPLE_TIME)
     }
 
-    fn error(&self) -> f64 {
+    fn error(&self) -> T {
         self.x[0] - self.t().sin()
     }
 }
 
 impl<const CONSTRAINED: bool> ClosedLoop for MockLoop<CONSTRAINED> {
     const NAME: &'static str = "mock";
-    const SAMPLE_TIME: f64 = 0.01;
+    const SAMPLE_TIME: f64 = SAMPLE_TIME;
     const OUTPUTS: &'static [&'static str] = &["x"];
     const INPUTS: &'static [&'static str] = &["u"];
     const SIGNALS: &'static [&'static str] = &["t", "x1.x", "e1.x", "ratio1", "u.u", "u_sat.u"];
 
+    type Runs<T: Real> = MockLoop<CONSTRAINED, T>;
+}
+
+impl<const CONSTRAINED: bool, T: Real> Runs<T> for MockLoop<CONSTRAINED, T> {
+    #[inline(always)]
     fn new(options: &Options) -> Self {
-        let unstable =
-            options.dispersion && Noise::dispersion(options.seed, options.run).uniform(0, 0) > 0.9;
+        let draw = Noise::<T>::dispersion(options.seed, options.run).uniform(0, 0);
+        let unstable = draw
+            .gt(T::from_f64(0.9))
+            .and(T::Mask::splat(options.dispersion));
         Self {
             plant: Plant {
-                a: if unstable { 400.0 } else { -1.0 },
-                u: 0.0,
+                a: T::select(unstable, T::from_f64(400.0), T::from_f64(-1.0)),
+                u: T::zero(),
             },
             noise: options
                 .noise
                 .then(|| Noise::process(options.seed, options.run)),
             sample: 0,
-            x: Vector([0.5]),
-            u: 0.0,
+            x: Vector([T::from_f64(0.5)]),
+            u: T::zero(),
         }
     }
 
-    fn control(&mut self) -> Status {
-        self.u = -8.0 * self.error();
-        self.plant.u = self.u.clamp(-Self::LIMIT, Self::LIMIT);
-        Status::SATURATED.when(self.plant.u != self.u)
+    #[inline(always)]
+    fn observe(&mut self) {}
+
+    #[inline(always)]
+    fn control(&mut self) {
+        self.u = T::from_f64(-8.0) * self.error();
+        self.plant.u = self.u.max(T::from_f64(-LIMIT)).min(T::from_f64(LIMIT));
     }
 
+    #[inline(always)]
     fn advance(&mut self) {
-        let dt = Self::SAMPLE_TIME;
-        let draw = self.noise.map_or(0.0, |noise| noise.normal(self.sample, 0));
-        let dw = Vector([draw * dt.sqrt()]);
+        let dt = T::from_f64(SAMPLE_TIME);
+        let draw = match &self.noise {
+            Some(noise) => noise.normal(self.sample, 0),
+            None => T::zero(),
+        };
         self.x = sde::step(
             Scheme::EulerMaruyama,
             &self.plant,
             self.t(),
             &self.x,
             dt,
-            &dw,
+            &Vector([draw * dt.sqrt()]),
         );
         self.sample += 1;
     }
 
-    fn telemetry(&self, row: &mut [f64]) {
+    fn telemetry(&self, row: &mut [T]) {
         let ratio = self.constraint_ratio();
         row.copy_from_slice(&[
             self.t(),
@@ -100,23 +117,28 @@ impl<const CONSTRAINED: bool> ClosedLoop for MockLoop<CONSTRAINED> {
         ]);
     }
 
-    fn constraint_ratio(&self) -> f64 {
+    #[inline(always)]
+    fn constraint_ratio(&self) -> T {
         if CONSTRAINED {
-            self.error().abs() / (0.4 * (-4.0 * self.t()).exp() + 0.15)
+            let bound = T::from_f64(0.4) * (T::from_f64(-4.0) * self.t()).exp();
+            self.error().abs() / (bound + T::from_f64(0.15))
         } else {
-            f64::NAN
+            T::from_f64(f64::NAN)
         }
     }
 
-    fn tracking_error(&self, error: &mut [f64]) {
+    #[inline(always)]
+    fn tracking_error(&self, error: &mut [T]) {
         error[0] = self.error();
     }
 
-    fn saturated(&self, saturated: &mut [bool]) {
-        saturated[0] = self.plant.u != self.u;
+    #[inline(always)]
+    fn saturated(&self, saturated: &mut [T::Mask]) {
+        saturated[0] = self.plant.u.ne(self.u);
     }
 
-    fn is_finite(&self) -> bool {
-        self.x.is_finite() && self.u.is_finite()
+    #[inline(always)]
+    fn is_finite(&self) -> T::Mask {
+        self.x.is_finite().and(self.u.is_finite())
     }
 }

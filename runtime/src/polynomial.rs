@@ -6,7 +6,7 @@ use crate::real::Real;
 /// coefficients of one power, the highest first; a power that a polynomial does not have is `-0.0`, which adds nothing to any number.
 ///
 /// Error bound, with n rows: `1.01 * 2 (n - 1) * 2^-53 * sum |c_i| |z|^i` (Higham, Accuracy and Stability of Numerical Algorithms, (5.3)).
-#[inline]
+#[inline(always)]
 pub fn horner<T: Real, const K: usize, const ROWS: usize>(rows: &[[f64; K]; ROWS], z: T) -> [T; K] {
     let mut values = [T::zero(); K];
     for (power, row) in rows.iter().enumerate() {

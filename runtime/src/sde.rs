@@ -15,6 +15,16 @@ pub trait Sde<T: Real, const N: usize, const Q: usize> {
     fn drift(&self, t: T, x: &Vector<T, N>) -> Vector<T, N>;
     /// `G(t, x)`.
     fn diffusion(&self, t: T, x: &Vector<T, N>) -> Matrix<T, N, Q>;
+    /// `f(t, x)` and `G(t, x) dw`.
+    #[inline(always)]
+    fn drift_and_noise(
+        &self,
+        t: T,
+        x: &Vector<T, N>,
+        dw: &Vector<T, Q>,
+    ) -> (Vector<T, N>, Vector<T, N>) {
+        (self.drift(t, x), self.diffusion(t, x) * *dw)
+    }
 }
 
 /// How a step is made.
@@ -37,7 +47,7 @@ pub enum Scheme {
 }
 
 /// The state after a step of length `dt` from `(t, x)`, with the increments `dw` of the Wiener processes (variance `dt` each).
-#[inline]
+#[inline(always)]
 pub fn step<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     scheme: Scheme,
     sde: &S,
@@ -47,13 +57,16 @@ pub fn step<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     dw: &Vector<T, Q>,
 ) -> Vector<T, N> {
     match scheme {
-        Scheme::EulerMaruyama => (*x + sde.drift(t, x) * dt) + sde.diffusion(t, x) * *dw,
+        Scheme::EulerMaruyama => {
+            let (drift, noise) = sde.drift_and_noise(t, x, dw);
+            (*x + drift * dt) + noise
+        }
         Scheme::Platen => platen(sde, t, x, dt, dw),
         Scheme::RungeKutta4 => runge_kutta4(sde, t, x, dt),
     }
 }
 
-#[inline]
+#[inline(always)]
 fn platen<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     sde: &S,
     t: T,
@@ -73,7 +86,7 @@ fn platen<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     next
 }
 
-#[inline]
+#[inline(always)]
 fn runge_kutta4<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     sde: &S,
     t: T,

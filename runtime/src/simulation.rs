@@ -1,50 +1,118 @@
-//! One run, sample by sample.
+//! Runs, sample by sample.
 
-use crate::closed_loop::{ClosedLoop, Options};
+use std::marker::PhantomData;
+use std::vec::Vec;
 
-/// A run on its way through the samples 0 to the last, at times 0 to the horizon. It stops before a sample at which the loop is not finite.
-pub(crate) struct Simulation<L> {
-    closed_loop: L,
-    next: u64,
-    last: u64,
-    diverged: bool,
-}
+use crate::closed_loop::{ClosedLoop, Options, Runs};
+use crate::real::{Mask, Part, Real};
 
 /// Number of sample times in a duration, to the nearest.
 pub(crate) fn samples_in<L: ClosedLoop>(seconds: f64) -> u64 {
     (seconds / L::SAMPLE_TIME).round() as u64
 }
 
-impl<L: ClosedLoop> Simulation<L> {
-    /// A run at its initial state.
-    pub(crate) fn new(options: &Options, last: u64) -> Self {
-        Self {
-            closed_loop: L::new(options),
-            next: 0,
-            last,
-            diverged: false,
+/// What follows runs on their way.
+pub(crate) trait Observer<T: Real, L: ClosedLoop> {
+    /// Whether the telemetry of this sample is wanted.
+    fn observes(&self, sample: u64) -> bool;
+
+    /// A sample: its number, the loops after their control, and the runs that have got there. Telemetry is valid if it was wanted.
+    fn sample(&mut self, sample: u64, runs: &L::Runs<T>, alive: T::Mask);
+}
+
+/// Simulates the runs in the lanes of `T` over the samples 0 to `last`, until each run has ended: a run ends before a sample at which its
+/// loop is not finite. Tells which runs came to the last sample.
+#[inline(always)]
+pub(crate) fn simulate<T: Real, L: ClosedLoop>(
+    options: &Options,
+    last: u64,
+    observer: &mut impl Observer<T, L>,
+) -> T::Mask {
+    let mut runs = T::outlined(New::<T, L::Runs<T>>(options, PhantomData));
+    let mut alive = T::Mask::splat(true);
+    let mut sample = 0;
+    while sample <= last {
+        if sample > 0 {
+            T::outlined(Advance(&mut runs, PhantomData::<T>));
         }
+        if observer.observes(sample) {
+            runs.observe();
+        }
+        T::outlined(Control(&mut runs, PhantomData::<T>));
+        alive = alive.and(runs.is_finite());
+        if !alive.any() {
+            break;
+        }
+        observer.sample(sample, &runs, alive);
+        sample += 1;
+    }
+    alive
+}
+
+struct New<'a, T, R>(&'a Options, PhantomData<(T, R)>);
+
+impl<T: Real, R: Runs<T>> Part for New<'_, T, R> {
+    type Output = R;
+
+    #[inline(always)]
+    fn run(self) -> R {
+        R::new(self.0)
+    }
+}
+
+struct Advance<'a, T, R>(&'a mut R, PhantomData<T>);
+
+impl<T: Real, R: Runs<T>> Part for Advance<'_, T, R> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        self.0.advance();
+    }
+}
+
+struct Control<'a, T, R>(&'a mut R, PhantomData<T>);
+
+impl<T: Real, R: Runs<T>> Part for Control<'_, T, R> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        self.0.control();
+    }
+}
+
+/// Simulates one run and hands the telemetry of each sample to `row`, until that fails.
+pub(crate) fn telemetry<L: ClosedLoop, E>(
+    options: &Options,
+    last: u64,
+    row: impl FnMut(&[f64]) -> Result<(), E>,
+) -> Result<(), E> {
+    let mut rows = Rows {
+        values: std::vec![0.0; L::SIGNALS.len()],
+        row,
+        outcome: Ok(()),
+    };
+    simulate::<f64, L>(options, last, &mut rows);
+    rows.outcome
+}
+
+/// Hands on the telemetry of every sample.
+struct Rows<F, E> {
+    values: Vec<f64>,
+    row: F,
+    outcome: Result<(), E>,
+}
+
+impl<L: ClosedLoop, E, F: FnMut(&[f64]) -> Result<(), E>> Observer<f64, L> for Rows<F, E> {
+    fn observes(&self, _sample: u64) -> bool {
+        true
     }
 
-    /// Moves to the next sample and computes the control there: its number and the loop, until the run ends.
-    pub(crate) fn next_sample(&mut self) -> Option<(u64, &L)> {
-        if self.diverged || self.next > self.last {
-            return None;
+    fn sample(&mut self, _sample: u64, run: &L::Runs<f64>, _alive: bool) {
+        if self.outcome.is_ok() {
+            run.telemetry(&mut self.values);
+            self.outcome = (self.row)(&self.values);
         }
-        if self.next > 0 {
-            self.closed_loop.advance();
-        }
-        self.closed_loop.control();
-        if !self.closed_loop.is_finite() {
-            self.diverged = true;
-            return None;
-        }
-        self.next += 1;
-        Some((self.next - 1, &self.closed_loop))
-    }
-
-    /// Whether the run stopped because its state was not finite.
-    pub(crate) fn diverged(&self) -> bool {
-        self.diverged
     }
 }

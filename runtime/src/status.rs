@@ -17,25 +17,25 @@ impl Status {
     pub const NON_FINITE_INPUT: Self = Self(1 << 2);
 
     /// Whether every event of `events` is in the set.
-    #[inline]
+    #[inline(always)]
     pub const fn contains(self, events: Self) -> bool {
         self.0 & events.0 == events.0
     }
 
     /// Whether the set is empty.
-    #[inline]
+    #[inline(always)]
     pub const fn is_ok(self) -> bool {
         self.0 == 0
     }
 
     /// The events of `self` if `condition` holds, else none.
-    #[inline]
+    #[inline(always)]
     pub const fn when(self, condition: bool) -> Self {
         if condition { self } else { Self::OK }
     }
 
     /// The set as bits: 1 constraint violated, 2 saturated, 4 non-finite input.
-    #[inline]
+    #[inline(always)]
     pub const fn bits(self) -> u8 {
         self.0
     }
@@ -44,14 +44,14 @@ impl Status {
 impl BitOr for Status {
     type Output = Self;
 
-    #[inline]
+    #[inline(always)]
     fn bitor(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
 }
 
 impl BitOrAssign for Status {
-    #[inline]
+    #[inline(always)]
     fn bitor_assign(&mut self, other: Self) {
         *self = *self | other;
     }

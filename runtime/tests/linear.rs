@@ -5,8 +5,8 @@ use nsv_runtime::noise::Noise;
 
 /// Numbers without structure, each a function of the place.
 fn matrix<const R: usize, const C: usize>(seed: u64) -> Matrix<f64, R, C> {
-    let noise = Noise::process(seed, 0);
-    Matrix(std::array::from_fn(|i| {
+    let noise = Noise::<f64>::process(seed, 0);
+    Matrix::rows(std::array::from_fn(|i| {
         std::array::from_fn(|j| noise.normal(i as u64, j as u32))
     }))
 }
@@ -20,13 +20,29 @@ fn residual<const N: usize>(a: Matrix<f64, N, N>, x: Vector<f64, N>, b: Vector<f
 }
 
 #[test]
-fn reductions_run_left_to_right_from_the_first_product() {
+fn short_sums_run_left_to_right_from_the_first_term() {
     let (a, b) = (vector::<4>(1), vector::<4>(2));
     let expected = ((a[0] * b[0] + a[1] * b[1]) + a[2] * b[2]) + a[3] * b[3];
     assert_eq!(a.dot(b), expected);
     // Starting from +0 instead would lose the sign of a negative zero.
-    assert!(Vector([-0.0]).dot(Vector([1.0])).is_sign_negative());
+    assert!(Vector([-0.0_f64]).dot(Vector([1.0])).is_sign_negative());
     assert_eq!(Vector::<f64, 0>([]).dot(Vector([])), 0.0);
+}
+
+#[test]
+fn long_sums_have_eight_parts_that_are_added_in_halves() {
+    let (a, b) = (vector::<19>(1), vector::<19>(2));
+    let product = |k: usize| a[k] * b[k];
+    let part = |l: usize| {
+        let short = product(l) + product(l + 8);
+        if l < 3 {
+            short + product(l + 16)
+        } else {
+            short
+        }
+    };
+    let half = |l: usize| part(l) + part(l + 4);
+    assert_eq!(a.dot(b), (half(0) + half(2)) + (half(1) + half(3)));
 }
 
 #[test]
@@ -35,25 +51,24 @@ fn products_are_rows_times_columns() {
     let product = a * b;
     let image = a * v;
     for i in 0..2 {
-        assert_eq!(image[i], Vector(a.0[i]).dot(v));
+        let row = Vector(a.to_rows()[i]);
+        assert_eq!(image[i], row.dot(v));
         for j in 0..4 {
-            assert_eq!(product[(i, j)], Vector(a.0[i]).dot(b.column(j)));
+            assert_eq!(product[(i, j)], row.dot(b.column(j)));
         }
     }
+    let (wide, long) = (matrix::<2, 11>(3), vector::<11>(6));
+    assert_eq!((wide * long)[1], Vector(wide.to_rows()[1]).dot(long));
+    assert_eq!(
+        wide.transpose_mul(image),
+        wide.transpose() * image,
+        "both are the columns' products"
+    );
     assert_eq!(v.outer(image)[(2, 1)], v[2] * image[1]);
     assert_eq!(a.transpose()[(2, 1)], a[(1, 2)]);
-    assert_eq!(
-        a.sum_squares(),
-        Vector([
-            a[(0, 0)],
-            a[(0, 1)],
-            a[(0, 2)],
-            a[(1, 0)],
-            a[(1, 1)],
-            a[(1, 2)]
-        ])
-        .sum_squares()
-    );
+    let square = |i, j| a[(i, j)] * a[(i, j)];
+    let row = |i| (square(i, 0) + square(i, 1)) + square(i, 2);
+    assert_eq!(a.sum_squares(), row(0) + row(1));
 }
 
 #[test]
@@ -72,7 +87,7 @@ fn elementwise_operations_are_one_operation_per_entry() {
         (-m + m * 2.0 - m)[(1, 0)],
         (-m[(1, 0)] + m[(1, 0)] * 2.0) - m[(1, 0)]
     );
-    assert!(!Matrix([[f64::INFINITY]]).is_finite() && m.is_finite());
+    assert!(!Matrix::rows([[f64::INFINITY]]).is_finite() && m.is_finite());
 }
 
 #[test]
@@ -82,8 +97,8 @@ fn small_systems_follow_the_written_cofactors() {
     assert_eq!(a.solve(b)[0], (a[(1, 1)] * b[0] - a[(0, 1)] * b[1]) / det);
     assert_eq!(a.solve(b)[1], (a[(0, 0)] * b[1] - a[(1, 0)] * b[0]) / det);
 
-    let (Matrix([[a00, a01, a02], [a10, a11, a12], [a20, a21, a22]]), b) =
-        (matrix::<3, 3>(11), vector::<3>(12));
+    let (a, b) = (matrix::<3, 3>(11), vector::<3>(12));
+    let [[a00, a01, a02], [a10, a11, a12], [a20, a21, a22]] = a.to_rows();
     let adjugate = [
         [
             a11 * a22 - a12 * a21,
@@ -109,7 +124,7 @@ fn small_systems_follow_the_written_cofactors() {
             ((adjugate[i][0] * b[0] + adjugate[i][1] * b[1]) + adjugate[i][2] * b[2]) / det
         );
     }
-    assert_eq!(Matrix([[4.0]]).solve(Vector([1.0])), Vector([0.25]));
+    assert_eq!(Matrix::rows([[4.0]]).solve(Vector([1.0])), Vector([0.25]));
 }
 
 /// The definition with a plain pivot search and plain swaps, as the compiler's evaluator has it.
@@ -149,12 +164,12 @@ fn eliminate<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> [f64; N] 
 #[test]
 fn masked_pivoting_is_plain_pivoting() {
     for seed in 0..50 {
-        let (mut a, b) = (matrix::<5, 5>(20 + seed), vector::<5>(80 + seed));
+        let (a, b) = (matrix::<5, 5>(20 + seed), vector::<5>(80 + seed));
         // Ties among pivot candidates, and zeros on the diagonal.
-        a = a.map(|x| (x * 2.0).round());
+        let a = Matrix::rows(a.to_rows().map(|row| row.map(|x| (x * 2.0).round())));
         assert_eq!(
             a.solve(b).0.map(f64::to_bits),
-            eliminate(a.0, b.0).map(f64::to_bits)
+            eliminate(a.to_rows(), b.0).map(f64::to_bits)
         );
     }
 }
@@ -177,7 +192,7 @@ fn solutions_solve() {
     check::<4>();
     check::<6>();
     assert!(
-        !Matrix([[1.0, 2.0], [2.0, 4.0]])
+        !Matrix::rows([[1.0_f64, 2.0], [2.0, 4.0]])
             .solve(Vector([1.0, 1.0]))
             .is_finite()
     );
@@ -210,15 +225,15 @@ fn singular_vector_has_its_convention() {
         Vector([1.0, 0.0])
     );
     assert_eq!(
-        Matrix([[2.0, 0.0], [0.0, 2.0]]).singular_vector(),
+        Matrix::rows([[2.0, 0.0], [0.0, 2.0]]).singular_vector(),
         Vector([1.0, 0.0])
     );
     assert_eq!(
-        Matrix([[1.0, 0.0], [0.0, -3.0]]).singular_vector(),
+        Matrix::rows([[1.0, 0.0], [0.0, -3.0]]).singular_vector(),
         Vector([0.0, 1.0])
     );
     // The larger entry is the positive one, whichever the rotation angle.
-    let v = Matrix([[1.0, -2.0]]).singular_vector();
+    let v = Matrix::rows([[1.0, -2.0]]).singular_vector();
     assert!((v[0] + 0.2_f64.sqrt()).abs() < 1e-15 && (v[1] - 0.8_f64.sqrt()).abs() < 1e-15);
-    assert_eq!(Matrix([[-5.0]]).singular_vector(), Vector([1.0]));
+    assert_eq!(Matrix::rows([[-5.0]]).singular_vector(), Vector([1.0]));
 }

@@ -17,7 +17,7 @@ impl Sde<f64, 3, 3> for GeometricBrownianMotion {
 
     fn diffusion(&self, _: f64, x: &Vector<f64, 3>) -> Matrix<f64, 3, 3> {
         let column = Vector(self.volatility).hadamard(*x);
-        Matrix(std::array::from_fn(|i| {
+        Matrix::rows(std::array::from_fn(|i| {
             std::array::from_fn(|j| if i == j { column[i] } else { 0.0 })
         }))
     }
@@ -35,7 +35,7 @@ impl Sde<f64, 1, 1> for OrnsteinUhlenbeck {
     }
 
     fn diffusion(&self, _: f64, _: &Vector<f64, 1>) -> Matrix<f64, 1, 1> {
-        Matrix([[self.intensity]])
+        Matrix::rows([[self.intensity]])
     }
 }
 
@@ -48,7 +48,7 @@ impl Sde<f64, 3, 0> for Deterministic {
     }
 
     fn diffusion(&self, _: f64, _: &Vector<f64, 3>) -> Matrix<f64, 3, 0> {
-        Matrix([[]; 3])
+        Matrix::rows([[]; 3])
     }
 }
 
@@ -124,7 +124,7 @@ const START: Vector<f64, 3> = Vector([1.0, 2.0, 0.5]);
 
 /// `x_i(1) = x_i(0) exp(mu_i - s_i^2/2 + s_i w_i(1))`.
 fn motion_path(run: u64) -> (Vec<Vector<f64, 3>>, Vector<f64, 3>) {
-    let noise = Noise::process(1, run);
+    let noise = Noise::<f64>::process(1, run);
     let root = (1.0 / FINE as f64).sqrt();
     let fine: Vec<_> = (0..FINE)
         .map(|k| {
@@ -170,7 +170,7 @@ const PROCESS: OrnsteinUhlenbeck = OrnsteinUhlenbeck {
 /// The exact solution over a fine step of length h is `x exp(-theta h) + s I` with `I = int exp(-theta (h - r)) dw_r`; `dw` and `I` are drawn
 /// jointly from `Var I = (1 - exp(-2 theta h)) / (2 theta)`, `Cov(I, dw) = (1 - exp(-theta h)) / theta`.
 fn process_path(run: u64) -> (Vec<Vector<f64, 1>>, Vector<f64, 1>) {
-    let noise = Noise::process(2, run);
+    let noise = Noise::<f64>::process(2, run);
     let OrnsteinUhlenbeck { theta, intensity } = PROCESS;
     let h = 1.0 / FINE as f64;
     let covariance = -(-theta * h).exp_m1() / theta;

@@ -19,7 +19,7 @@ import casadi as ca
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-SPECS = ["motor_arm", "nsv_attitude", "pendulum", "two_link_arm"]
+SPECS = ["flexible_joint", "motor_arm", "nsv_attitude", "pendulum", "two_link_arm", "underwater_vehicle"]
 RANDOM_POINTS = 15
 # Relative sizes of the changes of a point of the reference that make a random one.
 SPREADS = [0.3, 0.02, 1e-3, 1e-6]

@@ -1,6 +1,6 @@
 """Checks the reference evaluation itself: errata of the paper, plant data, and closed loops against their published behaviour.
 
-Run: python tests/reference/check.py (about two minutes). Prints one line per fact, fails on the first that does not hold.
+Run: python tests/reference/check.py (about three minutes). Prints one line per fact, fails on the first that does not hold.
 """
 
 import numpy as np
@@ -107,7 +107,7 @@ def observers():
 
 
 def loops():
-    """Closed loops, explicit plant with 4 substeps, 20 s (flagship) or 10 s."""
+    """Closed loops, explicit plant with 4 substeps, over the horizon of each."""
     problem = nsv_attitude()
     calm = summary(problem, simulate(problem))
     say(f"flagship without noise: ratio {calm['ratio1']:.3f} (0.477)", abs(calm["ratio1"] - 0.477) < 1e-3)
@@ -115,14 +115,15 @@ def loops():
     noisy = summary(problem, simulate(problem, seed=1))
     say(f"flagship with noise: ratio {noisy['ratio1']:.3f}, rms {noisy['rms'] / DEG} deg", np.all(noisy["rms"] / DEG < 0.07))
     say(f"flagship with noise: observer errors {noisy['observer1']}, {noisy['observer2']}", np.all(noisy["observer2"] < 0.08))
-    for name in ("pendulum", "two_link_arm", "motor_arm"):
+    allowed = {"pendulum": 0.01, "two_link_arm": 0.01, "motor_arm": 0.01, "flexible_joint": 0.01, "underwater_vehicle": 0.02}
+    for name, largest in allowed.items():
         problem = SPECS[name]()
         parameter, ends = next(iter(problem.dispersion.items()))
         for seed, v in ((None, problem.parameters[parameter]), (1, ends[0]), (2, ends[1])):
-            run = simulate(problem, seed, {parameter: v})
+            run = simulate(problem, seed, problem.parameters | {parameter: v})
             got = summary(problem, run)
             line = f"{name}, {parameter} = {v}, seed {seed}: ratio {got['ratio1']:.3f}, rms {got['rms']}"
-            say(line, got["ratio1"] < 0.5 and np.all(got["rms"] < 0.01) and np.all(got["saturated"] < 0.02))
+            say(line, got["ratio1"] < 0.5 and np.all(got["rms"] < largest) and np.all(got["saturated"] < 0.02))
 
 
 if __name__ == "__main__":

@@ -30,6 +30,11 @@ SIZES = {
     "pendulum": {"h1": 3.0, "zeta1": 0.3, "zeta2": 1.0, "x1": 2.0, "x2": 5.0},
     "two_link_arm": {"h1": 2.0, "zeta1": 0.2, "zeta2": 0.5, "x1": 2.0, "x2": 4.0},
     "motor_arm": {"h1": 2.0, "h2": 4.0, "zeta1": 0.1, "zeta2": 0.5, "zeta3": 1.0, "x1": 2.0, "x2": 5.0, "x3": 5.0},
+    "flexible_joint": {
+        "h1": 2.0, "h2": 2.0, "h3": 4.0, "zeta1": 0.1, "zeta2": 0.5, "zeta3": 0.1, "zeta4": 0.5,
+        "x1": 2.0, "x2": 4.0, "x3": 2.0, "x4": 4.0,
+    },  # fmt: skip
+    "underwater_vehicle": {"h1": 0.5, "zeta1": 0.05, "zeta2": 0.2, "x1": 1.2, "x2": 1.0},
     "every_term": {"h1": 1.0, "h2": 1.0, "zeta1": 0.2, "zeta2": 0.2, "zeta3": 0.2, "x1": 2.0, "x2": 2.0, "x3": 2.0},
     "single_block": {"zeta1": 0.2, "x1": 2.0},
     "exact_chain": {"zeta1": 0.2, "zeta2": 0.2, "zeta3": 0.2, "x1": 2.0, "x2": 2.0, "x3": 2.0},

@@ -46,6 +46,13 @@ def solve(a, b):
     return np.array(list(mpmath.lu_solve(mpmath.matrix(a.tolist()), mpmath.matrix(b.tolist()))), dtype=object)
 
 
+def inverse(a):
+    """a^-1."""
+    if not is_exact(a):
+        return np.linalg.inv(a)
+    return np.array((mpmath.matrix(a.tolist()) ** -1).tolist(), dtype=object)
+
+
 def frobenius(a):
     """Root of the sum of squares; of a vector, its length."""
     a = np.asarray(a)

@@ -3,6 +3,7 @@
 import numpy as np
 
 import ghv
+import underwater
 from problem import Block, Bounded, ErrorBound, Exosystem, Network, Noise, NoiseBound, Problem
 from real import cos, exp, pi_like, sin
 
@@ -169,4 +170,88 @@ def motor_arm():
     )
 
 
-SPECS = {make.__name__: make for make in (nsv_attitude, pendulum, two_link_arm, motor_arm)}
+def flexible_joint():
+    """Robot link with an elastic joint, of Spong; numbers of Ghorbel, Hung and Spong."""
+    I, J, B = 0.031, 0.004, 0.007
+    link_angle = Block(
+        "link_angle", np.array([0.1]), lambda x, p: 0 * x[0], lambda x, p: np.array([[1.0]]),
+        K=np.array([4.0]), kbar=4.0, C=20 * np.eye(1), filter=np.array([0.01]), eta_2=1.0, eta_3=1.0,
+        constraint=funnel(0.3, 0.05, 2.0),
+    )
+    link_rate = Block(
+        "link_rate", np.array([0.0]),
+        lambda x, p: np.array([-(p["weight"] * sin(x[0][0]) + p["stiffness"] * x[0][0]) / I]),
+        lambda x, p: np.array([[p["stiffness"] / I]]) + 0 * x[0][0],
+        K=np.array([10.0]), kbar=16.0, C=50 * np.eye(1), filter=np.array([0.002]), eta_1=1.0, eta_2=1e-4, eta_3=100.0,
+        disturbance=Bounded(lambda t: np.array([0.1 * (1 + sin(3 * t)) / I])), observer=40 * np.eye(1),
+        network=Network(2, lambda x: np.array([sin(x[0][0]), x[1][0]]), 2, np.array([1.0]), 1.0, 0.1),
+    )
+    motor_angle = Block(
+        "motor_angle", np.array([0.1]), lambda x, p: 0 * x[2], lambda x, p: np.array([[1.0]]),
+        K=np.array([40.0]), kbar=45.0, C=100 * np.eye(1), filter=np.array([0.001]), eta_2=1.0, eta_3=1.0,
+    )
+    ripple = ([[0, 0, 0], [0, 0, 20], [0, -20, 0]], np.zeros((3, 0)), [1, 1, 0], [10, 0, 20])
+    motor_rate = Block(
+        "motor_rate", np.array([0.0]),
+        lambda x, p: np.array([-(B * x[3][0] + p["stiffness"] * (x[2][0] - x[0][0])) / J]), lambda x, p: np.array([[1 / J]]),
+        K=np.array([100.0]), kbar=120.0, C=200 * np.eye(1), eta_1=1.0,
+        disturbance=Exosystem.of_channels([ripple]), observer=np.array([[40.0], [20.0], [60.0]]),
+    )
+    start, rate = _gentle(10.0)
+    reference = (
+        lambda t: np.array([60 * DEG * sin(t) * start(t)]),
+        lambda t: np.array([60 * DEG * (cos(t) * start(t) + sin(t) * rate(t))]),
+    )
+    return Problem(
+        "flexible_joint", 1, [link_angle, link_rate, motor_angle, motor_rate], reference, np.array([3.0]),
+        {"weight": 0.8, "stiffness": 31.0}, {"weight": (0.6, 1.0), "stiffness": (28.0, 34.0)}, 10.0, 0.0005, 3.0,
+    )
+
+
+def _gentle(scale):
+    """1 - exp(-t^3/scale), and its rate."""
+    return (lambda t: 1 - exp(-(t**3) / scale)), (lambda t: 3 * t**2 / scale * exp(-(t**3) / scale))
+
+
+def underwater_vehicle():
+    """BlueROV2 Heavy in waves and a current."""
+    current = lambda t: np.array(
+        [0.2 + 0.1 * sin(0.2 * t), -0.1 + 0.1 * cos(0.2 * t), 0.05 * sin(0.1 * t), 0 * t, 0 * t, 0 * t]
+    )
+    waves = [([[0, 1], [-1, -0.2]], [[0], [n]], [0, 1], [0, 0]) for n in (0.1, 0.1, 0.1, 0.2, 0.2, 0.2)]
+    pose = Block(
+        "pose", np.array([0.1, -0.1, 0.1, 3 * DEG, -3 * DEG, 5 * DEG]), lambda x, p: 0 * x[0], underwater.kinematics,
+        K=np.full(6, 2.0), kbar=0.5, C=5 * np.eye(6), filter=np.full(6, 0.1), eta_1=1.0, eta_2=1.0, eta_3=1.0,
+        disturbance=Bounded(current), observer=np.eye(6), constraint=funnel(0.4, 0.1, 0.3),
+    )
+    velocity = Block(
+        "velocity", np.zeros(6), underwater.velocity_drift, underwater.velocity_gain,
+        K=np.full(6, 5.0), kbar=2.0, C=10 * np.eye(6), eta_1=1.0, eta_noise=0.1,
+        disturbance=Exosystem.of_channels(waves), observer=np.kron(np.eye(6), np.array([[-8.0], [5.8]])),
+        noise=Noise(underwater.noise_effectiveness, np.ones(6)),
+        network=Network(2, lambda x: x[1], 6, np.full(6, 1.0), 1.0, 0.1),
+        error_bound=ErrorBound(0.1, np.full(6, 1.0)),
+        noise_bound=NoiseBound(1.0, 0.1, 1.0, 10.0, 0.5, 0.2),
+    )
+    start, rate = _gentle(50.0)
+    reference = (lambda t: _figure(t) * start(t)), (lambda t: _figure_dot(t) * start(t) + _figure(t) * rate(t))
+    scales = {"added_scale": (0.8, 1.2), "drag_scale": (0.7, 1.3), "torque_scale": (0.7, 1.3)}
+    return Problem(
+        "underwater_vehicle", 6, [pose, velocity], reference, np.array([40.0, 40.0, 40.0, 5.0, 5.0, 5.0]),
+        {name: 1.0 for name in scales}, scales, 40.0, 0.01, 10.0, wiener=True,
+    )
+
+
+def _figure(t):
+    """The vehicle's path before its gentle start."""
+    position = [2 * sin(0.3 * t), 2 * (1 - cos(0.3 * t)), 1 - cos(0.2 * t)]
+    return np.array([*position, 15 * DEG * sin(0.4 * t), 25 * DEG * sin(0.3 * t), 60 * DEG * sin(0.2 * t)])
+
+
+def _figure_dot(t):
+    """Its rate."""
+    velocity = [0.6 * cos(0.3 * t), 0.6 * sin(0.3 * t), 0.2 * sin(0.2 * t)]
+    return np.array([*velocity, 6 * DEG * cos(0.4 * t), 7.5 * DEG * cos(0.3 * t), 12 * DEG * cos(0.2 * t)])
+
+
+SPECS = {make.__name__: make for make in (nsv_attitude, pendulum, two_link_arm, motor_arm, flexible_joint, underwater_vehicle)}

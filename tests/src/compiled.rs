@@ -90,10 +90,10 @@ impl<const R: usize, const C: usize> Flat for Matrix<f64, R, C> {
     fn read(data: &[f64]) -> Self {
         let (rows, rest) = data.as_chunks::<C>();
         assert!(rest.is_empty());
-        Matrix(rows.try_into().unwrap())
+        Matrix::rows(rows.try_into().unwrap())
     }
     fn flat(&self) -> Vec<f64> {
-        self.0.iter().flatten().copied().collect()
+        self.to_rows().as_flattened().to_vec()
     }
 }
 
@@ -196,6 +196,17 @@ macro_rules! module {
 }
 
 module!(
+    flexible_joint,
+    params: [weight stiffness],
+    measured: [x1 x2 x3 x4],
+    exosystems: [w4],
+    initial: [params],
+    state: [zeta1 zeta2 zeta3 zeta4 h1 W2 th2 h2 h3 th4],
+    control: [u u_sat violated y_r e1 k1 alpha1 e2 alpha2 D_hat2 e3 alpha3 e4 D_hat4],
+    plant: [drift d2 d4]
+);
+
+module!(
     motor_arm,
     params: [load_mass],
     measured: [x1 x2 x3],
@@ -239,12 +250,25 @@ module!(
     plant: [drift d2]
 );
 
+module!(
+    underwater_vehicle,
+    params: [added_scale drag_scale torque_scale],
+    measured: [x1 x2],
+    exosystems: [w2],
+    initial: [],
+    state: [zeta1 zeta2 th1 h1 W2 th2 eps2 sigma2 phi2],
+    control: [u u_sat violated y_r e1 k1 alpha1 D_hat1 e2 D_hat2],
+    plant: [drift diffusion d1 d2]
+);
+
 /// Every generated module.
-pub fn modules() -> [Module; 4] {
+pub fn modules() -> [Module; 6] {
     [
+        flexible_joint::MODULE,
         motor_arm::MODULE,
         nsv_attitude::MODULE,
         pendulum::MODULE,
         two_link_arm::MODULE,
+        underwater_vehicle::MODULE,
     ]
 }

@@ -5,6 +5,7 @@
 #![doc = include_str!("../../README.md")]
 
 pub mod compiled;
+pub mod flights;
 pub mod interpreted;
 pub mod points;
 pub mod specification;

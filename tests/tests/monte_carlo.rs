@@ -1,33 +1,28 @@
 //! Campaigns are pure functions of (seed, run): nothing else, threads least of all, changes a bit.
 
-use nsv_generated::{motor_arm, nsv_attitude, pendulum, two_link_arm};
-use nsv_runtime::closed_loop::{ClosedLoop, Options};
-use nsv_runtime::ensemble::{Campaign, Summary, run};
+use nsv_generated::nsv_attitude;
+use nsv_runtime::closed_loop::{Options, Runs};
+use nsv_runtime::ensemble::{Campaign, Summary};
+use nsv_runtime::lanes::Width;
+use nsv_tests::flights::{ALL, Flight, NSV_ATTITUDE, PENDULUM};
 
 const CAMPAIGN: Campaign = Campaign {
     seed: 5,
     first_run: 0,
-    runs: 5,
+    runs: 11,
     horizon: 0.4,
     settle: 0.2,
     noise: true,
     dispersion: true,
+    width: None,
     threads: 1,
     band: true,
 };
 
 /// The bits of all telemetry of a run.
-fn trajectory<L: ClosedLoop>(options: &Options, samples: usize) -> Vec<u64> {
-    let mut closed_loop = L::new(options);
-    let mut bits = Vec::new();
-    for _ in 0..samples {
-        closed_loop.control();
-        let mut row = vec![0.0; L::SIGNALS.len()];
-        closed_loop.telemetry(&mut row);
-        bits.extend(row.into_iter().map(f64::to_bits));
-        closed_loop.advance();
-    }
-    bits
+fn trajectory(flight: &Flight, options: &Options, samples: usize) -> Vec<u64> {
+    let rows = (flight.telemetry)(options, samples);
+    rows.into_iter().flatten().map(f64::to_bits).collect()
 }
 
 /// A summary without the time it took, to the last bit, since floats are printed exactly.
@@ -41,29 +36,32 @@ fn result(summary: &Summary) -> String {
     )
 }
 
-fn check_threads<L: ClosedLoop>() {
-    let [one, two, three] = [1, 2, 3].map(|threads| {
-        result(&run::<L>(
-            &Campaign {
-                threads,
-                ..CAMPAIGN
-            },
-            |_| {},
-        ))
-    });
-    assert_eq!(one, two, "{}", L::NAME);
-    assert_eq!(one, three, "{}", L::NAME);
+fn check_threads_and_lanes(flight: &Flight) {
+    let with = |threads, width| {
+        result(&(flight.campaign)(&Campaign {
+            threads,
+            width,
+            ..CAMPAIGN
+        }))
+    };
+    let one = with(1, Some(Width::Scalar));
+    for threads in [1, 2, 3] {
+        assert_eq!(with(threads, None), one, "{}, {threads}", flight.name);
+    }
+    for width in Width::ALL.into_iter().filter(|width| width.is_available()) {
+        assert_eq!(with(1, Some(width)), one, "{}, {width:?}", flight.name);
+    }
 }
 
 /// The largest ratio of each run alone, of run k of a campaign, and of its trajectory are one number.
-fn check_alone<L: ClosedLoop>() {
+fn check_alone(flight: &Flight) {
     let ratio = |first_run, runs| {
         let campaign = Campaign {
             first_run,
             runs,
             ..CAMPAIGN
         };
-        run::<L>(&campaign, |_| {})
+        (flight.campaign)(&campaign)
             .ratio
             .map(|ratio| ratio.max.to_bits())
     };
@@ -72,16 +70,17 @@ fn check_alone<L: ClosedLoop>() {
         ratio(0, CAMPAIGN.runs),
         alone.iter().max().copied().unwrap(),
         "{}",
-        L::NAME
+        flight.name
     );
     assert_eq!(
         ratio(2, 3),
-        alone[2..].iter().max().copied().unwrap(),
+        alone[2..5].iter().max().copied().unwrap(),
         "{}",
-        L::NAME
+        flight.name
     );
     let distinct = |run| {
-        trajectory::<L>(
+        trajectory(
+            flight,
             &Options {
                 seed: 5,
                 run,
@@ -91,28 +90,24 @@ fn check_alone<L: ClosedLoop>() {
             20,
         )
     };
-    assert_eq!(distinct(3), distinct(3), "{}", L::NAME);
-    assert_ne!(distinct(3), distinct(4), "{}", L::NAME);
-}
-
-fn check_all<L: ClosedLoop>() {
-    check_threads::<L>();
-    check_alone::<L>();
+    assert_eq!(distinct(3), distinct(3), "{}", flight.name);
+    assert_ne!(distinct(3), distinct(4), "{}", flight.name);
 }
 
 #[test]
 fn a_run_depends_on_seed_and_number_alone() {
-    check_all::<motor_arm::Simulator>();
-    check_all::<nsv_attitude::Simulator>();
-    check_all::<pendulum::Simulator>();
-    check_all::<two_link_arm::Simulator>();
+    for flight in ALL {
+        check_threads_and_lanes(flight);
+        check_alone(flight);
+    }
 }
 
 /// Without noise and dispersion the seed does not count; with noise it does.
 #[test]
 fn noise_and_dispersion_are_choices() {
     let of = |seed, noise, dispersion| {
-        trajectory::<nsv_attitude::Simulator>(
+        trajectory(
+            &NSV_ATTITUDE,
             &Options {
                 seed,
                 run: 1,
@@ -128,7 +123,8 @@ fn noise_and_dispersion_are_choices() {
     assert_ne!(of(1, false, true), of(1, false, false));
     // A plant without noise is the same with noise switched on.
     let of = |noise| {
-        trajectory::<pendulum::Simulator>(
+        trajectory(
+            &PENDULUM,
             &Options {
                 seed: 1,
                 run: 1,
@@ -147,7 +143,7 @@ fn dispersions_are_as_declared() {
     let runs = 2000;
     let (low, high) = (0.8, 1.2);
     let draw = |run| {
-        let closed_loop = nsv_attitude::Simulator::new(&Options {
+        let closed_loop = nsv_attitude::Simulator::<f64>::new(&Options {
             seed: 9,
             run,
             noise: false,
@@ -189,7 +185,7 @@ fn dispersions_are_as_declared() {
             );
         }
     }
-    let nominal = nsv_attitude::Simulator::new(&Options {
+    let nominal = nsv_attitude::Simulator::<f64>::new(&Options {
         seed: 9,
         run: 3,
         noise: true,

@@ -11,6 +11,7 @@ mod eval;
 mod failure;
 mod files;
 mod generate;
+mod merge;
 mod output;
 mod render;
 mod runner;
@@ -39,6 +40,7 @@ enum Verb {
     Check(check::Args),
     Generate(generate::Args),
     Simulate(simulate::Args),
+    Merge(merge::Args),
     Eval(eval::Args),
     Schema(schema::Args),
     Doctor(doctor::Args),
@@ -52,6 +54,7 @@ pub(crate) fn main() -> ExitCode {
         Verb::Check(args) => check::run(args),
         Verb::Generate(args) => generate::run(args),
         Verb::Simulate(args) => simulate::run(args),
+        Verb::Merge(args) => merge::run(args),
         Verb::Eval(args) => eval::run(args),
         Verb::Schema(args) => schema::run(args),
         Verb::Doctor(args) => doctor::run(args),

@@ -62,7 +62,7 @@ pub(crate) fn monomials(basis: &MonomialBasis, name: &Ident, order: usize) -> To
     let prologue = prologue(&body);
     quote! {
         #docs
-        #[inline]
+        #[inline(always)]
         pub fn #function<T: Real>(#(#parameters),*) -> Vector<T, #nodes> {
             #prologue
             #body

@@ -89,6 +89,7 @@ impl Controller<'_> {
         items.push(self.output(&control));
         items.push(self.controller_struct());
         items.push(self.controller_impl(&initial, &control));
+        items.push(self.begin(&initial));
         items.extend(initial.items(comments));
         items.extend(Split::new(&control, "law").items(comments));
         items
@@ -147,14 +148,18 @@ impl Controller<'_> {
                 "",
                 "With `Status::NON_FINITE_INPUT`, only the control is meaningful.",
             ]),
-            docs(&["What happened."]),
+            docs(&["What happened, in any lane."]),
         );
+        let docs_valid =
+            docs(&["Whether the law was finite, so that its control and next states are used."]);
         quote! {
             #docs_struct
             #[derive(Clone, Copy, Debug)]
             pub struct Output<T: Real> {
                 #docs_status
                 pub status: Status,
+                #docs_valid
+                pub valid: T::Mask,
                 #(#fields),*
             }
         }
@@ -198,15 +203,17 @@ impl Controller<'_> {
             "Starts anew from these measurements; from the next ones if they are not finite.",
         ]);
         let (state_docs, params_docs) = (docs(&["The states."]), docs(&["The parameters."]));
-        let step = self.step(&start, control);
+        let step = self.step(control);
         quote! {
             impl<T: Real> Controller<T> {
                 #new_docs
+                #[inline(always)]
                 pub fn new(params: Params<T>) -> Self {
                     Self { params, state: State::zero(), started: T::Mask::splat(false) }
                 }
 
                 #reset_docs
+                #[inline(always)]
                 pub fn reset(&mut self, #(#parameters),*) {
                     let start = #start;
                     let finite = start.is_finite() #(.and(#names.is_finite()))*;
@@ -217,18 +224,56 @@ impl Controller<'_> {
                 #step
 
                 #state_docs
+                #[inline(always)]
                 pub fn state(&self) -> &State<T> { &self.state }
 
                 #params_docs
+                #[inline(always)]
                 pub fn params(&self) -> &Params<T> { &self.params }
             }
         }
     }
 
-    fn step(&self, start: &TokenStream, control: &Function<'_>) -> TokenStream {
+    /// The states at the first sample, in a function of its own because it runs once.
+    fn begin(&self, initial: &Function<'_>) -> TokenStream {
+        let (_, parameters) = self.measurements();
+        let (t, x) = parameters
+            .split_first()
+            .expect("invariant: time and states");
+        let arguments = initial.arguments().into_iter().map(|argument| {
+            let name = ident(&argument);
+            match argument.as_str() {
+                "params" => quote!(&self.controller.params),
+                _ => quote!(self.#name),
+            }
+        });
+        let name = initial.name();
+        let docs = docs(&["Initialises the controller where the mask is true."]);
+        quote! {
+            #docs
+            struct Begin<'a, T: Real> {
+                controller: &'a mut Controller<T>,
+                mask: T::Mask,
+                #t,
+                #(#x),*
+            }
+
+            impl<T: Real> Part for Begin<'_, T> {
+                type Output = ();
+
+                #[inline(always)]
+                fn run(self) {
+                    let start = #name(#(#arguments),*);
+                    self.controller.state = State::select(self.mask, &start, &self.controller.state);
+                }
+            }
+        }
+    }
+
+    fn step(&self, control: &Function<'_>) -> TokenStream {
         let (names, parameters) = self.measurements();
         let own = control.output_fields();
-        let law = call(control, &quote!(&state));
+        let law = call(control, &quote!(&self.state));
         let finite = all(names.iter().map(|name| quote!(#name.is_finite())));
         let has = |name: &str| {
             self.control
@@ -246,7 +291,7 @@ impl Controller<'_> {
             (!self.initial.outputs.is_empty()).then(|| quote!(.and(law.next.is_finite())));
         let keep = next_finite
             .is_some()
-            .then(|| quote!(self.state = State::select(valid, &law.next, &self.state);));
+            .then(|| quote!(self.state = if valid.all() { law.next } else { State::select(valid, &law.next, &self.state) };));
         let telemetry = reported(self.control).map(|(name, _)| {
             let field = own.get(name);
             if name == "u" || name == "u_sat" {
@@ -258,10 +303,13 @@ impl Controller<'_> {
         let docs = docs(&STEP_DOCS);
         quote! {
             #docs
-            #[inline]
+            #[inline(always)]
             pub fn step(&mut self, #(#parameters),*) -> Output<T> {
                 let measured = #finite;
-                let state = if self.started.all() { self.state } else { State::select(self.started, &self.state, &#start) };
+                let starting = measured.and(self.started.not());
+                if starting.any() {
+                    T::outlined(Begin { controller: self, mask: starting, #(#names),* });
+                }
                 let law = #law;
                 let valid = measured.and(law.u.is_finite()).and(law.u_sat.is_finite()) #next_finite;
                 #keep
@@ -272,7 +320,7 @@ impl Controller<'_> {
                 let status = Status::NON_FINITE_INPUT.when(valid.not().any())
                     #violated
                     | Status::SATURATED.when(saturated.any());
-                Output { status, #(#telemetry),* }
+                Output { status, valid, #(#telemetry),* }
             }
         }
     }

@@ -9,7 +9,7 @@ use crate::emit::family::FamilyNames;
 use crate::emit::methods::{comparison_name, function_name, kernel_name, operator_name};
 use crate::emit::names::ident;
 use crate::emit::types::{constant, index};
-use crate::ir::{Function, Kernel, Op, Operator, Program, Shape, Type, ValueId};
+use crate::ir::{Function, Op, Operator, Program, Shape, Type, ValueId};
 
 /// How tightly the outermost operator of an expression binds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -69,8 +69,6 @@ pub(crate) struct Names<'a> {
     pub(crate) families: Vec<Option<FamilyNames>>,
     /// Functions of each basis, by position: value, rate, second rate.
     pub(crate) bases: Vec<[TokenStream; 3]>,
-    /// Parameter of closures, which no variable is called.
-    pub(crate) entry: Ident,
 }
 
 impl Names<'_> {
@@ -101,17 +99,15 @@ impl Names<'_> {
                     level: Level::Unary,
                 };
             }
-            Op::Apply(function, a) => self.elementwise(ty, *a, function_name(*function)),
-            Op::Kernel(kernel, a) => self.kernel(ty, *kernel, *a),
+            Op::Apply(function, a) => self.method(*a, function_name(*function), &[]),
+            Op::Kernel(kernel, a) => {
+                let name = ident(kernel_name(*kernel));
+                self.call(&quote!(kernel::#name), &[*a])
+            }
             Op::Binary(operator, a, b) => return self.binary(*operator, *a, *b),
             Op::PowInt(a, n) => {
                 let (base, n) = (self.at(*a, Level::Postfix), Literal::u32_unsuffixed(*n));
-                let entry = &self.entry;
-                if is_scalar(ty) {
-                    quote!(#base.powi(#n))
-                } else {
-                    quote!(#base.map(|#entry| #entry.powi(#n)))
-                }
+                quote!(#base.powi(#n))
             }
             Op::Compare(comparison, a, b) => self.method(*a, comparison_name(*comparison), &[*b]),
             Op::And(a, b) => self.method(*a, "and", &[*b]),
@@ -120,7 +116,12 @@ impl Names<'_> {
             Op::Select(condition, a, b) => self.select(ty, *condition, *a, *b),
             Op::Array(items) => self.array(ty, items),
             Op::Element(a, row, column) => self.element(*a, *row, *column),
-            Op::MatMul(a, b) => return self.infix(Level::Product, *a, &quote!(*), *b),
+            Op::MatMul(a, b) => match self.transposed(*a) {
+                Some(a) if matches!(self.program.shape(*b), Shape::Vector(_)) => {
+                    self.method(a, "transpose_mul", &[*b])
+                }
+                _ => return self.infix(Level::Product, *a, &quote!(*), *b),
+            },
             Op::Transpose(a) => self.method(*a, "transpose", &[]),
             Op::Dot(a, b) => self.method(*a, "dot", &[*b]),
             Op::Outer(a, b) => self.method(*a, "outer", &[*b]),
@@ -174,6 +175,17 @@ impl Names<'_> {
         }
     }
 
+    /// A, for A^T that has no variable.
+    fn transposed(&self, id: ValueId) -> Option<ValueId> {
+        match (
+            &self.variables[id.0 as usize],
+            &self.program.instruction(id).op,
+        ) {
+            (None, Op::Transpose(a)) => Some(*a),
+            _ => None,
+        }
+    }
+
     fn at(&self, id: ValueId, level: Level) -> TokenStream {
         self.operand(id).at(level)
     }
@@ -202,24 +214,6 @@ impl Names<'_> {
         }
     }
 
-    /// A method of the number type on a scalar or on each entry.
-    fn elementwise(&self, ty: Type, a: ValueId, name: &str) -> TokenStream {
-        if is_scalar(ty) {
-            return self.method(a, name, &[]);
-        }
-        let (array, name) = (self.at(a, Level::Postfix), ident(name));
-        quote!(#array.map(T::#name))
-    }
-
-    fn kernel(&self, ty: Type, kernel: Kernel, a: ValueId) -> TokenStream {
-        let name = ident(kernel_name(kernel));
-        if is_scalar(ty) {
-            return self.call(&quote!(kernel::#name), &[a]);
-        }
-        let array = self.at(a, Level::Postfix);
-        quote!(#array.map(kernel::#name))
-    }
-
     fn select(&self, ty: Type, condition: ValueId, a: ValueId, b: ValueId) -> TokenStream {
         match ty {
             Type::Bool => {
@@ -238,7 +232,7 @@ impl Names<'_> {
         match ty {
             Type::Real(Shape::Matrix(_, columns)) => {
                 let rows = items.chunks(columns).map(|row| quote!([#(#row),*]));
-                quote!(Matrix([#(#rows),*]))
+                quote!(Matrix::rows([#(#rows),*]))
             }
             _ => quote!(Vector([#(#items),*])),
         }
@@ -265,14 +259,7 @@ impl Names<'_> {
             Operator::Sub => return self.infix(Level::Sum, a, &quote!(-), b),
             Operator::Mul => self.method(a, "hadamard", &[b]),
             Operator::Div => self.method(a, "quotient", &[b]),
-            other => {
-                let (a, b, name) = (
-                    self.at(a, Level::Postfix),
-                    self.at(b, Level::Sum),
-                    ident(operator_name(other)),
-                );
-                quote!(#a.zip(#b, T::#name))
-            }
+            other => self.method(a, operator_name(other), &[b]),
         })
     }
 
@@ -290,15 +277,14 @@ impl Names<'_> {
             Operator::Mul => return self.infix(Level::Product, array, &quote!(*), scalar),
             Operator::Div => return self.infix(Level::Product, array, &quote!(/), scalar),
             other => {
-                let (array, scalar) = (self.at(array, Level::Postfix), self.at(scalar, Level::Sum));
-                let (entry, name) = (&self.entry, ident(operator_name(other)));
-                quote!(#array.map(|#entry| #entry.#name(#scalar)))
+                let (scalar, array_name) = (self.splat(array, scalar), operator_name(other));
+                let (array, name) = (self.at(array, Level::Postfix), ident(array_name));
+                quote!(#array.#name(#scalar))
             }
         })
     }
 
     fn scalar_with_array(&self, operator: Operator, scalar: ValueId, array: ValueId) -> Fragment {
-        let entry = &self.entry;
         Fragment::postfix(match operator {
             // s + a == a + s (exact)
             Operator::Add => self.method(array, "add_scalar", &[scalar]),
@@ -309,22 +295,25 @@ impl Names<'_> {
             }
             // s * a == a * s (exact)
             Operator::Mul => return self.infix(Level::Product, array, &quote!(*), scalar),
-            Operator::Div => {
-                let (array, scalar) = (
-                    self.at(array, Level::Postfix),
-                    self.at(scalar, Level::Product),
-                );
-                quote!(#array.map(|#entry| #scalar / #entry))
-            }
             other => {
-                let (array, scalar) = (
-                    self.at(array, Level::Postfix),
-                    self.at(scalar, Level::Postfix),
-                );
-                let name = ident(operator_name(other));
-                quote!(#array.map(|#entry| #scalar.#name(#entry)))
+                let name = match other {
+                    Operator::Div => "quotient",
+                    other => operator_name(other),
+                };
+                let (splat, name) = (self.splat(array, scalar), ident(name));
+                let array = self.at(array, Level::Sum);
+                quote!(#splat.#name(#array))
             }
         })
+    }
+
+    /// The scalar in every entry of an array shaped like `array`.
+    fn splat(&self, array: ValueId, scalar: ValueId) -> TokenStream {
+        let scalar = self.at(scalar, Level::Sum);
+        match self.program.shape(array) {
+            Shape::Matrix(..) => quote!(Matrix::splat(#scalar)),
+            _ => quote!(Vector::splat(#scalar)),
+        }
     }
 }
 
@@ -402,11 +391,11 @@ mod tests {
         );
         check("vec2 = sub %0, %2", "let y = (-v).add_scalar(a);");
         check("vec2 = sub %2, %0", "let y = v.add_scalar(-a);");
-        check("vec2 = div %0, %2", "let y = v.map(|entry| a / entry);");
-        check("vec2 = min %2, %0", "let y = v.map(|entry| entry.min(a));");
+        check("vec2 = div %0, %2", "let y = Vector::splat(a).quotient(v);");
+        check("vec2 = min %2, %0", "let y = v.min(Vector::splat(a));");
         check(
             "vec2 = atan2 %2, %2; vec2 = tanh %4",
-            "let y = v.zip(v, T::atan2).map(T::tanh);",
+            "let y = v.atan2(v).tanh();",
         );
         check(
             "real = element %3, 1, 0; real = element %2, 1, 0; real = mul %4, %5",

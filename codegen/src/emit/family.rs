@@ -97,7 +97,7 @@ pub(crate) fn items<'s>(
     };
     let function = quote! {
         #function_docs
-        #[inline]
+        #[inline(always)]
         pub fn #function<T: Real>(#argument: T) -> #ty<T> {
             #(#tables)*
             #ty { #(#fields),* }

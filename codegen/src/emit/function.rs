@@ -38,9 +38,6 @@ pub(crate) enum Results<'a> {
     Existing(&'a str, &'a Fields),
 }
 
-/// Parameter of closures.
-const ENTRY: &str = "entry";
-
 /// What is needed to emit a program as a function.
 pub(crate) struct Function<'a> {
     /// The program.
@@ -149,7 +146,7 @@ impl Function<'_> {
         let docs = docs(&lines);
         quote! {
             #docs
-            #[inline]
+            #[inline(always)]
             pub fn #name<T: Real>(#(#parameters),*) -> #ty<T> { #body }
         }
     }
@@ -157,7 +154,6 @@ impl Function<'_> {
     /// The arguments with their variables.
     pub(crate) fn argument_names(&self) -> Vec<(String, Ident)> {
         let mut scope = Scope::default();
-        scope.claim(ENTRY);
         let arguments = self.arguments().into_iter();
         arguments
             .map(|name| {
@@ -171,7 +167,6 @@ impl Function<'_> {
     fn names(&self, plan: &Plan) -> (Names<'_>, Vec<TokenStream>) {
         let program = self.program;
         let mut scope = Scope::default();
-        let entry = scope.claim(ENTRY);
         let arguments: BTreeMap<String, Ident> = self
             .arguments()
             .into_iter()
@@ -249,7 +244,6 @@ impl Function<'_> {
                 polynomials,
                 families,
                 bases,
-                entry,
             },
             parameters,
         )

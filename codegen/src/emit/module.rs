@@ -90,7 +90,7 @@ pub(crate) const ALLOW: [(&str, &str); 4] = [
 ];
 
 /// What a function of a program may mention.
-pub(crate) const FUNCTION_IMPORTS: [&str; 10] = [
+pub(crate) const FUNCTION_IMPORTS: [&str; 11] = [
     "core::f64::consts::FRAC_1_PI",
     "core::f64::consts::FRAC_PI_2",
     "core::f64::consts::FRAC_PI_4",
@@ -100,6 +100,7 @@ pub(crate) const FUNCTION_IMPORTS: [&str; 10] = [
     "nsv_runtime::linear::Matrix",
     "nsv_runtime::linear::Vector",
     "nsv_runtime::real::Mask",
+    "nsv_runtime::real::Part",
     "nsv_runtime::real::Real",
 ];
 
@@ -136,10 +137,10 @@ const IMPORTS: [(&str, &[&str]); 6] = [
         &[
             "nsv_runtime::closed_loop::ClosedLoop",
             "nsv_runtime::closed_loop::Options",
+            "nsv_runtime::closed_loop::Runs",
             "nsv_runtime::noise::Noise",
             "nsv_runtime::sde",
             "nsv_runtime::sde::Scheme",
-            "nsv_runtime::status::Status",
             "super::controller::Controller",
             "super::controller::Output",
             "super::controller::SAMPLE_TIME",

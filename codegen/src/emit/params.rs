@@ -90,9 +90,11 @@ fn implementation(interface: &Interface, fields: &[Field]) -> TokenStream {
     quote! {
         impl<T: Real> Params<T> {
             #plant_docs
+            #[inline(always)]
             pub fn plant() -> Self { #plant }
 
             #design_docs
+            #[inline(always)]
             pub fn design() -> Self { #design }
 
             #dispersed
@@ -111,27 +113,26 @@ fn dispersed(interface: &Interface, fields: &[Field]) -> TokenStream {
             let value = match parameter.dispersion? {
                 Dispersion::Uniform(low, high) => {
                     let (low, high) = (float(low), float(high));
-                    quote!(#low + (#high - #low) * noise.uniform(0, #channel))
+                    quote!(T::from_f64(#low) + T::from_f64(#high - #low) * noise.uniform(0, #channel))
                 }
                 Dispersion::Normal(mean, deviation) => {
                     let (mean, deviation) = (float(mean), float(deviation));
-                    quote!(#mean + #deviation * noise.normal(0, #channel))
+                    quote!(T::from_f64(#mean) + T::from_f64(#deviation) * noise.normal(0, #channel))
                 }
             };
             let name = &field.name;
-            Some(quote!(#name: T::from_f64(#value)))
+            Some(quote!(#name: #value))
         });
     let draws: Vec<TokenStream> = draws.collect();
     let (docs, noise, body) = match (draws.len(), fields.len()) {
         (0, _) => (
-            docs(&["The plant's values in one run; none is dispersed."]),
+            docs(&["The plant's values in a run; none is dispersed."]),
             quote!(_noise),
             quote!(Self::plant()),
         ),
         (all, count) => {
             let rest = (all < count).then(|| quote!(, ..Self::plant()));
-            let line =
-                "The plant's values in one run, drawn from the dispersions of the specification.";
+            let line = "The plant's values in each lane's run, drawn from the dispersions of the specification.";
             (
                 docs(&[line]),
                 quote!(noise),
@@ -141,6 +142,7 @@ fn dispersed(interface: &Interface, fields: &[Field]) -> TokenStream {
     };
     quote! {
         #docs
-        pub fn dispersed(#noise: &Noise) -> Self { #body }
+        #[inline(always)]
+        pub fn dispersed(#noise: &Noise<T>) -> Self { #body }
     }
 }

@@ -9,11 +9,12 @@ use crate::emit::comment::{Comments, code, docs};
 use crate::emit::function::{Function, Record, Results};
 use crate::emit::interface::Interface;
 use crate::emit::literal::row;
-use crate::emit::names::Fields;
+use crate::emit::names::{Fields, ident};
 use crate::emit::pieces::Split;
 use crate::emit::polynomial::Library;
 use crate::emit::types::index;
-use crate::ir::{Program, Shape};
+use crate::ir::build::size;
+use crate::ir::{Op, Program, Shape, ValueId};
 
 /// The plant's program and names.
 pub(crate) struct Plant<'a> {
@@ -55,6 +56,7 @@ impl Plant<'_> {
         let mut items = self.constants();
         items.push(self.plant_struct());
         items.push(self.equation(&function));
+        items.extend(self.diffuse());
         items.extend(Split::new(&function, "dynamics").items(comments));
         items
     }
@@ -137,40 +139,141 @@ impl Plant<'_> {
     }
 
     fn equation(&self, function: &Function<'_>) -> TokenStream {
-        let channels = noise_channels(self.plant);
-        let call = call(function);
-        let drift = if self.held() {
-            quote!(let rate = #call; rate.drift + rate.diffusion * self.xi)
-        } else {
-            quote!(#call.drift)
-        };
-        let wiener = channels > 0 && !self.held();
-        let (columns, diffusion) = if wiener {
-            (quote!(NOISE_CHANNELS), quote!(#call.diffusion))
+        let (held, call) = (self.held(), call(function));
+        let wiener = noise_channels(self.plant) > 0 && !held;
+        let vector = quote!(Vector<T, STATES>);
+        let columns = if wiener {
+            quote!(NOISE_CHANNELS)
         } else {
             let none = Literal::usize_unsuffixed(0);
-            (quote!(#none), quote!(Matrix::zero()))
+            quote!(#none)
         };
-        let (diffusion_t, diffusion_x) = if wiener {
-            (quote!(t), quote!(x))
+        let (drift_docs, drift) = if held {
+            (
+                "Drift, with the noise that is held between samples.",
+                quote!(let rate = #call; rate.drift + diffuse(&rate.diffusion, &self.plant.xi)),
+            )
         } else {
-            (quote!(_t), quote!(_x))
+            ("Drift.", quote!(#call.drift))
         };
-        let arguments = function.arguments();
-        let drift_t = if arguments.iter().any(|argument| argument == "t") {
-            quote!(t)
+        let mut parts = vec![part("Drift", drift_docs, &vector, &drift, None)];
+        let diffusion = if wiener {
+            let matrix = quote!(Matrix<T, STATES, NOISE_CHANNELS>);
+            let both = quote!(let rate = #call; (rate.drift, diffuse(&rate.diffusion, self.dw)));
+            parts.push(part(
+                "Diffusion",
+                "Diffusion.",
+                &matrix,
+                &quote!(#call.diffusion),
+                None,
+            ));
+            parts.push(part(
+                "Rates",
+                "Drift, and diffusion times noise.",
+                &quote!((#vector, #vector)),
+                &both,
+                Some(&quote!(dw: &'a Vector<T, NOISE_CHANNELS>)),
+            ));
+            quote! {
+                #[inline(always)]
+                fn diffusion(&self, t: T, x: &#vector) -> #matrix {
+                    T::outlined(Diffusion { plant: self, t, x })
+                }
+
+                #[inline(always)]
+                fn drift_and_noise(&self, t: T, x: &#vector, dw: &Vector<T, NOISE_CHANNELS>) -> (#vector, #vector) {
+                    T::outlined(Rates { plant: self, t, x, dw })
+                }
+            }
         } else {
-            quote!(_t)
+            quote! {
+                #[inline(always)]
+                fn diffusion(&self, _t: T, _x: &#vector) -> Matrix<T, STATES, #columns> { Matrix::zero() }
+            }
         };
-        let diffusion_t = if wiener { drift_t.clone() } else { diffusion_t };
         quote! {
             impl<T: Real> Sde<T, STATES, #columns> for Plant<T> {
-                #[inline]
-                fn drift(&self, #drift_t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> { #drift }
+                #[inline(always)]
+                fn drift(&self, t: T, x: &#vector) -> #vector {
+                    T::outlined(Drift { plant: self, t, x })
+                }
 
-                #[inline]
-                fn diffusion(&self, #diffusion_t: T, #diffusion_x: &Vector<T, STATES>) -> Matrix<T, STATES, #columns> { #diffusion }
+                #diffusion
             }
+
+            #(#parts)*
+        }
+    }
+
+    /// The product of the diffusion and noise. Which of its entries are zero is known, and so is that noise is finite.
+    fn diffuse(&self) -> Option<TokenStream> {
+        let (_, id) = self
+            .plant
+            .outputs
+            .iter()
+            .find(|(name, _)| name == "diffusion")?;
+        let Shape::Matrix(_, columns) = self.plant.shape(*id) else {
+            return None;
+        };
+        let is_zero = entries_zero(self.plant, *id);
+        let rows = is_zero.chunks(columns).enumerate().map(|(row, is_zero)| {
+            let row = index(row);
+            let products = (0..columns)
+                .filter(|&column| !is_zero[column])
+                .map(|column| {
+                    let column = index(column);
+                    quote!(diffusion[(#row, #column)] * noise[#column])
+                });
+            let sum = products.reduce(|sum, product| quote!(#sum + #product));
+            sum.unwrap_or_else(|| quote!(T::zero()))
+        });
+        let docs = docs(&["Diffusion times noise, without the entries that are always 0."]);
+        Some(quote! {
+            #docs
+            #[inline(always)]
+            fn diffuse<T: Real>(diffusion: &Matrix<T, STATES, NOISE_CHANNELS>, noise: &Vector<T, NOISE_CHANNELS>) -> Vector<T, STATES> {
+                Vector([#(#rows),*])
+            }
+        })
+    }
+}
+
+/// Whether each entry of an array is the literal 0.
+fn entries_zero(program: &Program, array: ValueId) -> Vec<bool> {
+    let zero = |entry: f64| entry == 0.0;
+    match &program.instruction(array).op {
+        Op::Const(data) => data.iter().map(|&entry| zero(entry)).collect(),
+        Op::Array(items) => items
+            .iter()
+            .map(|&item| matches!(&program.instruction(item).op, Op::Const(data) if zero(data[0])))
+            .collect(),
+        _ => vec![false; size(program.shape(array))],
+    }
+}
+
+/// A part of the plant's equation as a function of its own: an integrator asks for it several times in a step.
+fn part(
+    name: &str,
+    about: &str,
+    output: &TokenStream,
+    body: &TokenStream,
+    noise: Option<&TokenStream>,
+) -> TokenStream {
+    let (name, docs) = (ident(name), docs(&[about]));
+    quote! {
+        #docs
+        struct #name<'a, T> {
+            plant: &'a Plant<T>,
+            t: T,
+            x: &'a Vector<T, STATES>,
+            #noise
+        }
+
+        impl<T: Real> Part for #name<'_, T> {
+            type Output = #output;
+
+            #[inline(always)]
+            fn run(self) -> #output { #body }
         }
     }
 }
@@ -181,10 +284,10 @@ fn call(function: &Function<'_>) -> TokenStream {
         .arguments()
         .into_iter()
         .map(|argument| match argument.as_str() {
-            "params" => quote!(&self.params),
-            "u_sat" => quote!(self.u_sat),
-            "x" => quote!(*x),
-            _ => quote!(t),
+            "params" => quote!(&self.plant.params),
+            "u_sat" => quote!(self.plant.u_sat),
+            "x" => quote!(*self.x),
+            _ => quote!(self.t),
         });
     quote!(#name(#(#arguments),*))
 }

@@ -195,7 +195,7 @@ fn polynomial(data: &PolynomialData, name: &Ident, source: Option<&str>) -> Toke
     let prologue = prologue(&body);
     quote! {
         #docs
-        #[inline]
+        #[inline(always)]
         pub fn #name<T: Real>(#(#parameters),*) -> T {
             #prologue
             #body

@@ -59,17 +59,17 @@ impl Simulator<'_> {
     }
 
     fn definition(&self) -> TokenStream {
-        let docs = docs(&["One run of controller and plant."]);
-        let noise = (self.channels() > 0).then(|| quote!(noise: Option<Noise>,));
+        let docs = docs(&["Runs of controller and plant, one in each lane."]);
+        let noise = (self.channels() > 0).then(|| quote!(noise: Option<Noise<T>>,));
         quote! {
             #docs
             #[derive(Clone, Debug)]
-            pub struct Simulator {
-                controller: Controller<f64>,
-                truth: Params<f64>,
-                x: Vector<f64, STATES>,
-                state: State<f64>,
-                output: Output<f64>,
+            pub struct Simulator<T: Real = f64> {
+                controller: Controller<T>,
+                truth: Params<T>,
+                x: Vector<T, STATES>,
+                state: State<T>,
+                output: Output<T>,
                 sample: u64,
                 #noise
             }
@@ -103,30 +103,34 @@ impl Simulator<'_> {
         let draw = (self.channels() > 0).then(|| {
             let docs =
                 docs(&["Standard normal draws of all channels; zeros in a run without noise."]);
-            let numbers = (0..self.channels()).map(index);
             quote! {
                 #docs
-                fn draw(&self, step: u64) -> Vector<f64, NOISE_CHANNELS> {
+                #[inline(always)]
+                fn draw(&self, step: u64) -> Vector<T, NOISE_CHANNELS> {
                     match &self.noise {
-                        Some(noise) => Vector([#(noise.normal(step, #numbers)),*]),
+                        Some(noise) => noise.normals(step),
                         None => Vector::zero(),
                     }
                 }
             }
         });
         quote! {
-            impl Simulator {
+            impl<T: Real> Simulator<T> {
                 #time_docs
+                #[inline(always)]
                 pub fn time(&self) -> f64 { self.sample as f64 * SAMPLE_TIME }
 
                 #params_docs
-                pub fn params(&self) -> &Params<f64> { &self.truth }
+                #[inline(always)]
+                pub fn params(&self) -> &Params<T> { &self.truth }
 
                 #state_docs
-                pub fn state(&self) -> &Vector<f64, STATES> { &self.x }
+                #[inline(always)]
+                pub fn state(&self) -> &Vector<T, STATES> { &self.x }
 
                 #output_docs
-                pub fn output(&self) -> &Output<f64> { &self.output }
+                #[inline(always)]
+                pub fn output(&self) -> &Output<T> { &self.output }
 
                 #(#segments)*
 
@@ -155,12 +159,17 @@ impl Simulator<'_> {
         let (start, control, advance) = (self.start(), self.control(), self.advance());
         let (telemetry, queries) = (self.telemetry(&columns), self.queries());
         quote! {
-            impl ClosedLoop for Simulator {
+            impl ClosedLoop for Simulator<f64> {
                 const NAME: &'static str = #name;
                 const SAMPLE_TIME: f64 = SAMPLE_TIME;
                 const OUTPUTS: &'static [&'static str] = &[#(#outputs),*];
                 const INPUTS: &'static [&'static str] = &[#(#inputs),*];
                 const SIGNALS: &'static [&'static str] = &[#(#signals),*];
+
+                type Runs<T: Real> = Simulator<T>;
+            }
+
+            impl<T: Real> Runs<T> for Simulator<T> {
                 #start
                 #control
                 #advance
@@ -183,17 +192,18 @@ impl Simulator<'_> {
             noisy.then(|| quote!(let process = Noise::process(options.seed, options.run);));
         let noise = noisy.then(|| quote!(noise: options.noise.then_some(process),));
         quote! {
+            #[inline(always)]
             fn new(options: &Options) -> Self {
                 let truth = if options.dispersion {
                     Params::dispersed(&Noise::dispersion(options.seed, options.run))
                 } else {
                     Params::plant()
                 };
-                let x = Vector(INITIAL_STATE);
+                let x = Vector::from_f64(INITIAL_STATE);
                 let mut controller = Controller::new(Params::design());
-                controller.reset(0.0, #(#measured),*);
+                controller.reset(T::zero(), #(#measured),*);
                 let state = *controller.state();
-                let output = controller.clone().step(0.0, #(#measured),*);
+                let output = controller.clone().step(T::zero(), #(#measured),*);
                 #process
                 Self { controller, truth, x, state, output, sample: 0, #noise }
             }
@@ -213,10 +223,15 @@ impl Simulator<'_> {
     fn control(&self) -> TokenStream {
         let blocks = self.blocks();
         quote! {
-            fn control(&mut self) -> Status {
+            #[inline(always)]
+            fn observe(&mut self) {
                 self.state = *self.controller.state();
-                self.output = self.controller.step(self.time(), #(self.#blocks()),*);
-                self.output.status
+            }
+
+            #[inline(always)]
+            fn control(&mut self) {
+                let t = T::from_f64(self.time());
+                self.output = self.controller.step(t, #(self.#blocks()),*);
             }
         }
     }
@@ -233,19 +248,20 @@ impl Simulator<'_> {
         let (draw, increment) = if noisy && self.interface.noise == NoiseModel::Wiener {
             let draw = quote! {
                 let step = self.sample * u64::from(SUBSTEPS) + u64::from(substep);
-                let dw = self.draw(step) * Real::sqrt(SUBSTEP);
+                let dw = self.draw(step) * T::from_f64(SUBSTEP).sqrt();
             };
             (draw, quote!(&dw))
         } else {
             (TokenStream::new(), quote!(&Vector([])))
         };
         quote! {
+            #[inline(always)]
             fn advance(&mut self) {
                 let plant = Plant { params: self.truth, u_sat: self.output.u_sat #held };
                 for substep in 0..SUBSTEPS {
-                    let t = self.time() + f64::from(substep) * SUBSTEP;
+                    let t = T::from_f64(self.time() + f64::from(substep) * SUBSTEP);
                     #draw
-                    self.x = sde::step(Scheme::#scheme, &plant, t, &self.x, SUBSTEP, #increment);
+                    self.x = sde::step(Scheme::#scheme, &plant, t, &self.x, T::from_f64(SUBSTEP), #increment);
                 }
                 self.sample += 1;
             }
@@ -266,15 +282,14 @@ impl Simulator<'_> {
             quote!(let lyapunov = lyapunov::#name(#(#arguments),*);)
         });
         quote! {
-            fn telemetry(&self, row: &mut [f64]) {
-                let (t, law) = (self.time(), &self.output);
+            #[inline(always)]
+            fn telemetry(&self, row: &mut [T]) {
+                let (t, law) = (T::from_f64(self.time()), &self.output);
                 #(let #blocks = self.#blocks();)*
                 #plant
                 #lyapunov
                 let values = [#body];
-                for (entry, value) in row.iter_mut().zip(values) {
-                    *entry = value;
-                }
+                row.copy_from_slice(&values);
             }
         }
     }
@@ -306,28 +321,28 @@ impl Simulator<'_> {
             .iter()
             .any(|(name, _)| name == "k1");
         let ratio = if constrained {
-            quote!(Real::sqrt(self.output.e1.sum_squares()) / self.output.k1)
+            quote!(self.output.e1.sum_squares().sqrt() / self.output.k1)
         } else {
-            quote!(f64::NAN)
+            quote!(T::from_f64(f64::NAN))
         };
+        let inputs: Vec<_> = (0..self.interface.inputs.len()).map(index).collect();
         quote! {
-            fn constraint_ratio(&self) -> f64 { #ratio }
+            #[inline(always)]
+            fn constraint_ratio(&self) -> T { #ratio }
 
-            fn tracking_error(&self, error: &mut [f64]) {
-                for (entry, value) in error.iter_mut().zip((self.x1() - self.output.y_r).0) {
-                    *entry = value;
-                }
+            #[inline(always)]
+            fn tracking_error(&self, error: &mut [T]) {
+                error.copy_from_slice(&(self.x1() - self.output.y_r).0);
             }
 
-            fn saturated(&self, saturated: &mut [bool]) {
-                for (entry, (u, u_sat)) in saturated.iter_mut().zip(self.output.u.0.into_iter().zip(self.output.u_sat.0)) {
-                    *entry = u != u_sat;
-                }
+            #[inline(always)]
+            fn saturated(&self, saturated: &mut [T::Mask]) {
+                saturated.copy_from_slice(&[#(self.output.u[#inputs].ne(self.output.u_sat[#inputs])),*]);
             }
 
-            fn is_finite(&self) -> bool {
-                let valid = !self.output.status.contains(Status::NON_FINITE_INPUT);
-                valid && self.x.is_finite() && self.controller.state().is_finite()
+            #[inline(always)]
+            fn is_finite(&self) -> T::Mask {
+                self.output.valid.and(self.x.is_finite())
             }
         }
     }
@@ -346,6 +361,7 @@ fn segment(letter: &str, number: usize, start: usize, length: usize) -> TokenStr
     let length = index(length);
     quote! {
         #docs
-        fn #name(&self) -> Vector<f64, #length> { Vector([#(self.x[#entries]),*]) }
+        #[inline(always)]
+        fn #name(&self) -> Vector<T, #length> { Vector([#(self.x[#entries]),*]) }
     }
 }

@@ -66,14 +66,15 @@ impl State<'_> {
         let implementation = quote! {
             impl<T: Real> State<T> {
                 #zero_docs
+                #[inline(always)]
                 pub fn zero() -> Self { #zero }
 
                 #select_docs
-                #[inline]
+                #[inline(always)]
                 pub fn select(#used) -> Self { #select }
 
                 #finite_docs
-                #[inline]
+                #[inline(always)]
                 pub fn is_finite(&self) -> T::Mask { #finite }
             }
         };

@@ -50,7 +50,7 @@ pub(crate) fn columns(
             let (e, k) = (ident(&named("e")), ident(&named("k")));
             table.scalar(
                 &named("ratio"),
-                quote!(Real::sqrt(law.#e.sum_squares()) / law.#k),
+                quote!(law.#e.sum_squares().sqrt() / law.#k),
             );
         }
         table.output(control, &named("alpha"), &next, &quote!(law));

@@ -155,7 +155,7 @@ fn driver(module: &str, program: &Program, inputs: &Values) -> String {
                     .chunks(columns)
                     .map(|row| format!("[{}]", row.join(", ")))
                     .collect();
-                format!("Matrix([{}])", rows.join(", "))
+                format!("Matrix::rows([{}])", rows.join(", "))
             }
         }
     };

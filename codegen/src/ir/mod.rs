@@ -60,7 +60,8 @@ pub enum Kernel {
     TanOver,
 }
 
-/// One operation. Reductions run left to right, starting from the first product or square: ((a0 b0 + a1 b1) + a2 b2) + ...
+/// One operation. Sums follow one rule: up to seven terms are added left to right; from eight on, term k goes to partial sum k mod 8, and
+/// the partial sums are added in halves: first four to last four, first two to last two, first to last.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Op {
     /// Literal, row-major; the shape is in the type.
@@ -97,7 +98,7 @@ pub enum Op {
     Dot(ValueId, ValueId),
     /// a b^T of two vectors.
     Outer(ValueId, ValueId),
-    /// Sum of the squares of all entries.
+    /// Sum of the squares of all entries: along each row left to right, then of the rows' sums.
     SumSquares(ValueId),
     /// A^-1 b for a square matrix and a vector: adjugate over determinant for up to three rows, else elimination with partial pivoting.
     Solve(ValueId, ValueId),

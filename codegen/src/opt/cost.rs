@@ -223,16 +223,13 @@ fn binary(operator: Operator) -> Cost {
 }
 
 fn kernel(kernel: Kernel) -> Cost {
-    // the series with its argument, the sine and cosine quotients, doubling and scaling, and the selection of an arm
-    let derivative = 11 * (ADDITION + MULTIPLICATION)
-        + 2 * (ELEMENTARY + DIVISION + MULTIPLICATION + ADDITION)
-        + 2 * SELECTION;
+    // t, w, ten further steps of the polynomial, and the comparison with the limit
+    let polynomial = 12 * MULTIPLICATION + 11 * ADDITION + SELECTION;
     match kernel {
-        Kernel::SinCosOver => ELEMENTARY + ADDITION + DIVISION + SELECTION,
+        Kernel::SinCosOver => 2 * ELEMENTARY + MULTIPLICATION + DIVISION + SELECTION,
         Kernel::TanOver => ELEMENTARY + DIVISION + SELECTION,
-        Kernel::SinCosOverD1 => derivative + MULTIPLICATION,
-        Kernel::SinCosOverD2 => derivative + 2 * ADDITION + DIVISION + MULTIPLICATION,
-        Kernel::SinCosOverD3 => derivative + 5 * ADDITION + 3 * DIVISION + 2 * MULTIPLICATION,
+        Kernel::SinCosOverD2 => polynomial,
+        Kernel::SinCosOverD1 | Kernel::SinCosOverD3 => polynomial + MULTIPLICATION,
     }
 }
 

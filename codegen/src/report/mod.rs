@@ -15,7 +15,7 @@ pub(crate) mod sample;
 mod summary;
 mod table;
 
-pub(crate) use outcome::{Outcome, Quantiles};
+pub(crate) use outcome::{Outcome, Quantiles, WorstRun};
 pub(crate) use page::page;
 pub(crate) use plant::Plant;
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! A made-up simulation for the tests of the report: two blocks of two channels, every kind of signal.
 
 use super::plant::{Block, Channel, Input, Plant};
-use super::{Outcome, Quantiles, Report, Table};
+use super::{Outcome, Quantiles, Report, Table, WorstRun};
 
 pub(crate) struct Sample {
     pub(crate) plant: Plant,
@@ -72,9 +72,11 @@ impl Sample {
         });
         let outcome = Outcome {
             runs: 1,
+            violations: None,
             violated: None,
             violated_interval95: None,
             ratio: None,
+            worst: Vec::new(),
             ..full.outcome
         };
         Sample {
@@ -141,6 +143,7 @@ fn outcome() -> Outcome {
     Outcome {
         runs: 500,
         samples: 5_000_000,
+        violations: Some(16),
         violated: Some(0.032),
         violated_interval95: Some([0.0184, 0.0514]),
         ratio: Some(Quantiles {
@@ -148,7 +151,15 @@ fn outcome() -> Outcome {
             p90: Some(0.52),
             p99: Some(1.31),
             max: Some(2.04),
+            accuracy: Some(0.0),
         }),
+        worst: [(77, Some(2.04)), (12, Some(1.9)), (401, Some(1.31))]
+            .map(|(run, ratio)| WorstRun {
+                run,
+                ratio,
+                diverged: false,
+            })
+            .into(),
         rms_tracking: [
             ("alpha".into(), Some(0.04 * DEG)),
             ("beta".into(), Some(0.025 * DEG)),

@@ -66,6 +66,14 @@ pub(super) fn table(report: &Report<'_>) -> String {
         };
         rows.push(("largest ratio of error norm to bound".into(), shown));
     }
+    if outcome.runs > 1 && !outcome.worst.is_empty() {
+        let worst = outcome.worst.iter().map(|worst| match worst.ratio {
+            _ if worst.diverged => format!("{}&nbsp;(lost)", worst.run),
+            ratio => format!("{}&nbsp;({})", worst.run, value(ratio)),
+        });
+        let shown = worst.collect::<Vec<_>>().join(", ");
+        rows.push(("worst runs, with their ratio".into(), shown));
+    }
     for channel in report
         .plant
         .blocks

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 55ae917dc1e6f988dc4e3509276f6f9fffa2df8556c72c23ac548101badd0fee
+// SHA-256 of the text below: ff3132e6b147c7202728fed5e0c19b90ae3b6d6321ceb067c6db01cbd893da3c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// initial: 27 additions, 56 multiplications, 12 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
-// control: 87 additions, 126 multiplications, 17 divisions, 3 square roots, 9 elementary functions, 9 comparisons and selections
+// initial: 26 additions, 57 multiplications, 12 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
+// control: 86 additions, 127 multiplications, 17 divisions, 3 square roots, 10 elementary functions, 9 comparisons and selections
 
 //! `motor_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `voltage` in kg*m^2/(s^3*A).
@@ -83,6 +83,7 @@ pub struct State<T> {
 
 impl<T: Real> State<T> {
     /// All zero.
+    #[inline(always)]
     pub fn zero() -> Self {
         Self {
             zeta1: Vector::zero(),
@@ -100,7 +101,7 @@ impl<T: Real> State<T> {
     }
 
     /// `a` where the mask is true, else `b`.
-    #[inline]
+    #[inline(always)]
     pub fn select(mask: T::Mask, a: &Self, b: &Self) -> Self {
         Self {
             zeta1: Vector::select(mask, a.zeta1, b.zeta1),
@@ -118,7 +119,7 @@ impl<T: Real> State<T> {
     }
 
     /// Whether every entry is finite.
-    #[inline]
+    #[inline(always)]
     pub fn is_finite(&self) -> T::Mask {
         self.zeta1
             .is_finite()
@@ -140,8 +141,10 @@ impl<T: Real> State<T> {
 /// With `Status::NON_FINITE_INPUT`, only the control is meaningful.
 #[derive(Clone, Copy, Debug)]
 pub struct Output<T: Real> {
-    /// What happened.
+    /// What happened, in any lane.
     pub status: Status,
+    /// Whether the law was finite, so that its control and next states are used.
+    pub valid: T::Mask,
     /// Control that the law asks for, before its limits.
     pub u: Vector<T, 1>,
     /// Control to apply: within its limits, always finite.
@@ -178,6 +181,7 @@ pub struct Controller<T: Real> {
 
 impl<T: Real> Controller<T> {
     /// A controller that starts at its first step.
+    #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
             params,
@@ -187,6 +191,7 @@ impl<T: Real> Controller<T> {
     }
 
     /// Starts anew from these measurements; from the next ones if they are not finite.
+    #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 1>, x2: Vector<T, 1>, x3: Vector<T, 1>) {
         let start = initial(t, x1, x2, x3, &self.params);
         let finite = start
@@ -210,7 +215,7 @@ impl<T: Real> Controller<T> {
     /// The first step with finite measurements initialises the states; so does the step after one
     /// whose law overflowed although its measurements were finite, since such states are beyond
     /// use.
-    #[inline]
+    #[inline(always)]
     pub fn step(
         &mut self,
         t: T,
@@ -223,21 +228,27 @@ impl<T: Real> Controller<T> {
             .and(x1.is_finite())
             .and(x2.is_finite())
             .and(x3.is_finite());
-        let state = if self.started.all() {
-            self.state
-        } else {
-            State::select(
-                self.started,
-                &self.state,
-                &initial(t, x1, x2, x3, &self.params),
-            )
-        };
-        let law = control(t, x1, x2, x3, &state, &self.params);
+        let starting = measured.and(self.started.not());
+        if starting.any() {
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+                x3,
+            });
+        }
+        let law = control(t, x1, x2, x3, &self.state, &self.params);
         let valid = measured
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
-        self.state = State::select(valid, &law.next, &self.state);
+        self.state = if valid.all() {
+            law.next
+        } else {
+            State::select(valid, &law.next, &self.state)
+        };
         self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
@@ -247,6 +258,7 @@ impl<T: Real> Controller<T> {
             | Status::SATURATED.when(saturated.any());
         Output {
             status,
+            valid,
             u,
             u_sat,
             y_r: law.y_r,
@@ -262,21 +274,41 @@ impl<T: Real> Controller<T> {
     }
 
     /// The states.
+    #[inline(always)]
     pub fn state(&self) -> &State<T> {
         &self.state
     }
 
     /// The parameters.
+    #[inline(always)]
     pub fn params(&self) -> &Params<T> {
         &self.params
     }
 }
 
+/// Initialises the controller where the mask is true.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+    x3: Vector<T, 1>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(self.t, self.x1, self.x2, self.x3, &self.controller.params);
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+    }
+}
+
 /// The controller's states at its first sample.
 ///
-/// Operations: 27 additions, 56 multiplications, 12 divisions, 0 square roots, 7 elementary
+/// Operations: 26 additions, 57 multiplications, 12 divisions, 0 square roots, 8 elementary
 /// functions, 3 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn initial<T: Real>(
     t: T,
     x1: Vector<T, 1>,
@@ -301,9 +333,9 @@ pub fn initial<T: Real>(
     // F_2(x_1 .. x_2)
     let F2 = Vector([-(real(0.01625) * rate + weight * angle.sin()) / inertia]);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix([[real(0.9) / inertia]]);
+    let G2 = Matrix::rows([[real(0.9) / inertia]]);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix([[real(0.01) / inertia]]);
+    let H2 = Matrix::rows([[real(0.01) / inertia]]);
 
     // -- reference and constraints --
     let t1 = real(FRAC_PI_2) * t.sin();
@@ -469,7 +501,7 @@ pub struct Prepared<T> {
 ///
 /// Operations: 5 additions, 16 multiplications, 3 divisions, 1 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let real = T::from_f64;
 
@@ -480,9 +512,9 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
     // -- known dynamics of block 2 (speed) (11) --
     // G_2(x_1 .. x_2)
-    let G2 = Matrix([[real(0.9) / inertia]]);
+    let G2 = Matrix::rows([[real(0.9) / inertia]]);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix([[real(0.01) / inertia]]);
+    let H2 = Matrix::rows([[real(0.01) / inertia]]);
 
     // -- norms of block 2 --
     // ||G_2||^2
@@ -540,7 +572,7 @@ pub struct Clock<T> {
 ///
 /// Operations: 3 additions, 14 multiplications, 0 divisions, 0 square roots, 4 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
     let real = T::from_f64;
 
@@ -599,9 +631,9 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 79 additions, 96 multiplications, 14 divisions, 2 square roots, 5 elementary
+/// Operations: 78 additions, 97 multiplications, 14 divisions, 2 square roots, 6 elementary
 /// functions, 9 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 1>,
     x2: Vector<T, 1>,
@@ -695,7 +727,7 @@ pub fn law<T: Real>(
     // P_2 = P_m(z_2), 6 nodes
     let P2 = polynomials::basis2(z2);
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = state.W2.transpose() * P2;
+    let A_hat2 = state.W2.transpose_mul(P2);
 
     // -- disturbance observer of block 2 (20) (49) --
     // w_hat_2 = th_2 + S_2 e_2
@@ -710,7 +742,7 @@ pub fn law<T: Real>(
     let Lam2_filter = c2 * prepared.Lam2_filter_1;
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t5 = e2.map(T::tanh);
+    let t5 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t5 * state.eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
@@ -799,7 +831,7 @@ pub fn law<T: Real>(
     // u = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
     let u = -t13;
     // sat(u), each component limited to +-u_max (8)
-    let u_sat = u.map(|entry| entry.max(real(-40.0))).map(|entry| entry.min(real(40.0)));
+    let u_sat = u.max(Vector::splat(real(-40.0))).min(Vector::splat(real(40.0)));
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
@@ -872,9 +904,9 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 87 additions, 126 multiplications, 17 divisions, 3 square roots, 9 elementary
+/// Operations: 86 additions, 127 multiplications, 17 divisions, 3 square roots, 10 elementary
 /// functions, 9 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 1>,

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: e35e3da1ef7253f58d26d7775d488e69b37a3151777bbf87149e4892f89c3f49
+// SHA-256 of the text below: 676923c76c78a624470acefc6a9027612960bdd23e9f748e91df0af5fbb6ad4d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// lyapunov: 293 additions, 387 multiplications, 57 divisions, 2 square roots, 16 elementary functions, 14 comparisons and selections
+// lyapunov: 290 additions, 387 multiplications, 55 divisions, 2 square roots, 15 elementary functions, 13 comparisons and selections
 
 //! `motor_arm`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,9 +29,9 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 293 additions, 387 multiplications, 57 divisions, 2 square roots, 16 elementary
-/// functions, 14 comparisons and selections.
-#[inline]
+/// Operations: 290 additions, 387 multiplications, 55 divisions, 2 square roots, 15 elementary
+/// functions, 13 comparisons and selections.
+#[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
     x1: Vector<T, 1>,
@@ -62,9 +62,9 @@ pub fn lyapunov<T: Real>(
     // F_2(x_1 .. x_2)
     let F2 = Vector([-(t1 + weight * t2) / inertia]);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix([[real(0.9) / inertia]]);
+    let G2 = Matrix::rows([[real(0.9) / inertia]]);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix([[real(0.01) / inertia]]);
+    let H2 = Matrix::rows([[real(0.01) / inertia]]);
 
     // -- known dynamics of block 3 (current) (11) --
     // F_3(x_1 .. x_3)
@@ -75,14 +75,14 @@ pub fn lyapunov<T: Real>(
     // -- reference and constraints --
     let t3 = real(20.0) * t;
     let t4 = Vector([t, t3]);
-    let [sin_t, sin_t3] = t4.map(T::sin).0;
+    let [sin_t, sin_t3] = t4.sin().0;
     let t5 = real(FRAC_PI_2) * sin_t;
     let t6 = t * t;
     let t7 = (real(-0.1) * (t6 * t)).exp();
     let t8 = real(1.0) - t7;
     // y_r(t)
     let y_r = Vector([t5 * t8]);
-    let [cos_t, cos_t3] = t4.map(T::cos).0;
+    let [cos_t, cos_t3] = t4.cos().0;
     let t9 = real(FRAC_PI_2) * cos_t;
     let t10 = real(-0.1) * (real(3.0) * t6);
     let t11 = t7 * t10;
@@ -194,7 +194,7 @@ pub fn lyapunov<T: Real>(
     let Lam2_filter = c2 * t22;
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t23 = e2.map(T::tanh);
+    let t23 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t23 * state.eps2;
     let t24 = s_c1 * s_c1;
@@ -294,7 +294,7 @@ pub fn lyapunov<T: Real>(
     // u = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
     let u = -t36;
     // sat(u), each component limited to +-u_max (8)
-    let u_sat = u.map(|entry| entry.max(real(-40.0))).map(|entry| entry.min(real(40.0)));
+    let u_sat = u.max(Vector::splat(real(-40.0))).min(Vector::splat(real(40.0)));
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
@@ -308,7 +308,7 @@ pub fn lyapunov<T: Real>(
         -(t1 + (real(0.253) + plant.load_mass) * real(0.305) * real(9.81) * t2) / t37,
     ]);
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[real(0.9) / t37]]);
+    let G2_plant = Matrix::rows([[real(0.9) / t37]]);
     // w_2' = M_2 w_2 (12)
     let w2_flow = w2 * real(-2.0);
     // F_2 + G_2 x_3 + d_2

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: afa5f2754bce472778855ef81863e47cff281918494f008b8dd1cecace875931
+// SHA-256 of the text below: 0118913a00eb3cdfb1783e7d31ff64d8b56670e4d35a5114df00ba6fba3d5d01
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 
@@ -21,6 +21,7 @@ pub struct Params<T> {
 
 impl<T: Real> Params<T> {
     /// The plant's nominal values.
+    #[inline(always)]
     pub fn plant() -> Self {
         Self {
             load_mass: T::from_f64(0.434),
@@ -28,16 +29,18 @@ impl<T: Real> Params<T> {
     }
 
     /// The values that the controller is designed with.
+    #[inline(always)]
     pub fn design() -> Self {
         Self {
             load_mass: T::from_f64(0.434),
         }
     }
 
-    /// The plant's values in one run, drawn from the dispersions of the specification.
-    pub fn dispersed(noise: &Noise) -> Self {
+    /// The plant's values in each lane's run, drawn from the dispersions of the specification.
+    #[inline(always)]
+    pub fn dispersed(noise: &Noise<T>) -> Self {
         Self {
-            load_mass: T::from_f64(0.35 + (0.52 - 0.35) * noise.uniform(0, 0)),
+            load_mass: T::from_f64(0.35) + T::from_f64(0.52 - 0.35) * noise.uniform(0, 0),
         }
     }
 }

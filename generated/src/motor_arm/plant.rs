@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 6e72963780c3b87e27bf693dc11fa291c0db9fd5df04714b80a83b6dc10a5479
+// SHA-256 of the text below: 3ec31bec2329dfe96d785c869c92759345a8cd6b12f84bb01e72f41d9d06dd8d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // plant: 9 additions, 14 multiplications, 6 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -11,7 +11,7 @@
 
 use super::params::Params;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
 
 /// Number of plant states: `angle` (dimensionless), `rate` (1/s), `amps` (A), then 1 states of
@@ -34,19 +34,84 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
-    #[inline]
+    #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        plant(t, *x, self.u_sat, &self.params).drift
+        T::outlined(Drift { plant: self, t, x })
     }
 
-    #[inline]
+    #[inline(always)]
     fn diffusion(
         &self,
         t: T,
         x: &Vector<T, STATES>,
     ) -> Matrix<T, STATES, NOISE_CHANNELS> {
-        plant(t, *x, self.u_sat, &self.params).diffusion
+        T::outlined(Diffusion { plant: self, t, x })
     }
+
+    #[inline(always)]
+    fn drift_and_noise(
+        &self,
+        t: T,
+        x: &Vector<T, STATES>,
+        dw: &Vector<T, NOISE_CHANNELS>,
+    ) -> (Vector<T, STATES>, Vector<T, STATES>) {
+        T::outlined(Rates { plant: self, t, x, dw })
+    }
+}
+/// Drift.
+struct Drift<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Drift<'_, T> {
+    type Output = Vector<T, STATES>;
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
+    }
+}
+/// Diffusion.
+struct Diffusion<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Diffusion<'_, T> {
+    type Output = Matrix<T, STATES, NOISE_CHANNELS>;
+    #[inline(always)]
+    fn run(self) -> Matrix<T, STATES, NOISE_CHANNELS> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).diffusion
+    }
+}
+/// Drift, and diffusion times noise.
+struct Rates<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+    dw: &'a Vector<T, NOISE_CHANNELS>,
+}
+impl<T: Real> Part for Rates<'_, T> {
+    type Output = (Vector<T, STATES>, Vector<T, STATES>);
+    #[inline(always)]
+    fn run(self) -> (Vector<T, STATES>, Vector<T, STATES>) {
+        let rate = plant(self.t, *self.x, self.plant.u_sat, &self.plant.params);
+        (rate.drift, diffuse(&rate.diffusion, self.dw))
+    }
+}
+
+/// Diffusion times noise, without the entries that are always 0.
+#[inline(always)]
+fn diffuse<T: Real>(
+    diffusion: &Matrix<T, STATES, NOISE_CHANNELS>,
+    noise: &Vector<T, NOISE_CHANNELS>,
+) -> Vector<T, STATES> {
+    Vector([
+        T::zero(),
+        diffusion[(1, 0)] * noise[0],
+        T::zero(),
+        diffusion[(3, 1)] * noise[1],
+    ])
 }
 
 /// Values of [`prepare`].
@@ -66,7 +131,7 @@ pub struct Prepared<T> {
 ///
 /// Operations: 3 additions, 5 multiplications, 3 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let real = T::from_f64;
 
@@ -77,11 +142,11 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
     // -- true dynamics of block 2 (speed) (11) --
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[real(0.9) / inertia]]);
+    let G2_plant = Matrix::rows([[real(0.9) / inertia]]);
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // columns: one per Wiener process
-    let diffusion = Matrix([
+    let diffusion = Matrix::rows([
         [real(0.0), real(0.0)],
         [real(0.01) / inertia, real(0.0)],
         [real(0.0), real(0.0)],
@@ -107,7 +172,7 @@ pub struct Clock<T> {
 ///
 /// Operations: 0 additions, 2 multiplications, 1 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
     let real = T::from_f64;
 
@@ -134,7 +199,7 @@ pub struct PlantOutputs<T: Real> {
 ///
 /// Operations: 6 additions, 7 multiplications, 2 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn dynamics<T: Real>(
     x: Vector<T, 4>,
     u_sat: Vector<T, 1>,
@@ -185,7 +250,7 @@ pub fn dynamics<T: Real>(
 ///
 /// Operations: 9 additions, 14 multiplications, 6 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn plant<T: Real>(
     t: T,
     x: Vector<T, 4>,

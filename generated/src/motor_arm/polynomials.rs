@@ -1,4 +1,4 @@
-// SHA-256 of the text below: fbaa1dbcaf8ac0ff7bc637b1e24c54eb404af5e016cf0f6c6908a94f24a9712c
+// SHA-256 of the text below: 059c28482d59f013742dfd9121f1279e0c7ca79a6d6696058f8b265ab7fcdf62
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 
@@ -12,7 +12,7 @@ use nsv_runtime::linear::Vector;
 use nsv_runtime::real::Real;
 
 /// Values of the 6 monomials `basis2` of z = (`z1`, `rate`).
-#[inline]
+#[inline(always)]
 pub fn basis2<T: Real>(z: Vector<T, 2>) -> Vector<T, 6> {
     let one = T::one();
     let z1 = z[0];
@@ -24,7 +24,7 @@ pub fn basis2<T: Real>(z: Vector<T, 2>) -> Vector<T, 6> {
 }
 
 /// Rates of the 6 monomials `basis2` of z = (`z1`, `rate`), along the rate `z_d1` of z.
-#[inline]
+#[inline(always)]
 pub fn basis2_rate<T: Real>(z: Vector<T, 2>, z_d1: Vector<T, 2>) -> Vector<T, 6> {
     let one_d1 = T::zero();
     let z1 = z[0];
@@ -39,7 +39,7 @@ pub fn basis2_rate<T: Real>(z: Vector<T, 2>, z_d1: Vector<T, 2>) -> Vector<T, 6>
 
 /// Second rates of the 6 monomials `basis2` of z = (`z1`, `rate`), along the rates `z_d1` and
 /// `z_d2` of z.
-#[inline]
+#[inline(always)]
 pub fn basis2_rate2<T: Real>(
     z: Vector<T, 2>,
     z_d1: Vector<T, 2>,

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 1ce27b78d2388cc20d4ab9d087a2f5b0b41605004c4fcbe14a41ecfc669b0046
+// SHA-256 of the text below: a7ebf35fcbcf85bae46c905f274e43b30ef5aeeac5cdd73a6e3e320736619797
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// initial: 75 additions, 108 multiplications, 15 divisions, 0 square roots, 17 elementary functions, 6 comparisons and selections
-// control: 669 additions, 910 multiplications, 56 divisions, 4 square roots, 24 elementary functions, 21 comparisons and selections
+// initial: 74 additions, 109 multiplications, 15 divisions, 0 square roots, 18 elementary functions, 6 comparisons and selections
+// control: 667 additions, 912 multiplications, 56 divisions, 4 square roots, 26 elementary functions, 21 comparisons and selections
 
 //! `nsv_attitude`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `M_x` in kg*m^2/s^2, `M_y` in kg*m^2/s^2, `M_z` in
@@ -86,6 +86,7 @@ pub struct State<T> {
 
 impl<T: Real> State<T> {
     /// All zero.
+    #[inline(always)]
     pub fn zero() -> Self {
         Self {
             zeta1: Vector::zero(),
@@ -102,7 +103,7 @@ impl<T: Real> State<T> {
     }
 
     /// `a` where the mask is true, else `b`.
-    #[inline]
+    #[inline(always)]
     pub fn select(mask: T::Mask, a: &Self, b: &Self) -> Self {
         Self {
             zeta1: Vector::select(mask, a.zeta1, b.zeta1),
@@ -119,7 +120,7 @@ impl<T: Real> State<T> {
     }
 
     /// Whether every entry is finite.
-    #[inline]
+    #[inline(always)]
     pub fn is_finite(&self) -> T::Mask {
         self.zeta1
             .is_finite()
@@ -140,8 +141,10 @@ impl<T: Real> State<T> {
 /// With `Status::NON_FINITE_INPUT`, only the control is meaningful.
 #[derive(Clone, Copy, Debug)]
 pub struct Output<T: Real> {
-    /// What happened.
+    /// What happened, in any lane.
     pub status: Status,
+    /// Whether the law was finite, so that its control and next states are used.
+    pub valid: T::Mask,
     /// Control that the law asks for, before its limits.
     pub u: Vector<T, 3>,
     /// Control to apply: within its limits, always finite.
@@ -176,6 +179,7 @@ pub struct Controller<T: Real> {
 
 impl<T: Real> Controller<T> {
     /// A controller that starts at its first step.
+    #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
             params,
@@ -185,6 +189,7 @@ impl<T: Real> Controller<T> {
     }
 
     /// Starts anew from these measurements; from the next ones if they are not finite.
+    #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) {
         let start = initial(t, x1, x2, &self.params);
         let finite = start
@@ -207,20 +212,29 @@ impl<T: Real> Controller<T> {
     /// The first step with finite measurements initialises the states; so does the step after one
     /// whose law overflowed although its measurements were finite, since such states are beyond
     /// use.
-    #[inline]
+    #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
-        let state = if self.started.all() {
-            self.state
-        } else {
-            State::select(self.started, &self.state, &initial(t, x1, x2, &self.params))
-        };
-        let law = control(t, x1, x2, &state, &self.params);
+        let starting = measured.and(self.started.not());
+        if starting.any() {
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+            });
+        }
+        let law = control(t, x1, x2, &self.state, &self.params);
         let valid = measured
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
-        self.state = State::select(valid, &law.next, &self.state);
+        self.state = if valid.all() {
+            law.next
+        } else {
+            State::select(valid, &law.next, &self.state)
+        };
         self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
@@ -230,6 +244,7 @@ impl<T: Real> Controller<T> {
             | Status::SATURATED.when(saturated.any());
         Output {
             status,
+            valid,
             u,
             u_sat,
             y_r: law.y_r,
@@ -244,21 +259,40 @@ impl<T: Real> Controller<T> {
     }
 
     /// The states.
+    #[inline(always)]
     pub fn state(&self) -> &State<T> {
         &self.state
     }
 
     /// The parameters.
+    #[inline(always)]
     pub fn params(&self) -> &Params<T> {
         &self.params
     }
 }
 
+/// Initialises the controller where the mask is true.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 3>,
+    x2: Vector<T, 3>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(self.t, self.x1, self.x2, &self.controller.params);
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+    }
+}
+
 /// The controller's states at its first sample.
 ///
-/// Operations: 75 additions, 108 multiplications, 15 divisions, 0 square roots, 17 elementary
+/// Operations: 74 additions, 109 multiplications, 15 divisions, 0 square roots, 18 elementary
 /// functions, 6 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn initial<T: Real>(
     t: T,
     x1: Vector<T, 3>,
@@ -280,8 +314,8 @@ pub fn initial<T: Real>(
             + at_alpha_deg.CY_RUD);
 
     // -- known dynamics of block 1 (attitude) (11) --
-    let [sin_alpha, sin_mu] = Vector([alpha, mu]).map(T::sin).0;
-    let [cos_alpha, cos_mu, cos_beta] = Vector([alpha, mu, beta]).map(T::cos).0;
+    let [sin_alpha, sin_mu] = Vector([alpha, mu]).sin().0;
+    let [cos_alpha, cos_mu, cos_beta] = Vector([alpha, mu, beta]).cos().0;
     let t1 = real(1332506.5352200002) * cos_mu;
     let t2 = beta.tan();
     // F_1(x_1 .. x_1)
@@ -297,7 +331,7 @@ pub fn initial<T: Real>(
     let t7 = cos_alpha / cos_beta;
     let t8 = sin_alpha / cos_beta;
     // G_1(x_1 .. x_1)
-    let G1 = Matrix([
+    let G1 = Matrix::rows([
         [t4, real(1.0), t5],
         [sin_alpha, real(0.0), t6],
         [t7, real(0.0), t8],
@@ -309,8 +343,8 @@ pub fn initial<T: Real>(
     let t11 = real(0.5) * t;
     let t12 = real(0.9424777960769379) * t;
     let t13 = Vector([t, t10, t12, t11]);
-    let [sin_t, sin_t10, sin_t12, sin_t11] = t13.map(T::sin).0;
-    let [cos_t, cos_t10, cos_t12, cos_t11] = t13.map(T::cos).0;
+    let [sin_t, sin_t10, sin_t12, sin_t11] = t13.sin().0;
+    let [cos_t, cos_t10, cos_t12, cos_t11] = t13.cos().0;
     // y_r(t)
     let y_r = Vector([
         T::select(
@@ -444,7 +478,7 @@ pub struct Prepared<T> {
 ///
 /// Operations: 0 additions, 7 multiplications, 0 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let real = T::from_f64;
     let lift_1 = real(97170193.3485195) * params.CL_scale;
@@ -487,7 +521,7 @@ pub struct Clock<T> {
 ///
 /// Operations: 5 additions, 24 multiplications, 0 divisions, 0 square roots, 9 elementary
 /// functions, 3 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
     let real = T::from_f64;
 
@@ -497,8 +531,8 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     let t3 = real(0.5) * t;
     let t4 = real(0.9424777960769379) * t;
     let t5 = Vector([t, t2, t4, t3]);
-    let [sin_t, sin_t2, sin_t4, sin_t3] = t5.map(T::sin).0;
-    let [cos_t, cos_t2, cos_t4, cos_t3] = t5.map(T::cos).0;
+    let [sin_t, sin_t2, sin_t4, sin_t3] = t5.sin().0;
+    let [cos_t, cos_t2, cos_t4, cos_t3] = t5.cos().0;
     // y_r(t)
     let y_r = Vector([
         T::select(
@@ -567,9 +601,9 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 664 additions, 879 multiplications, 56 divisions, 4 square roots, 15 elementary
+/// Operations: 662 additions, 881 multiplications, 56 divisions, 4 square roots, 17 elementary
 /// functions, 18 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 3>,
     x2: Vector<T, 3>,
@@ -621,8 +655,8 @@ pub fn law<T: Real>(
     let yaw_delta = dCn * prepared.yaw_delta_1 * real(97170193.3485195);
 
     // -- known dynamics of block 1 (attitude) (11) --
-    let [sin_alpha, sin_mu] = Vector([alpha, mu]).map(T::sin).0;
-    let [cos_alpha, cos_mu, cos_beta] = Vector([alpha, mu, beta]).map(T::cos).0;
+    let [sin_alpha, sin_mu] = Vector([alpha, mu]).sin().0;
+    let [cos_alpha, cos_mu, cos_beta] = Vector([alpha, mu, beta]).cos().0;
     let t3 = real(1332506.5352200002) * cos_mu;
     let t4 = beta.tan();
     // F_1(x_1 .. x_1)
@@ -638,7 +672,7 @@ pub fn law<T: Real>(
     let t9 = cos_alpha / cos_beta;
     let t10 = sin_alpha / cos_beta;
     // G_1(x_1 .. x_1)
-    let G1 = Matrix([
+    let G1 = Matrix::rows([
         [t6, real(1.0), t7],
         [sin_alpha, real(0.0), t8],
         [t9, real(0.0), t10],
@@ -661,7 +695,7 @@ pub fn law<T: Real>(
     let t18 = yaw_delta[1] / real(13558180.0);
     let t19 = yaw_delta[2] / real(13558180.0);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix([[t11, t12, t13], [t14, t15, t16], [t17, t18, t19]]);
+    let H2 = Matrix::rows([[t11, t12, t13], [t14, t15, t16], [t17, t18, t19]]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -687,7 +721,7 @@ pub fn law<T: Real>(
     // P_1 = P_m(z_1), 19 nodes
     let P1 = polynomials::basis1(x1);
     // A_hat_1 = iota_1 W_1^T P_1
-    let A_hat1 = state.W1.transpose() * P1 * real(0.1);
+    let A_hat1 = state.W1.transpose_mul(P1) * real(0.1);
 
     // -- disturbance observer of block 1 (20) (49) --
     // D_hat_1 = th_1 + S_1 x_1
@@ -764,7 +798,7 @@ pub fn law<T: Real>(
     // P_2 = P_m(z_2), 19 nodes
     let P2 = polynomials::basis2(x2);
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = state.W2.transpose() * P2 * real(0.1);
+    let A_hat2 = state.W2.transpose_mul(P2) * real(0.1);
 
     // -- disturbance observer of block 2 (20) (49) --
     let t31 = Vector([
@@ -792,7 +826,7 @@ pub fn law<T: Real>(
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
     let Ybar_norm2 = (t33 * t33 + real(2.0) * (t32 * t32)).sqrt();
     // S_2 H_2
-    let SH2 = Matrix([
+    let SH2 = Matrix::rows([
         [real(-1.5) * t11, real(-1.5) * t12, real(-1.5) * t13],
         [real(1.5) * t11, real(1.5) * t12, real(1.5) * t13],
         [real(1.5) * t14, real(1.5) * t15, real(1.5) * t16],
@@ -817,7 +851,7 @@ pub fn law<T: Real>(
     let t35 = e2 * real(0.5);
     // e / (2 cos^2 E) (63)
     let Lam2_network = t35 / t30;
-    let t36 = t35.map(T::tanh);
+    let t36 = t35.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t36 * state.eps2;
     let t37 = G_norm2_1 * s_c1;
@@ -849,8 +883,8 @@ pub fn law<T: Real>(
     let u = -t44;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]), T::max)
-        .zip(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]), T::min);
+        .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
+        .min(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
@@ -971,9 +1005,9 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 669 additions, 910 multiplications, 56 divisions, 4 square roots, 24 elementary
+/// Operations: 667 additions, 912 multiplications, 56 divisions, 4 square roots, 26 elementary
 /// functions, 21 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 3>,

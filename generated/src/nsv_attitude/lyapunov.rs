@@ -1,7 +1,7 @@
-// SHA-256 of the text below: cbc95c9cce9b1d19f9b04a52df1d87f5c872790ba8c8255949693f8d4a0173c3
+// SHA-256 of the text below: d2a065f0dd3842714d83966ae6cc973ee3f1574af716948647e5b8b6552b7974
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// lyapunov: 1966 additions, 2341 multiplications, 127 divisions, 3 square roots, 32 elementary functions, 33 comparisons and selections
+// lyapunov: 1962 additions, 2342 multiplications, 125 divisions, 3 square roots, 32 elementary functions, 32 comparisons and selections
 
 //! `nsv_attitude`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,9 +29,9 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 1966 additions, 2341 multiplications, 127 divisions, 3 square roots, 32
-/// elementary functions, 33 comparisons and selections.
-#[inline]
+/// Operations: 1962 additions, 2342 multiplications, 125 divisions, 3 square roots, 32
+/// elementary functions, 32 comparisons and selections.
+#[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
     x1: Vector<T, 3>,
@@ -88,8 +88,8 @@ pub fn lyapunov<T: Real>(
 
     // -- known dynamics of block 1 (attitude) (11) --
     let t11 = Vector([alpha, mu, beta]);
-    let [sin_alpha, sin_mu, sin_beta] = t11.map(T::sin).0;
-    let [cos_alpha, cos_mu, cos_beta] = t11.map(T::cos).0;
+    let [sin_alpha, sin_mu, sin_beta] = t11.sin().0;
+    let [cos_alpha, cos_mu, cos_beta] = t11.cos().0;
     let t12 = real(1332506.5352200002) * cos_mu;
     let t13 = real(410460000.0) * cos_beta;
     let t14 = (t12 - lift) / t13;
@@ -109,7 +109,7 @@ pub fn lyapunov<T: Real>(
     let t22 = cos_alpha / cos_beta;
     let t23 = sin_alpha / cos_beta;
     // G_1(x_1 .. x_1)
-    let G1 = Matrix([
+    let G1 = Matrix::rows([
         [t19, real(1.0), t20],
         [sin_alpha, real(0.0), t21],
         [t22, real(0.0), t23],
@@ -134,7 +134,7 @@ pub fn lyapunov<T: Real>(
     let t33 = yaw_delta[1] / real(13558180.0);
     let t34 = yaw_delta[2] / real(13558180.0);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix([[t26, t27, t28], [t29, t30, t31], [t32, t33, t34]]);
+    let H2 = Matrix::rows([[t26, t27, t28], [t29, t30, t31], [t32, t33, t34]]);
 
     // -- reference and constraints --
     let t35 = t.le(real(4.0));
@@ -143,8 +143,8 @@ pub fn lyapunov<T: Real>(
     let t38 = real(0.5) * t;
     let t39 = real(0.9424777960769379) * t;
     let t40 = Vector([t, t36, t39, t38, t37]);
-    let [sin_t, sin_t36, sin_t39, sin_t38, sin_t37] = t40.map(T::sin).0;
-    let [cos_t, cos_t36, cos_t39, cos_t38, cos_t37] = t40.map(T::cos).0;
+    let [sin_t, sin_t36, sin_t39, sin_t38, sin_t37] = t40.sin().0;
+    let [cos_t, cos_t36, cos_t39, cos_t38, cos_t37] = t40.cos().0;
     let t41 = real(0.5) * cos_t38;
     // y_r(t)
     let y_r = Vector([
@@ -169,7 +169,7 @@ pub fn lyapunov<T: Real>(
     ]);
     let t42 = -t;
     let t43 = real(-0.1) * t;
-    let [exp_t42, exp_t43] = Vector([t42, t43]).map(T::exp).0;
+    let [exp_t42, exp_t43] = Vector([t42, t43]).exp().0;
     let t44 = real(3.0) * exp_t42;
     // k_2(t)
     let k2 = t44 + real(0.5);
@@ -311,7 +311,7 @@ pub fn lyapunov<T: Real>(
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
     let Ybar_norm2 = (t70 * t70 + real(2.0) * (t69 * t69)).sqrt();
     // S_2 H_2
-    let SH2 = Matrix([
+    let SH2 = Matrix::rows([
         [real(-1.5) * t26, real(-1.5) * t27, real(-1.5) * t28],
         [real(1.5) * t26, real(1.5) * t27, real(1.5) * t28],
         [real(1.5) * t29, real(1.5) * t30, real(1.5) * t31],
@@ -336,7 +336,7 @@ pub fn lyapunov<T: Real>(
     let t72 = e2 * real(0.5);
     // e / (2 cos^2 E) (63)
     let Lam2_network = t72 / t65;
-    let t73 = t72.map(T::tanh);
+    let t73 = t72.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t73 * state.eps2;
     let t74 = G_norm2_1 * s_c1;
@@ -369,8 +369,8 @@ pub fn lyapunov<T: Real>(
     let u = -t82;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]), T::max)
-        .zip(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]), T::min);
+        .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
+        .min(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
@@ -464,7 +464,7 @@ pub fn lyapunov<T: Real>(
     let t95 = dCl * t94;
     let t96 = dCm * (real(24.384) * plant.Cm_scale) * real(97170193.3485195);
     let t97 = dCn * (real(18.288) * plant.Cn_scale) * real(97170193.3485195);
-    let t98 = Matrix([
+    let t98 = Matrix::rows([
         [t95[0] / real(1355818.0), t95[1] / real(1355818.0), t95[2] / real(1355818.0)],
         [
             t96[0] / real(13558180.0),
@@ -602,7 +602,7 @@ pub fn lyapunov<T: Real>(
     let t132 = t22 / cos_beta * t113 - t128 / cos_beta;
     let t133 = t130 / cos_beta + t23 / cos_beta * t113;
     // G1' along the flow
-    let G1_flow = Matrix([
+    let G1_flow = Matrix::rows([
         [t129, real(0.0), t131],
         [t130, real(0.0), t128],
         [t132, real(0.0), t133],

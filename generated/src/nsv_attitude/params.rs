@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 247a3ad30e0bc32fdab6873b613df81d961570148b56e029f987485d56cf79d7
+// SHA-256 of the text below: 1960f5098c648f6b25013ba0e0e6bceb5ce137cd02c348a1be38e0f77c13898f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 
@@ -36,6 +36,7 @@ pub struct Params<T> {
 
 impl<T: Real> Params<T> {
     /// The plant's nominal values.
+    #[inline(always)]
     pub fn plant() -> Self {
         Self {
             CL_scale: T::from_f64(1.0),
@@ -48,6 +49,7 @@ impl<T: Real> Params<T> {
     }
 
     /// The values that the controller is designed with.
+    #[inline(always)]
     pub fn design() -> Self {
         Self {
             CL_scale: T::from_f64(1.0),
@@ -59,15 +61,16 @@ impl<T: Real> Params<T> {
         }
     }
 
-    /// The plant's values in one run, drawn from the dispersions of the specification.
-    pub fn dispersed(noise: &Noise) -> Self {
+    /// The plant's values in each lane's run, drawn from the dispersions of the specification.
+    #[inline(always)]
+    pub fn dispersed(noise: &Noise<T>) -> Self {
         Self {
-            CL_scale: T::from_f64(0.8 + (1.2 - 0.8) * noise.uniform(0, 0)),
-            CD_scale: T::from_f64(0.8 + (1.2 - 0.8) * noise.uniform(0, 1)),
-            CY_scale: T::from_f64(0.8 + (1.2 - 0.8) * noise.uniform(0, 2)),
-            Cl_scale: T::from_f64(0.8 + (1.2 - 0.8) * noise.uniform(0, 3)),
-            Cm_scale: T::from_f64(0.8 + (1.2 - 0.8) * noise.uniform(0, 4)),
-            Cn_scale: T::from_f64(0.8 + (1.2 - 0.8) * noise.uniform(0, 5)),
+            CL_scale: T::from_f64(0.8) + T::from_f64(1.2 - 0.8) * noise.uniform(0, 0),
+            CD_scale: T::from_f64(0.8) + T::from_f64(1.2 - 0.8) * noise.uniform(0, 1),
+            CY_scale: T::from_f64(0.8) + T::from_f64(1.2 - 0.8) * noise.uniform(0, 2),
+            Cl_scale: T::from_f64(0.8) + T::from_f64(1.2 - 0.8) * noise.uniform(0, 3),
+            Cm_scale: T::from_f64(0.8) + T::from_f64(1.2 - 0.8) * noise.uniform(0, 4),
+            Cn_scale: T::from_f64(0.8) + T::from_f64(1.2 - 0.8) * noise.uniform(0, 5),
         }
     }
 }

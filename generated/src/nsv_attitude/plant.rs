@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 1480b0589384b62d3c24cb3f969dcbf2d94f9607e74f4c74bb5a1269d345e895
+// SHA-256 of the text below: 28c903a56d0c81d9a887b0505bf35ba33ab213521af70b9d626455edf0c69c4a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // plant: 131 additions, 174 multiplications, 23 divisions, 0 square roots, 9 elementary functions, 0 comparisons and selections
@@ -12,7 +12,7 @@
 use super::params::Params;
 use super::polynomials;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
 
 /// Number of plant states: `alpha` (dimensionless), `beta` (dimensionless), `mu`
@@ -50,16 +50,54 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
-    #[inline]
+    #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        let rate = plant(t, *x, self.u_sat, &self.params);
-        rate.drift + rate.diffusion * self.xi
+        T::outlined(Drift { plant: self, t, x })
     }
 
-    #[inline]
+    #[inline(always)]
     fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
+}
+/// Drift, with the noise that is held between samples.
+struct Drift<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Drift<'_, T> {
+    type Output = Vector<T, STATES>;
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        let rate = plant(self.t, *self.x, self.plant.u_sat, &self.plant.params);
+        rate.drift + diffuse(&rate.diffusion, &self.plant.xi)
+    }
+}
+
+/// Diffusion times noise, without the entries that are always 0.
+#[inline(always)]
+fn diffuse<T: Real>(
+    diffusion: &Matrix<T, STATES, NOISE_CHANNELS>,
+    noise: &Vector<T, NOISE_CHANNELS>,
+) -> Vector<T, STATES> {
+    Vector([
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        diffusion[(3, 0)] * noise[0] + diffusion[(3, 1)] * noise[1]
+            + diffusion[(3, 2)] * noise[2],
+        diffusion[(4, 0)] * noise[0] + diffusion[(4, 1)] * noise[1]
+            + diffusion[(4, 2)] * noise[2],
+        diffusion[(5, 0)] * noise[0] + diffusion[(5, 1)] * noise[1]
+            + diffusion[(5, 2)] * noise[2],
+        diffusion[(6, 3)] * noise[3],
+        diffusion[(7, 4)] * noise[4],
+        diffusion[(8, 5)] * noise[5],
+        diffusion[(9, 6)] * noise[6],
+        diffusion[(10, 7)] * noise[7],
+        diffusion[(11, 8)] * noise[8],
+    ])
 }
 
 /// Values of [`prepare`].
@@ -85,7 +123,7 @@ pub struct Prepared<T> {
 ///
 /// Operations: 0 additions, 7 multiplications, 0 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let real = T::from_f64;
     let lift_1 = real(97170193.3485195) * params.CL_scale;
@@ -118,13 +156,13 @@ pub struct Clock<T> {
 ///
 /// Operations: 0 additions, 6 multiplications, 0 divisions, 0 square roots, 3 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
     let real = T::from_f64;
 
     // -- true dynamics of block 1 (attitude) (11) --
     let t1 = real(2.0) * t;
-    let [sin_t, sin_t1] = Vector([t, t1]).map(T::sin).0;
+    let [sin_t, sin_t1] = Vector([t, t1]).sin().0;
     let t2 = (real(-0.1) * t).exp();
     let t3 = real(0.02) * sin_t1 * t2;
     // d_1(t)
@@ -149,7 +187,7 @@ pub struct PlantOutputs<T: Real> {
 ///
 /// Operations: 131 additions, 161 multiplications, 23 divisions, 0 square roots, 6 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn dynamics<T: Real>(
     x: Vector<T, 12>,
     u_sat: Vector<T, 3>,
@@ -200,8 +238,8 @@ pub fn dynamics<T: Real>(
     let yaw_delta = dCn * prepared.yaw_delta_1 * real(97170193.3485195);
 
     // -- true dynamics of block 1 (attitude) (11) --
-    let [sin_alpha, sin_mu] = Vector([alpha, mu]).map(T::sin).0;
-    let [cos_alpha, cos_mu, cos_beta] = Vector([alpha, mu, beta]).map(T::cos).0;
+    let [sin_alpha, sin_mu] = Vector([alpha, mu]).sin().0;
+    let [cos_alpha, cos_mu, cos_beta] = Vector([alpha, mu, beta]).cos().0;
     let t3 = real(1332506.5352200002) * cos_mu;
     let t4 = beta.tan();
     // F_1 with the plant's parameters
@@ -212,7 +250,7 @@ pub fn dynamics<T: Real>(
     ]);
     let t5 = -t4;
     // G_1 with the plant's parameters
-    let G1_plant = Matrix([
+    let G1_plant = Matrix::rows([
         [t5 * cos_alpha, real(1.0), t5 * sin_alpha],
         [sin_alpha, real(0.0), -cos_alpha],
         [cos_alpha / cos_beta, real(0.0), sin_alpha / cos_beta],
@@ -241,7 +279,7 @@ pub fn dynamics<T: Real>(
             3,
         >::from_f64([7.375621211696555e-7, 7.375621211696555e-8, 7.375621211696555e-8])
             .hadamard(u_sat) + d2;
-    let t6 = Matrix([
+    let t6 = Matrix::rows([
         [
             roll_delta[0] / real(1355818.0),
             roll_delta[1] / real(1355818.0),
@@ -278,7 +316,7 @@ pub fn dynamics<T: Real>(
         real(-3.0) * x[10],
     ]);
     // columns: one per Wiener process
-    let diffusion = Matrix([
+    let diffusion = Matrix::rows([
         [
             real(0.0),
             real(0.0),
@@ -424,7 +462,7 @@ pub fn dynamics<T: Real>(
 ///
 /// Operations: 131 additions, 174 multiplications, 23 divisions, 0 square roots, 9 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn plant<T: Real>(
     t: T,
     x: Vector<T, 12>,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 7a26b76bacdec9b2d40174cf299b700c831c3071f9f89d4143a6b29deb8c7760
+// SHA-256 of the text below: b9dccc914f3a29f5ad8046747c3070b0c87f77043aa7b1c64605dd578a326e01
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 
@@ -86,7 +86,7 @@ pub struct AtAlphaDeg2<T> {
 ///
 /// 32 polynomials; 88 additions, 88 multiplications. A row of a table holds the coefficients of
 /// one power, the highest first.
-#[inline]
+#[inline(always)]
 pub fn at_alpha_deg_2<T: Real>(alpha_deg: T) -> AtAlphaDeg2<T> {
     const DEGREE_7: [[f64; 1]; 8] = [
         [5.74e-12],
@@ -296,7 +296,7 @@ pub struct AtAlphaDeg<T> {
 ///
 /// 7 polynomials; 17 additions, 17 multiplications. A row of a table holds the coefficients of
 /// one power, the highest first.
-#[inline]
+#[inline(always)]
 pub fn at_alpha_deg<T: Real>(alpha_deg: T) -> AtAlphaDeg<T> {
     const DEGREE_5: [[f64; 2]; 6] = [
         [1.3e-8, -5.2083e-7],
@@ -411,7 +411,7 @@ pub struct AtAlphaDeg22<T> {
 ///
 /// 36 polynomials; 98 additions, 98 multiplications. A row of a table holds the coefficients of
 /// one power, the highest first.
-#[inline]
+#[inline(always)]
 pub fn at_alpha_deg_2_2<T: Real>(alpha_deg: T) -> AtAlphaDeg22<T> {
     const DEGREE_7: [[f64; 1]; 8] = [
         [5.74e-12],
@@ -614,7 +614,7 @@ pub fn at_alpha_deg_2_2<T: Real>(alpha_deg: T) -> AtAlphaDeg22<T> {
 }
 
 /// Values of the 19 monomials `basis1` of z = (`alpha`, `beta`, `mu`).
-#[inline]
+#[inline(always)]
 pub fn basis1<T: Real>(z: Vector<T, 3>) -> Vector<T, 19> {
     let one = T::one();
     let alpha = z[0];
@@ -660,7 +660,7 @@ pub fn basis1<T: Real>(z: Vector<T, 3>) -> Vector<T, 19> {
 
 /// Rates of the 19 monomials `basis1` of z = (`alpha`, `beta`, `mu`), along the rate `z_d1` of
 /// z.
-#[inline]
+#[inline(always)]
 pub fn basis1_rate<T: Real>(z: Vector<T, 3>, z_d1: Vector<T, 3>) -> Vector<T, 19> {
     let one_d1 = T::zero();
     let alpha = z[0];
@@ -714,7 +714,7 @@ pub fn basis1_rate<T: Real>(z: Vector<T, 3>, z_d1: Vector<T, 3>) -> Vector<T, 19
 }
 
 /// Values of the 19 monomials `basis2` of z = (`p`, `q`, `r`).
-#[inline]
+#[inline(always)]
 pub fn basis2<T: Real>(z: Vector<T, 3>) -> Vector<T, 19> {
     let one = T::one();
     let p = z[0];

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 5cd37b5b7fa3951ca11a39459fd822e5609adfc27ce004d2f5c8926f434bf293
+// SHA-256 of the text below: 11dfedd35b7cda4029fc3373939e90835176858df8a682c9746819699ea615e8
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// initial: 6 additions, 17 multiplications, 5 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
-// control: 47 additions, 65 multiplications, 9 divisions, 0 square roots, 6 elementary functions, 6 comparisons and selections
+// initial: 5 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// control: 46 additions, 66 multiplications, 9 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
 
 //! `pendulum`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `torque` in kg*m^2/s^2.
@@ -57,6 +57,7 @@ pub struct State<T> {
 
 impl<T: Real> State<T> {
     /// All zero.
+    #[inline(always)]
     pub fn zero() -> Self {
         Self {
             zeta1: Vector::zero(),
@@ -68,7 +69,7 @@ impl<T: Real> State<T> {
     }
 
     /// `a` where the mask is true, else `b`.
-    #[inline]
+    #[inline(always)]
     pub fn select(mask: T::Mask, a: &Self, b: &Self) -> Self {
         Self {
             zeta1: Vector::select(mask, a.zeta1, b.zeta1),
@@ -80,7 +81,7 @@ impl<T: Real> State<T> {
     }
 
     /// Whether every entry is finite.
-    #[inline]
+    #[inline(always)]
     pub fn is_finite(&self) -> T::Mask {
         self.zeta1
             .is_finite()
@@ -96,8 +97,10 @@ impl<T: Real> State<T> {
 /// With `Status::NON_FINITE_INPUT`, only the control is meaningful.
 #[derive(Clone, Copy, Debug)]
 pub struct Output<T: Real> {
-    /// What happened.
+    /// What happened, in any lane.
     pub status: Status,
+    /// Whether the law was finite, so that its control and next states are used.
+    pub valid: T::Mask,
     /// Control that the law asks for, before its limits.
     pub u: Vector<T, 1>,
     /// Control to apply: within its limits, always finite.
@@ -128,6 +131,7 @@ pub struct Controller<T: Real> {
 
 impl<T: Real> Controller<T> {
     /// A controller that starts at its first step.
+    #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
             params,
@@ -137,6 +141,7 @@ impl<T: Real> Controller<T> {
     }
 
     /// Starts anew from these measurements; from the next ones if they are not finite.
+    #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) {
         let start = initial(t, x1, x2);
         let finite = start
@@ -159,20 +164,29 @@ impl<T: Real> Controller<T> {
     /// The first step with finite measurements initialises the states; so does the step after one
     /// whose law overflowed although its measurements were finite, since such states are beyond
     /// use.
-    #[inline]
+    #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
-        let state = if self.started.all() {
-            self.state
-        } else {
-            State::select(self.started, &self.state, &initial(t, x1, x2))
-        };
-        let law = control(t, x1, x2, &state, &self.params);
+        let starting = measured.and(self.started.not());
+        if starting.any() {
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+            });
+        }
+        let law = control(t, x1, x2, &self.state, &self.params);
         let valid = measured
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
-        self.state = State::select(valid, &law.next, &self.state);
+        self.state = if valid.all() {
+            law.next
+        } else {
+            State::select(valid, &law.next, &self.state)
+        };
         self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
@@ -182,6 +196,7 @@ impl<T: Real> Controller<T> {
             | Status::SATURATED.when(saturated.any());
         Output {
             status,
+            valid,
             u,
             u_sat,
             y_r: law.y_r,
@@ -194,21 +209,40 @@ impl<T: Real> Controller<T> {
     }
 
     /// The states.
+    #[inline(always)]
     pub fn state(&self) -> &State<T> {
         &self.state
     }
 
     /// The parameters.
+    #[inline(always)]
     pub fn params(&self) -> &Params<T> {
         &self.params
     }
 }
 
+/// Initialises the controller where the mask is true.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(self.t, self.x1, self.x2);
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+    }
+}
+
 /// The controller's states at its first sample.
 ///
-/// Operations: 6 additions, 17 multiplications, 5 divisions, 0 square roots, 5 elementary
+/// Operations: 5 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     let real = T::from_f64;
 
@@ -286,7 +320,7 @@ pub struct Prepared<T> {
 ///
 /// Operations: 0 additions, 1 multiplications, 1 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let real = T::from_f64;
 
@@ -295,7 +329,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
     // -- known dynamics of block 2 (speed) (11) --
     // G_2(x_1 .. x_2)
-    let G2 = Matrix([[real(1.0) / inertia]]);
+    let G2 = Matrix::rows([[real(1.0) / inertia]]);
     Prepared { inertia, G2 }
 }
 
@@ -317,7 +351,7 @@ pub struct Clock<T> {
 ///
 /// Operations: 1 additions, 6 multiplications, 0 divisions, 0 square roots, 3 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
     let real = T::from_f64;
 
@@ -365,9 +399,9 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 46 additions, 58 multiplications, 8 divisions, 0 square roots, 3 elementary
+/// Operations: 45 additions, 59 multiplications, 8 divisions, 0 square roots, 4 elementary
 /// functions, 6 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 1>,
     x2: Vector<T, 1>,
@@ -453,7 +487,7 @@ pub fn law<T: Real>(
     // P_2 = P_m(z_2), 6 nodes
     let P2 = polynomials::basis2(z2);
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = state.W2.transpose() * P2;
+    let A_hat2 = state.W2.transpose_mul(P2);
 
     // -- disturbance observer of block 2 (20) (49) --
     // D_hat_2 = th_2 + S_2 x_2
@@ -478,7 +512,7 @@ pub fn law<T: Real>(
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let u = -t7;
     // sat(u), each component limited to +-u_max (8)
-    let u_sat = u.map(|entry| entry.max(real(-8.0))).map(|entry| entry.min(real(8.0)));
+    let u_sat = u.max(Vector::splat(real(-8.0))).min(Vector::splat(real(8.0)));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
@@ -527,9 +561,9 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 47 additions, 65 multiplications, 9 divisions, 0 square roots, 6 elementary
+/// Operations: 46 additions, 66 multiplications, 9 divisions, 0 square roots, 7 elementary
 /// functions, 6 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 1>,

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 4d4d310d998e7757e0bd2713f4cad3d5b646f18e30ad6eb4fdf4b20ce35e0e43
+// SHA-256 of the text below: 804f48df904d052f3462c854c35139af09dadb1ab0adbea02b624b4152e4fca5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// lyapunov: 147 additions, 188 multiplications, 27 divisions, 0 square roots, 13 elementary functions, 17 comparisons and selections
+// lyapunov: 144 additions, 188 multiplications, 25 divisions, 0 square roots, 12 elementary functions, 16 comparisons and selections
 
 //! `pendulum`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,9 +29,9 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 147 additions, 188 multiplications, 27 divisions, 0 square roots, 13 elementary
-/// functions, 17 comparisons and selections.
-#[inline]
+/// Operations: 144 additions, 188 multiplications, 25 divisions, 0 square roots, 12 elementary
+/// functions, 16 comparisons and selections.
+#[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
     x1: Vector<T, 1>,
@@ -58,15 +58,15 @@ pub fn lyapunov<T: Real>(
     // F_2(x_1 .. x_2)
     let F2 = Vector([t2 - t3 / inertia]);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix([[real(1.0) / inertia]]);
+    let G2 = Matrix::rows([[real(1.0) / inertia]]);
 
     // -- reference and constraints --
     let t4 = real(3.0) * t;
     let t5 = Vector([t, t4]);
-    let [sin_t, sin_t4] = t5.map(T::sin).0;
+    let [sin_t, sin_t4] = t5.sin().0;
     // y_r(t)
     let y_r = Vector([real(FRAC_PI_2) * sin_t]);
-    let [cos_t, cos_t4] = t5.map(T::cos).0;
+    let [cos_t, cos_t4] = t5.cos().0;
     // y_r'
     let y_r_dot = Vector([real(FRAC_PI_2) * cos_t]);
     let t6 = (real(-2.0) * t).exp();
@@ -165,7 +165,7 @@ pub fn lyapunov<T: Real>(
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let u = -t18;
     // sat(u), each component limited to +-u_max (8)
-    let u_sat = u.map(|entry| entry.max(real(-8.0))).map(|entry| entry.min(real(8.0)));
+    let u_sat = u.max(Vector::splat(real(-8.0))).min(Vector::splat(real(8.0)));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
@@ -180,7 +180,7 @@ pub fn lyapunov<T: Real>(
     // F_2 with the plant's parameters
     let F2_plant = Vector([t2 - t3 / t19]);
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[real(1.0) / t19]]);
+    let G2_plant = Matrix::rows([[real(1.0) / t19]]);
     // d_2(t)
     let d2 = Vector([real(1.0) + real(2.0) * sin_t4]);
     // F_2 + G_2 x_3 + d_2

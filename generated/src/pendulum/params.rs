@@ -1,4 +1,4 @@
-// SHA-256 of the text below: bb60ca9024cbb8ff97b006ab9977211304e2ad853a8b857b5e8b1fd76d9e16af
+// SHA-256 of the text below: 175ac648d4fa2103a6f4dd3e59210a370a8d98380ceca0bf225f9b5be54539fa
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 
@@ -21,19 +21,22 @@ pub struct Params<T> {
 
 impl<T: Real> Params<T> {
     /// The plant's nominal values.
+    #[inline(always)]
     pub fn plant() -> Self {
         Self { mass: T::from_f64(1.0) }
     }
 
     /// The values that the controller is designed with.
+    #[inline(always)]
     pub fn design() -> Self {
         Self { mass: T::from_f64(1.0) }
     }
 
-    /// The plant's values in one run, drawn from the dispersions of the specification.
-    pub fn dispersed(noise: &Noise) -> Self {
+    /// The plant's values in each lane's run, drawn from the dispersions of the specification.
+    #[inline(always)]
+    pub fn dispersed(noise: &Noise<T>) -> Self {
         Self {
-            mass: T::from_f64(0.8 + (1.2 - 0.8) * noise.uniform(0, 0)),
+            mass: T::from_f64(0.8) + T::from_f64(1.2 - 0.8) * noise.uniform(0, 0),
         }
     }
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: b4a865d3fd4407bb6ee1804fa215abf11da2c6ace22047c9d22de79a8527bf12
+// SHA-256 of the text below: e81d3fbe948dbbbaef97441d51ff190574bdff4bc8a9c34837a7f4b9edcebb45
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // plant: 4 additions, 6 multiplications, 2 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -11,7 +11,7 @@
 
 use super::params::Params;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
 
 /// Number of plant states: `theta` (dimensionless), `omega` (1/s).
@@ -33,14 +33,27 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
-    #[inline]
+    #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        plant(t, *x, self.u_sat, &self.params).drift
+        T::outlined(Drift { plant: self, t, x })
     }
 
-    #[inline]
+    #[inline(always)]
     fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
+    }
+}
+/// Drift.
+struct Drift<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Drift<'_, T> {
+    type Output = Vector<T, STATES>;
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
     }
 }
 
@@ -57,7 +70,7 @@ pub struct Prepared<T> {
 ///
 /// Operations: 0 additions, 1 multiplications, 1 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let real = T::from_f64;
 
@@ -66,7 +79,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
     // -- true dynamics of block 2 (speed) (11) --
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[real(1.0) / inertia]]);
+    let G2_plant = Matrix::rows([[real(1.0) / inertia]]);
     Prepared { inertia, G2_plant }
 }
 
@@ -82,7 +95,7 @@ pub struct Clock<T> {
 ///
 /// Operations: 1 additions, 2 multiplications, 0 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
     let real = T::from_f64;
 
@@ -105,7 +118,7 @@ pub struct PlantOutputs<T: Real> {
 ///
 /// Operations: 3 additions, 3 multiplications, 1 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn dynamics<T: Real>(
     x: Vector<T, 2>,
     u_sat: Vector<T, 1>,
@@ -139,7 +152,7 @@ pub fn dynamics<T: Real>(
 ///
 /// Operations: 4 additions, 6 multiplications, 2 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn plant<T: Real>(
     t: T,
     x: Vector<T, 2>,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 15f3b95531d694149b1d1ecb614673503af5fb6ea3293339e9229f9f43564377
+// SHA-256 of the text below: c80d06ff037620cb52f5692e282612379ce16eee0c5411eabc41b75d7da7125f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 
@@ -12,7 +12,7 @@ use nsv_runtime::linear::Vector;
 use nsv_runtime::real::Real;
 
 /// Values of the 6 monomials `basis2` of z = (`z1`, `omega`).
-#[inline]
+#[inline(always)]
 pub fn basis2<T: Real>(z: Vector<T, 2>) -> Vector<T, 6> {
     let one = T::one();
     let z1 = z[0];
@@ -24,7 +24,7 @@ pub fn basis2<T: Real>(z: Vector<T, 2>) -> Vector<T, 6> {
 }
 
 /// Rates of the 6 monomials `basis2` of z = (`z1`, `omega`), along the rate `z_d1` of z.
-#[inline]
+#[inline(always)]
 pub fn basis2_rate<T: Real>(z: Vector<T, 2>, z_d1: Vector<T, 2>) -> Vector<T, 6> {
     let one_d1 = T::zero();
     let z1 = z[0];

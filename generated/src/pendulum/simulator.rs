@@ -1,4 +1,4 @@
-// SHA-256 of the text below: a196fa991e8025a54b6c27469dd3d90088ecde4ccf5b5d2eca70e818e99f835f
+// SHA-256 of the text below: ccb484c50795076c2cb41e4df4bc486531551c88ff0cbb16da1bae3466e458f1
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 
@@ -13,13 +13,12 @@ use super::lyapunov;
 use super::params::Params;
 use super::plant;
 use super::plant::{INITIAL_STATE, Plant, STATES};
-use nsv_runtime::closed_loop::{ClosedLoop, Options};
+use nsv_runtime::closed_loop::{ClosedLoop, Options, Runs};
 use nsv_runtime::linear::Vector;
 use nsv_runtime::noise::Noise;
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Mask, Real};
 use nsv_runtime::sde;
 use nsv_runtime::sde::Scheme;
-use nsv_runtime::status::Status;
 
 /// Length of a run, s.
 pub const HORIZON: f64 = 10.0;
@@ -30,50 +29,56 @@ pub const SUBSTEPS: u32 = 4;
 /// Length of a plant step, s.
 pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;
 
-/// One run of controller and plant.
+/// Runs of controller and plant, one in each lane.
 #[derive(Clone, Debug)]
-pub struct Simulator {
-    controller: Controller<f64>,
-    truth: Params<f64>,
-    x: Vector<f64, STATES>,
-    state: State<f64>,
-    output: Output<f64>,
+pub struct Simulator<T: Real = f64> {
+    controller: Controller<T>,
+    truth: Params<T>,
+    x: Vector<T, STATES>,
+    state: State<T>,
+    output: Output<T>,
     sample: u64,
 }
 
-impl Simulator {
+impl<T: Real> Simulator<T> {
     /// Time of the sample, s.
+    #[inline(always)]
     pub fn time(&self) -> f64 {
         self.sample as f64 * SAMPLE_TIME
     }
 
     /// The plant's parameters in this run.
-    pub fn params(&self) -> &Params<f64> {
+    #[inline(always)]
+    pub fn params(&self) -> &Params<T> {
         &self.truth
     }
 
     /// The plant's state.
-    pub fn state(&self) -> &Vector<f64, STATES> {
+    #[inline(always)]
+    pub fn state(&self) -> &Vector<T, STATES> {
         &self.x
     }
 
     /// Output of the controller at the sample.
-    pub fn output(&self) -> &Output<f64> {
+    #[inline(always)]
+    pub fn output(&self) -> &Output<T> {
         &self.output
     }
 
     /// State of block 1.
-    fn x1(&self) -> Vector<f64, 1> {
+    #[inline(always)]
+    fn x1(&self) -> Vector<T, 1> {
         Vector([self.x[0]])
     }
 
     /// State of block 2.
-    fn x2(&self) -> Vector<f64, 1> {
+    #[inline(always)]
+    fn x2(&self) -> Vector<T, 1> {
         Vector([self.x[1]])
     }
 }
 
-impl ClosedLoop for Simulator {
+impl ClosedLoop for Simulator<f64> {
     const NAME: &'static str = "pendulum";
     const SAMPLE_TIME: f64 = SAMPLE_TIME;
     const OUTPUTS: &'static [&'static str] = &["theta"];
@@ -96,18 +101,21 @@ impl ClosedLoop for Simulator {
         "V",
         "LV",
     ];
-
+    type Runs<T: Real> = Simulator<T>;
+}
+impl<T: Real> Runs<T> for Simulator<T> {
+    #[inline(always)]
     fn new(options: &Options) -> Self {
         let truth = if options.dispersion {
             Params::dispersed(&Noise::dispersion(options.seed, options.run))
         } else {
             Params::plant()
         };
-        let x = Vector(INITIAL_STATE);
+        let x = Vector::from_f64(INITIAL_STATE);
         let mut controller = Controller::new(Params::design());
-        controller.reset(0.0, Vector([x[0]]), Vector([x[1]]));
+        controller.reset(T::zero(), Vector([x[0]]), Vector([x[1]]));
         let state = *controller.state();
-        let output = controller.clone().step(0.0, Vector([x[0]]), Vector([x[1]]));
+        let output = controller.clone().step(T::zero(), Vector([x[0]]), Vector([x[1]]));
         Self {
             controller,
             truth,
@@ -118,33 +126,40 @@ impl ClosedLoop for Simulator {
         }
     }
 
-    fn control(&mut self) -> Status {
+    #[inline(always)]
+    fn observe(&mut self) {
         self.state = *self.controller.state();
-        self.output = self.controller.step(self.time(), self.x1(), self.x2());
-        self.output.status
     }
 
+    #[inline(always)]
+    fn control(&mut self) {
+        let t = T::from_f64(self.time());
+        self.output = self.controller.step(t, self.x1(), self.x2());
+    }
+
+    #[inline(always)]
     fn advance(&mut self) {
         let plant = Plant {
             params: self.truth,
             u_sat: self.output.u_sat,
         };
         for substep in 0..SUBSTEPS {
-            let t = self.time() + f64::from(substep) * SUBSTEP;
+            let t = T::from_f64(self.time() + f64::from(substep) * SUBSTEP);
             self.x = sde::step(
                 Scheme::RungeKutta4,
                 &plant,
                 t,
                 &self.x,
-                SUBSTEP,
+                T::from_f64(SUBSTEP),
                 &Vector([]),
             );
         }
         self.sample += 1;
     }
 
-    fn telemetry(&self, row: &mut [f64]) {
-        let (t, law) = (self.time(), &self.output);
+    #[inline(always)]
+    fn telemetry(&self, row: &mut [T]) {
+        let (t, law) = (T::from_f64(self.time()), &self.output);
         let x1 = self.x1();
         let x2 = self.x2();
         let rate = plant::plant(t, self.x, law.u_sat, &self.truth);
@@ -161,7 +176,7 @@ impl ClosedLoop for Simulator {
             x1[0],
             law.e1[0],
             law.k1,
-            Real::sqrt(law.e1.sum_squares()) / law.k1,
+            law.e1.sum_squares().sqrt() / law.k1,
             law.alpha1[0],
             self.state.h1[0],
             x2[0],
@@ -174,32 +189,26 @@ impl ClosedLoop for Simulator {
             lyapunov.V,
             lyapunov.LV,
         ];
-        for (entry, value) in row.iter_mut().zip(values) {
-            *entry = value;
-        }
+        row.copy_from_slice(&values);
     }
 
-    fn constraint_ratio(&self) -> f64 {
-        Real::sqrt(self.output.e1.sum_squares()) / self.output.k1
+    #[inline(always)]
+    fn constraint_ratio(&self) -> T {
+        self.output.e1.sum_squares().sqrt() / self.output.k1
     }
 
-    fn tracking_error(&self, error: &mut [f64]) {
-        for (entry, value) in error.iter_mut().zip((self.x1() - self.output.y_r).0) {
-            *entry = value;
-        }
+    #[inline(always)]
+    fn tracking_error(&self, error: &mut [T]) {
+        error.copy_from_slice(&(self.x1() - self.output.y_r).0);
     }
 
-    fn saturated(&self, saturated: &mut [bool]) {
-        for (entry, (u, u_sat)) in saturated
-            .iter_mut()
-            .zip(self.output.u.0.into_iter().zip(self.output.u_sat.0))
-        {
-            *entry = u != u_sat;
-        }
+    #[inline(always)]
+    fn saturated(&self, saturated: &mut [T::Mask]) {
+        saturated.copy_from_slice(&[self.output.u[0].ne(self.output.u_sat[0])]);
     }
 
-    fn is_finite(&self) -> bool {
-        let valid = !self.output.status.contains(Status::NON_FINITE_INPUT);
-        valid && self.x.is_finite() && self.controller.state().is_finite()
+    #[inline(always)]
+    fn is_finite(&self) -> T::Mask {
+        self.output.valid.and(self.x.is_finite())
     }
 }

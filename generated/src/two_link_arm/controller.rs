@@ -1,8 +1,8 @@
-// SHA-256 of the text below: e92cdc06ea5d1a47a5d9511b8a415f018247f613fe99f82a4f832232fdfa6701
+// SHA-256 of the text below: 509be2d2c61450892d711cf9ab89a656a324821f04cea481d08fa12d6a457e7d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// initial: 14 additions, 30 multiplications, 5 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
-// control: 246 additions, 328 multiplications, 21 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
+// initial: 13 additions, 31 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// control: 244 additions, 330 multiplications, 21 divisions, 0 square roots, 13 elementary functions, 13 comparisons and selections
 
 //! `two_link_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
 /// Largest magnitude of each control: `shoulder` in kg*m^2/s^2, `elbow` in kg*m^2/s^2.
@@ -62,6 +62,7 @@ pub struct State<T> {
 
 impl<T: Real> State<T> {
     /// All zero.
+    #[inline(always)]
     pub fn zero() -> Self {
         Self {
             zeta1: Vector::zero(),
@@ -74,7 +75,7 @@ impl<T: Real> State<T> {
     }
 
     /// `a` where the mask is true, else `b`.
-    #[inline]
+    #[inline(always)]
     pub fn select(mask: T::Mask, a: &Self, b: &Self) -> Self {
         Self {
             zeta1: Vector::select(mask, a.zeta1, b.zeta1),
@@ -87,7 +88,7 @@ impl<T: Real> State<T> {
     }
 
     /// Whether every entry is finite.
-    #[inline]
+    #[inline(always)]
     pub fn is_finite(&self) -> T::Mask {
         self.zeta1
             .is_finite()
@@ -104,8 +105,10 @@ impl<T: Real> State<T> {
 /// With `Status::NON_FINITE_INPUT`, only the control is meaningful.
 #[derive(Clone, Copy, Debug)]
 pub struct Output<T: Real> {
-    /// What happened.
+    /// What happened, in any lane.
     pub status: Status,
+    /// Whether the law was finite, so that its control and next states are used.
+    pub valid: T::Mask,
     /// Control that the law asks for, before its limits.
     pub u: Vector<T, 2>,
     /// Control to apply: within its limits, always finite.
@@ -138,6 +141,7 @@ pub struct Controller<T: Real> {
 
 impl<T: Real> Controller<T> {
     /// A controller that starts at its first step.
+    #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
             params,
@@ -147,6 +151,7 @@ impl<T: Real> Controller<T> {
     }
 
     /// Starts anew from these measurements; from the next ones if they are not finite.
+    #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) {
         let start = initial(t, x1, x2);
         let finite = start
@@ -169,20 +174,29 @@ impl<T: Real> Controller<T> {
     /// The first step with finite measurements initialises the states; so does the step after one
     /// whose law overflowed although its measurements were finite, since such states are beyond
     /// use.
-    #[inline]
+    #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
-        let state = if self.started.all() {
-            self.state
-        } else {
-            State::select(self.started, &self.state, &initial(t, x1, x2))
-        };
-        let law = control(t, x1, x2, &state, &self.params);
+        let starting = measured.and(self.started.not());
+        if starting.any() {
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+            });
+        }
+        let law = control(t, x1, x2, &self.state, &self.params);
         let valid = measured
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
             .and(law.next.is_finite());
-        self.state = State::select(valid, &law.next, &self.state);
+        self.state = if valid.all() {
+            law.next
+        } else {
+            State::select(valid, &law.next, &self.state)
+        };
         self.started = valid.or(self.started.and(measured.not()));
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
@@ -192,6 +206,7 @@ impl<T: Real> Controller<T> {
             | Status::SATURATED.when(saturated.any());
         Output {
             status,
+            valid,
             u,
             u_sat,
             y_r: law.y_r,
@@ -205,21 +220,40 @@ impl<T: Real> Controller<T> {
     }
 
     /// The states.
+    #[inline(always)]
     pub fn state(&self) -> &State<T> {
         &self.state
     }
 
     /// The parameters.
+    #[inline(always)]
     pub fn params(&self) -> &Params<T> {
         &self.params
     }
 }
 
+/// Initialises the controller where the mask is true.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 2>,
+    x2: Vector<T, 2>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(self.t, self.x1, self.x2);
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+    }
+}
+
 /// The controller's states at its first sample.
 ///
-/// Operations: 14 additions, 30 multiplications, 5 divisions, 0 square roots, 5 elementary
+/// Operations: 13 additions, 31 multiplications, 5 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let real = T::from_f64;
 
@@ -316,7 +350,7 @@ pub struct Prepared<T> {
 ///
 /// Operations: 3 additions, 6 multiplications, 0 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let real = T::from_f64;
 
@@ -361,7 +395,7 @@ pub struct Clock<T> {
 ///
 /// Operations: 3 additions, 11 multiplications, 0 divisions, 0 square roots, 3 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
     let real = T::from_f64;
 
@@ -419,9 +453,9 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 240 additions, 311 multiplications, 21 divisions, 0 square roots, 8 elementary
+/// Operations: 238 additions, 313 multiplications, 21 divisions, 0 square roots, 10 elementary
 /// functions, 13 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 2>,
     x2: Vector<T, 2>,
@@ -439,7 +473,7 @@ pub fn law<T: Real>(
     let M_11 = prepared.a_1 + prepared.M_11_1 * t1 + prepared.M_11_2 * t2;
     let det_M = M_11 * prepared.a_2 - M_12 * M_12;
     let t3 = -M_12;
-    let inverse_M = Matrix([[prepared.a_2, t3], [t3, M_11]]) / det_M;
+    let inverse_M = Matrix::rows([[prepared.a_2, t3], [t3, M_11]]) / det_M;
     let coriolis = prepared.a_3 * t2 - prepared.a_4 * t1;
     let v2 = x2[1];
     let v1 = x2[0];
@@ -522,7 +556,7 @@ pub fn law<T: Real>(
     // P_2 = P_m(z_2), 20 nodes
     let P2 = polynomials::basis2(z2);
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = state.W2.transpose() * P2;
+    let A_hat2 = state.W2.transpose_mul(P2);
 
     // -- disturbance observer of block 2 (20) (49) --
     // w_hat_2 = th_2 + S_2 e_2
@@ -546,7 +580,7 @@ pub fn law<T: Real>(
     let Lam2_disturbance = c2 * real(0.9999999999999998);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5) / t8;
-    let t9 = e2.map(T::tanh);
+    let t9 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t9 * state.eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
@@ -565,8 +599,8 @@ pub fn law<T: Real>(
     let u = -t12;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 2>::from_f64([-60.0, -30.0]), T::max)
-        .zip(Vector::<T, 2>::from_f64([60.0, 30.0]), T::min);
+        .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
+        .min(Vector::<T, 2>::from_f64([60.0, 30.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
@@ -656,9 +690,9 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 246 additions, 328 multiplications, 21 divisions, 0 square roots, 11 elementary
+/// Operations: 244 additions, 330 multiplications, 21 divisions, 0 square roots, 13 elementary
 /// functions, 13 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 2>,

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: f0416e45bd4330ae07fd583debde83c7472fc5669c2e35dbd00e4c50652c482c
+// SHA-256 of the text below: 97f7b43194d7c787a6bccea25c5614c52d292c379e62d83529f7bd884cbb0bbc
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// lyapunov: 527 additions, 637 multiplications, 46 divisions, 0 square roots, 16 elementary functions, 19 comparisons and selections
+// lyapunov: 523 additions, 638 multiplications, 44 divisions, 0 square roots, 16 elementary functions, 18 comparisons and selections
 
 //! `two_link_arm`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,9 +29,9 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 527 additions, 637 multiplications, 46 divisions, 0 square roots, 16 elementary
-/// functions, 19 comparisons and selections.
-#[inline]
+/// Operations: 523 additions, 638 multiplications, 44 divisions, 0 square roots, 16 elementary
+/// functions, 18 comparisons and selections.
+#[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
     x1: Vector<T, 2>,
@@ -57,7 +57,7 @@ pub fn lyapunov<T: Real>(
     let M_11 = a_1 + real(2.0) * a_3 * t3 + real(2.0) * a_4 * t4;
     let det_M = M_11 * a_2 - M_12 * M_12;
     let t5 = -M_12;
-    let inverse_M = Matrix([[a_2, t5], [t5, M_11]]) / det_M;
+    let inverse_M = Matrix::rows([[a_2, t5], [t5, M_11]]) / det_M;
     let coriolis = a_3 * t4 - a_4 * t3;
     let v2 = x2[1];
     let v1 = x2[0];
@@ -184,7 +184,7 @@ pub fn lyapunov<T: Real>(
     let Lam2_disturbance = c2 * real(0.9999999999999998);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5) / t21;
-    let t23 = e2.map(T::tanh);
+    let t23 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t23 * state.eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
@@ -203,8 +203,8 @@ pub fn lyapunov<T: Real>(
     let u = -t26;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
-        .zip(Vector::<T, 2>::from_f64([-60.0, -30.0]), T::max)
-        .zip(Vector::<T, 2>::from_f64([60.0, 30.0]), T::min);
+        .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
+        .min(Vector::<T, 2>::from_f64([60.0, 30.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
@@ -248,7 +248,7 @@ pub fn lyapunov<T: Real>(
     let t36 = real(0.62) + t29 + plant.m_e + real(2.0) * t32 * t3 + real(2.0) * t33 * t4;
     let t37 = t36 * t30 - t34 * t34;
     // G_2 with the plant's parameters
-    let G2_plant = Matrix([[t30, t35], [t35, t36]]) / t37;
+    let G2_plant = Matrix::rows([[t30, t35], [t35, t36]]) / t37;
     // F_2 with the plant's parameters
     let F2_plant = -G2_plant * (t6 * (t32 * t4 - t33 * t3));
     // d_2 = L_2 w_2 (12)

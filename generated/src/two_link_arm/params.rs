@@ -1,4 +1,4 @@
-// SHA-256 of the text below: bb627f9db4b9c4a7c4ff3fd800dc1c4fa94739185dde34373158365dfabf743d
+// SHA-256 of the text below: 1404904e65d7915455625b5d92212c94e933767056b3bb554de9ea110871d1fa
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 
@@ -21,19 +21,22 @@ pub struct Params<T> {
 
 impl<T: Real> Params<T> {
     /// The plant's nominal values.
+    #[inline(always)]
     pub fn plant() -> Self {
         Self { m_e: T::from_f64(2.0) }
     }
 
     /// The values that the controller is designed with.
+    #[inline(always)]
     pub fn design() -> Self {
         Self { m_e: T::from_f64(2.0) }
     }
 
-    /// The plant's values in one run, drawn from the dispersions of the specification.
-    pub fn dispersed(noise: &Noise) -> Self {
+    /// The plant's values in each lane's run, drawn from the dispersions of the specification.
+    #[inline(always)]
+    pub fn dispersed(noise: &Noise<T>) -> Self {
         Self {
-            m_e: T::from_f64(1.5 + (2.5 - 1.5) * noise.uniform(0, 0)),
+            m_e: T::from_f64(1.5) + T::from_f64(2.5 - 1.5) * noise.uniform(0, 0),
         }
     }
 }

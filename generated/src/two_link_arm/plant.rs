@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 81e8b1df8dbca77d4301f480ac3a09fdaba8407658e2603f6dde2934febd2d03
+// SHA-256 of the text below: 113f435d7cf6a5a578420195759aa03bb8a22bb815e3a09c2a5815b2a1e21887
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // plant: 20 additions, 29 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -11,7 +11,7 @@
 
 use super::params::Params;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
 
 /// Number of plant states: `q1` (dimensionless), `q2` (dimensionless), `v1` (1/s), `v2` (1/s),
@@ -34,14 +34,27 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
-    #[inline]
+    #[inline(always)]
     fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        plant(t, *x, self.u_sat, &self.params).drift
+        T::outlined(Drift { plant: self, t, x })
     }
 
-    #[inline]
+    #[inline(always)]
     fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
+    }
+}
+/// Drift.
+struct Drift<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Drift<'_, T> {
+    type Output = Vector<T, STATES>;
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
     }
 }
 
@@ -66,7 +79,7 @@ pub struct Prepared<T> {
 ///
 /// Operations: 3 additions, 6 multiplications, 0 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let real = T::from_f64;
 
@@ -102,7 +115,7 @@ pub struct PlantOutputs<T: Real> {
 ///
 /// Operations: 17 additions, 23 multiplications, 4 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn dynamics<T: Real>(
     x: Vector<T, 9>,
     u_sat: Vector<T, 2>,
@@ -120,7 +133,7 @@ pub fn dynamics<T: Real>(
     let M_11 = prepared.a_1 + prepared.M_11_1 * t1 + prepared.M_11_2 * t2;
     let det_M = M_11 * prepared.a_2 - M_12 * M_12;
     let t3 = -M_12;
-    let inverse_M = Matrix([[prepared.a_2, t3], [t3, M_11]]) / det_M;
+    let inverse_M = Matrix::rows([[prepared.a_2, t3], [t3, M_11]]) / det_M;
     let coriolis = prepared.a_3 * t2 - prepared.a_4 * t1;
     let torque = Vector([-v2 * v1 - (v1 + v2) * v2, v1 * v1]) * coriolis;
 
@@ -152,7 +165,7 @@ pub fn dynamics<T: Real>(
 ///
 /// Operations: 20 additions, 29 multiplications, 4 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
-#[inline]
+#[inline(always)]
 pub fn plant<T: Real>(
     _t: T,
     x: Vector<T, 9>,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: fec2c741c610798206061ad8d299e5a831ceced6f8c9d9252db6422b075ea35d
+// SHA-256 of the text below: 29fe6dcae2365bdc0bf18f99d58f732d59162095204691b3dc1bbceab08e31c6
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 
@@ -12,7 +12,7 @@ use nsv_runtime::linear::Vector;
 use nsv_runtime::real::Real;
 
 /// Values of the 20 monomials `basis2` of z = (`v1`, `v2`, `q2`).
-#[inline]
+#[inline(always)]
 pub fn basis2<T: Real>(z: Vector<T, 3>) -> Vector<T, 20> {
     let one = T::one();
     let v1 = z[0];

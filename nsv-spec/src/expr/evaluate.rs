@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
+use nsv_math::real::Real;
+
 use super::arena::{
     Arena, Bits, Comparison, ConstantId, DefinitionId, ExprId, Function, Node, Operator,
     ParameterId, PolynomialId, Shape,
@@ -61,7 +63,7 @@ impl std::error::Error for EvaluationError {}
 /// Value of an expression in SI, entries row-major; a truth value is 1 or 0. Definitions must not refer to themselves.
 ///
 /// Each shared part is computed once, and in a loop: neither long nor deep expressions exhaust the stack. Elementary functions
-/// are those of `libm`, integer powers and reductions in the order of the emitted code.
+/// are those of `nsv-math`, integer powers and reductions in the order of the emitted code.
 pub fn evaluate(
     arena: &Arena,
     id: ExprId,
@@ -214,18 +216,18 @@ fn function(function: Function, x: f64) -> f64 {
         Function::Sign if x > 0.0 => 1.0,
         Function::Sign if x < 0.0 => -1.0,
         Function::Sign => x,
-        Function::Sqrt => libm::sqrt(x),
-        Function::Exp => libm::exp(x),
-        Function::Ln => libm::log(x),
-        Function::Sin => libm::sin(x),
-        Function::Cos => libm::cos(x),
-        Function::Tan => libm::tan(x),
-        Function::Asin => libm::asin(x),
-        Function::Acos => libm::acos(x),
-        Function::Atan => libm::atan(x),
-        Function::Sinh => libm::sinh(x),
-        Function::Cosh => libm::cosh(x),
-        Function::Tanh => libm::tanh(x),
+        Function::Sqrt => Real::sqrt(x),
+        Function::Exp => Real::exp(x),
+        Function::Ln => Real::ln(x),
+        Function::Sin => Real::sin(x),
+        Function::Cos => Real::cos(x),
+        Function::Tan => Real::tan(x),
+        Function::Asin => Real::asin(x),
+        Function::Acos => Real::acos(x),
+        Function::Atan => Real::atan(x),
+        Function::Sinh => Real::sinh(x),
+        Function::Cosh => Real::cosh(x),
+        Function::Tanh => Real::tanh(x),
     }
 }
 
@@ -235,7 +237,7 @@ fn binary(operator: Operator, x: f64, y: f64) -> f64 {
         Operator::Sub => x - y,
         Operator::Mul => x * y,
         Operator::Div => x / y,
-        Operator::Pow => libm::pow(x, y),
+        Operator::Pow => Real::pow(x, y),
         Operator::Min => {
             if x < y {
                 x
@@ -250,7 +252,7 @@ fn binary(operator: Operator, x: f64, y: f64) -> f64 {
                 y
             }
         }
-        Operator::Atan2 => libm::atan2(x, y),
+        Operator::Atan2 => Real::atan2(x, y),
     }
 }
 

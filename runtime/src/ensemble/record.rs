@@ -1,12 +1,15 @@
 //! What one run of a campaign leaves behind.
 
+use std::marker::PhantomData;
 use std::vec;
 use std::vec::Vec;
 
 use super::Campaign;
-use crate::band::{self, Grid};
-use crate::closed_loop::{ClosedLoop, Options};
-use crate::simulation::{Simulation, samples_in};
+use crate::band::Grid;
+use crate::closed_loop::{ClosedLoop, Options, Runs};
+use crate::lanes::{self, Kernel, Width};
+use crate::real::{Mask, Part, Real};
+use crate::simulation::{Observer, samples_in, simulate};
 
 /// Counts and sums over the samples of a run.
 pub(super) struct Record {
@@ -27,78 +30,177 @@ pub(super) struct Record {
 }
 
 impl Record {
-    /// Simulates the run at a place in the campaign.
-    pub(super) fn of_run<L: ClosedLoop>(campaign: &Campaign, index: u64) -> Self {
+    /// Simulates the runs from a place in the campaign on, `count` of them, in the widest lanes there are.
+    pub(super) fn of_batch<L: ClosedLoop>(
+        campaign: &Campaign,
+        width: Width,
+        first: u64,
+        count: usize,
+    ) -> Vec<Self> {
+        let batch = Batch::<L> {
+            campaign,
+            first,
+            count,
+            closed_loop: PhantomData,
+        };
+        lanes::run(width, batch).expect("invariant: the width was chosen for this processor")
+    }
+}
+
+/// Consecutive runs, simulated together.
+struct Batch<'a, L> {
+    campaign: &'a Campaign,
+    /// Place of the first run in the campaign.
+    first: u64,
+    /// Number of runs; lanes beyond it are simulated and forgotten.
+    count: usize,
+    closed_loop: PhantomData<L>,
+}
+
+impl<L: ClosedLoop> Kernel for Batch<'_, L> {
+    type Output = Vec<Record>;
+
+    #[inline(always)]
+    fn run<T: Real>(self) -> Vec<Record> {
+        let campaign = self.campaign;
         let options = Options {
             seed: campaign.seed,
-            run: campaign.first_run.wrapping_add(index),
+            run: campaign.first_run.wrapping_add(self.first),
             noise: campaign.noise,
             dispersion: campaign.dispersion,
         };
         let last = samples_in::<L>(campaign.horizon);
-        let settle = samples_in::<L>(campaign.settle);
-        let grid = (campaign.band && index < band::RUNS).then(|| Grid::new::<L>(last));
-        let mut record = Self::new::<L>(grid.is_some());
-        let mut scratch = Scratch::new::<L>();
-        let mut simulation = Simulation::<L>::new(&options, last);
-        while let Some((sample, closed_loop)) = simulation.next_sample() {
-            record.add_sample(closed_loop, sample >= settle, &mut scratch);
-            if let (Some(grid), Some(values)) = (&grid, &mut record.band)
-                && grid.contains(sample)
-            {
-                closed_loop.telemetry(&mut scratch.row);
-                grid.pick(&scratch.row, values);
-            }
+        let grid = campaign.band.then(|| Grid::new::<L>(last));
+        let mut watch = Watch::<T> {
+            settle: samples_in::<L>(campaign.settle),
+            sums: Sums::new::<L>(),
+            grid,
+            row: vec![T::zero(); L::SIGNALS.len()],
+            bands: vec![Vec::new(); self.count],
+        };
+        let alive = simulate::<T, L>(&options, last, &mut watch).to_bits();
+        let mut records = Vec::with_capacity(self.count);
+        for (lane, values) in watch.bands.into_iter().enumerate() {
+            let diverged = alive >> lane & 1 == 0;
+            let band = watch.grid.is_some().then_some(values);
+            records.push(watch.sums.record(lane, diverged, band));
         }
-        record.diverged = simulation.diverged();
-        record
+        records
+    }
+}
+
+/// What is kept of the runs while they go on.
+struct Watch<T: Real> {
+    /// Sample from which the tracking error counts.
+    settle: u64,
+    sums: Sums<T>,
+    grid: Option<Grid>,
+    /// A row of telemetry.
+    row: Vec<T>,
+    /// The values of each run on the grid.
+    bands: Vec<Vec<f64>>,
+}
+
+impl<T: Real, L: ClosedLoop> Observer<T, L> for Watch<T> {
+    #[inline(always)]
+    fn observes(&self, sample: u64) -> bool {
+        match &self.grid {
+            Some(grid) => grid.contains(sample),
+            None => false,
+        }
     }
 
-    fn new<L: ClosedLoop>(band: bool) -> Self {
-        Self {
-            samples: 0,
-            diverged: false,
-            ratio: None,
-            settled: 0,
-            squared_error: vec![0.0; L::OUTPUTS.len()],
-            saturated: vec![0; L::INPUTS.len()],
-            band: band.then(Vec::new),
-        }
-    }
-
-    fn add_sample<L: ClosedLoop>(&mut self, closed_loop: &L, settled: bool, scratch: &mut Scratch) {
-        self.samples += 1;
-        let ratio = closed_loop.constraint_ratio();
-        if !ratio.is_nan() {
-            self.ratio = Some(self.ratio.map_or(ratio, |largest| largest.max(ratio)));
-        }
-        if settled {
-            closed_loop.tracking_error(&mut scratch.error);
-            self.settled += 1;
-            for (sum, e) in self.squared_error.iter_mut().zip(&scratch.error) {
-                *sum += e * e;
+    #[inline(always)]
+    fn sample(&mut self, sample: u64, runs: &L::Runs<T>, alive: T::Mask) {
+        self.sums.add(runs, alive, sample >= self.settle);
+        if let Some(grid) = &self.grid
+            && grid.contains(sample)
+        {
+            T::outlined(Telemetry(runs, &mut self.row));
+            let alive = alive.to_bits();
+            for (lane, values) in self.bands.iter_mut().enumerate() {
+                if alive >> lane & 1 == 1 {
+                    grid.pick(|signal| self.row[signal].lane(lane), values);
+                }
             }
-        }
-        closed_loop.saturated(&mut scratch.saturated);
-        for (count, &at_limit) in self.saturated.iter_mut().zip(&scratch.saturated) {
-            *count += u64::from(at_limit);
         }
     }
 }
 
-/// Where the loop writes what it is asked for, allocated once a run.
-struct Scratch {
-    row: Vec<f64>,
-    error: Vec<f64>,
-    saturated: Vec<bool>,
+struct Telemetry<'a, T, R>(&'a R, &'a mut Vec<T>);
+
+impl<T: Real, R: Runs<T>> Part for Telemetry<'_, T, R> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run(self) {
+        self.0.telemetry(self.1);
+    }
 }
 
-impl Scratch {
+/// Counts and sums over the samples of each lane's run. Counts are numbers like the rest, exact up to 2^53.
+struct Sums<T: Real> {
+    samples: T,
+    /// Minus infinity before the first.
+    ratio: T,
+    settled: T,
+    squared_error: Vec<T>,
+    saturated: Vec<T>,
+    /// Where the loop writes its errors and limits.
+    error: Vec<T>,
+    at_limit: Vec<T::Mask>,
+}
+
+impl<T: Real> Sums<T> {
     fn new<L: ClosedLoop>() -> Self {
         Self {
-            row: vec![0.0; L::SIGNALS.len()],
-            error: vec![0.0; L::OUTPUTS.len()],
-            saturated: vec![false; L::INPUTS.len()],
+            samples: T::zero(),
+            ratio: T::from_f64(f64::NEG_INFINITY),
+            settled: T::zero(),
+            squared_error: vec![T::zero(); L::OUTPUTS.len()],
+            saturated: vec![T::zero(); L::INPUTS.len()],
+            error: vec![T::zero(); L::OUTPUTS.len()],
+            at_limit: vec![T::Mask::splat(false); L::INPUTS.len()],
         }
     }
+
+    /// Adds a sample of the runs that are alive.
+    #[inline(always)]
+    fn add(&mut self, runs: &impl Runs<T>, alive: T::Mask, settled: bool) {
+        self.samples = self.samples + one_where(alive);
+        let ratio = T::select(alive, runs.constraint_ratio(), self.ratio);
+        self.ratio = ratio.max(self.ratio);
+        if settled {
+            runs.tracking_error(&mut self.error);
+            self.settled = self.settled + one_where(alive);
+            for i in 0..self.error.len() {
+                let square = self.error[i] * self.error[i];
+                self.squared_error[i] = self.squared_error[i] + T::select(alive, square, T::zero());
+            }
+        }
+        runs.saturated(&mut self.at_limit);
+        for i in 0..self.at_limit.len() {
+            self.saturated[i] = self.saturated[i] + one_where(alive.and(self.at_limit[i]));
+        }
+    }
+
+    fn record(&self, lane: usize, diverged: bool, band: Option<Vec<f64>>) -> Record {
+        let ratio = self.ratio.lane(lane);
+        let count = |count: T| count.lane(lane) as u64;
+        Record {
+            samples: count(self.samples),
+            diverged,
+            ratio: (ratio != f64::NEG_INFINITY).then_some(ratio),
+            settled: count(self.settled),
+            squared_error: self.squared_error.iter().map(|e| e.lane(lane)).collect(),
+            saturated: self.saturated.iter().map(|&n| count(n)).collect(),
+            band,
+        }
+    }
+}
+
+/// 1 where the mask is true, else 0.
+#[inline(always)]
+fn one_where<T: Real>(mask: T::Mask) -> T {
+    T::select(mask, T::one(), T::zero())
 }

@@ -1,123 +1,157 @@
-//! The reduction of a campaign's records, in the order of its runs.
+//! The reduction of a campaign's records.
+//!
+//! Counts are integers, sums are exact, percentiles are counts in bins, and lists have an order of their own: a tally is a function of the set of
+//! runs in it, and its size does not depend on how many they are.
 
-use std::collections::BTreeMap;
 use std::vec;
 use std::vec::Vec;
 
 use super::record::Record;
-use super::{Campaign, RatioQuantiles, Summary};
+use super::{Campaign, RatioQuantiles, Summary, WorstRun};
 use crate::band::{Band, Grid};
 use crate::closed_loop::ClosedLoop;
 use crate::simulation::samples_in;
-use crate::statistics::{clopper_pearson, percentile};
+use crate::statistics::{Corrupt, Decoder, Encoder, ExactSum, Sketch, clopper_pearson};
 
-/// Puts records back in the order of runs: those that came early wait.
-pub(super) struct InOrder {
-    /// What the runs up to the first one missing add up to.
-    pub(super) tally: Tally,
-    next: u64,
-    early: BTreeMap<u64, Record>,
-}
+/// Bins of the largest ratios: their percentiles are exact up to as many runs.
+const RATIO_BINS: usize = 4096;
 
-impl InOrder {
-    pub(super) fn new(tally: Tally) -> Self {
-        Self {
-            tally,
-            next: 0,
-            early: BTreeMap::new(),
-        }
-    }
+/// Runs in the list of the worst.
+const WORST: usize = 10;
 
-    pub(super) fn insert(&mut self, index: u64, record: Record) {
-        self.early.insert(index, record);
-        while let Some(record) = self.early.remove(&self.next) {
-            self.tally.add(record);
-            self.next += 1;
-        }
-    }
-}
-
-/// Sums over the runs so far.
-pub(super) struct Tally {
+/// What a set of runs adds up to.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Tally {
     runs: u64,
     samples: u64,
     nonfinite: u64,
     constrained: bool,
+    violations: u64,
     /// The largest ratio of each run; infinite if it diverged.
-    ratios: Vec<f64>,
+    ratios: Sketch,
+    /// The worst runs first.
+    worst: Vec<WorstRun>,
     settled: u64,
-    squared_error: Vec<f64>,
+    squared_error: Vec<ExactSum>,
     saturated: Vec<u64>,
     band: Option<Band>,
 }
 
 impl Tally {
-    pub(super) fn new<L: ClosedLoop>(campaign: &Campaign) -> Self {
-        let band = campaign
-            .band
-            .then(|| Band::new::<L>(Grid::new::<L>(samples_in::<L>(campaign.horizon))));
+    /// Of no runs.
+    pub(crate) fn new<L: ClosedLoop>(campaign: &Campaign) -> Self {
         Self {
             runs: 0,
             samples: 0,
             nonfinite: 0,
             constrained: false,
-            ratios: Vec::new(),
+            violations: 0,
+            ratios: Sketch::new(RATIO_BINS),
+            worst: Vec::new(),
             settled: 0,
-            squared_error: vec![0.0; L::OUTPUTS.len()],
+            squared_error: vec![ExactSum::default(); L::OUTPUTS.len()],
             saturated: vec![0; L::INPUTS.len()],
-            band,
+            band: campaign.band.then(|| Band::new::<L>(grid::<L>(campaign))),
         }
     }
 
-    fn add(&mut self, record: Record) {
+    /// Number of runs.
+    pub(crate) fn runs(&self) -> u64 {
+        self.runs
+    }
+
+    /// Adds a run.
+    pub(crate) fn add(&mut self, run: u64, record: &Record) {
         self.runs += 1;
         self.samples += record.samples;
         self.nonfinite += u64::from(record.diverged);
         self.constrained |= record.ratio.is_some();
-        if record.diverged {
-            self.ratios.push(f64::INFINITY);
-        } else {
-            self.ratios.extend(record.ratio);
+        if let Some(ratio) = largest_ratio(record) {
+            self.violations += u64::from(ratio >= 1.0);
+            self.ratios.push(ratio);
+            self.list(&[WorstRun {
+                run,
+                ratio,
+                diverged: record.diverged,
+            }]);
         }
         self.settled += record.settled;
-        self.squared_error
-            .iter_mut()
-            .zip(record.squared_error)
-            .for_each(|(sum, e)| *sum += e);
-        self.saturated
-            .iter_mut()
-            .zip(record.saturated)
-            .for_each(|(sum, count)| *sum += count);
-        if let (Some(band), Some(values)) = (&mut self.band, record.band) {
+        for (sum, e) in self.squared_error.iter_mut().zip(&record.squared_error) {
+            sum.add(*e);
+        }
+        for (sum, count) in self.saturated.iter_mut().zip(&record.saturated) {
+            *sum += count;
+        }
+        if let (Some(band), Some(values)) = (&mut self.band, &record.band) {
             band.push(values);
         }
     }
 
-    pub(super) fn summary<L: ClosedLoop>(mut self, wall_s: f64) -> Summary {
-        self.ratios.sort_by(f64::total_cmp);
-        let violations = self.ratios.iter().filter(|&&ratio| ratio >= 1.0).count() as u64;
+    /// Adds the runs of another tally, none of which are in this one.
+    pub(crate) fn merge(&mut self, other: Tally) {
+        self.runs += other.runs;
+        self.samples += other.samples;
+        self.nonfinite += other.nonfinite;
+        self.constrained |= other.constrained;
+        self.violations += other.violations;
+        self.ratios.merge(other.ratios);
+        self.list(&other.worst);
+        self.settled += other.settled;
+        for (sum, more) in self.squared_error.iter_mut().zip(&other.squared_error) {
+            sum.merge(more);
+        }
+        for (sum, count) in self.saturated.iter_mut().zip(other.saturated) {
+            *sum += count;
+        }
+        if let (Some(band), Some(more)) = (&mut self.band, other.band) {
+            band.merge(more);
+        }
+    }
+
+    /// Counts what waits to be counted, so that little is left to do when tallies are merged.
+    pub(crate) fn settle(&mut self) {
+        self.ratios.settle();
+        if let Some(band) = &mut self.band {
+            band.settle();
+        }
+    }
+
+    /// Enters runs into the list of the worst: the largest ratio first, the lowest number among equals.
+    fn list(&mut self, more: &[WorstRun]) {
+        let before = |one: &WorstRun, other: &WorstRun| {
+            let order = other.ratio.total_cmp(&one.ratio);
+            order.then(one.run.cmp(&other.run)).is_lt()
+        };
+        for run in more {
+            let place = self.worst.partition_point(|listed| before(listed, run));
+            if place < WORST {
+                self.worst.truncate(WORST - 1);
+                self.worst.insert(place, *run);
+            }
+        }
+    }
+
+    /// The statistics.
+    pub(crate) fn summary<L: ClosedLoop>(mut self, wall_s: f64) -> Summary {
+        self.settle();
         let rms = self
             .squared_error
             .iter()
-            .map(|sum| (sum / self.settled as f64).sqrt());
+            .map(|sum| (sum.value() / self.settled as f64).sqrt());
         let fractions = self
             .saturated
             .iter()
             .map(|&count| count as f64 / self.samples as f64);
+        let if_constrained = self.constrained.then_some(());
         Summary {
             runs: self.runs,
             samples: self.samples,
-            violated: self
-                .constrained
-                .then(|| violations as f64 / self.runs as f64),
-            violated_interval95: self
-                .constrained
-                .then(|| clopper_pearson(violations, self.runs, 0.95)),
-            ratio: if self.constrained {
-                quantiles(&self.ratios)
-            } else {
-                None
-            },
+            violations: if_constrained.map(|()| self.violations),
+            violated: if_constrained.map(|()| self.violations as f64 / self.runs as f64),
+            violated_interval95: if_constrained
+                .map(|()| clopper_pearson(self.violations, self.runs, 0.95)),
+            ratio: if_constrained.and_then(|()| quantiles(&self.ratios)),
+            worst: self.worst,
             rms_tracking: L::OUTPUTS.iter().copied().zip(rms).collect(),
             saturated_fraction: L::INPUTS.iter().copied().zip(fractions).collect(),
             nonfinite: self.nonfinite,
@@ -125,13 +159,108 @@ impl Tally {
             band: self.band,
         }
     }
+
+    /// Writes the tally, which is settled.
+    pub(crate) fn encode(&self, encoder: &mut Encoder) {
+        for count in [
+            self.runs,
+            self.samples,
+            self.nonfinite,
+            u64::from(self.constrained),
+            self.violations,
+            self.settled,
+            self.worst.len() as u64,
+        ] {
+            encoder.count(count);
+        }
+        for worst in &self.worst {
+            encoder.count(worst.run);
+            encoder.count(u64::from(worst.diverged));
+            encoder.float(worst.ratio);
+        }
+        self.ratios.encode(encoder);
+        encoder.count(self.squared_error.len() as u64);
+        for sum in &self.squared_error {
+            sum.encode(encoder);
+        }
+        encoder.count(self.saturated.len() as u64);
+        for &count in &self.saturated {
+            encoder.count(count);
+        }
+        if let Some(band) = &self.band {
+            band.encode(encoder);
+        }
+    }
+
+    /// Reads what `encode` wrote of the same campaign.
+    pub(crate) fn decode<L: ClosedLoop>(
+        campaign: &Campaign,
+        decoder: &mut Decoder<'_>,
+    ) -> Result<Self, Corrupt> {
+        let mut tally = Self::new::<L>(&Campaign {
+            band: false,
+            ..campaign.clone()
+        });
+        tally.runs = decoder.count()?;
+        tally.samples = decoder.count()?;
+        tally.nonfinite = decoder.count()?;
+        tally.constrained = flag(decoder)?;
+        tally.violations = decoder.count()?;
+        tally.settled = decoder.count()?;
+        let worst = decoder.count()?;
+        if worst > WORST as u64 {
+            return Err(Corrupt);
+        }
+        for _ in 0..worst {
+            tally.worst.push(WorstRun {
+                run: decoder.count()?,
+                diverged: flag(decoder)?,
+                ratio: decoder.float()?,
+            });
+        }
+        tally.ratios = Sketch::decode(RATIO_BINS, decoder)?;
+        decoder.expect(tally.squared_error.len())?;
+        for sum in &mut tally.squared_error {
+            *sum = ExactSum::decode(decoder)?;
+        }
+        decoder.expect(tally.saturated.len())?;
+        for count in &mut tally.saturated {
+            *count = decoder.count()?;
+        }
+        if campaign.band {
+            tally.band = Some(Band::decode::<L>(grid::<L>(campaign), decoder)?);
+        }
+        Ok(tally)
+    }
 }
 
-fn quantiles(sorted: &[f64]) -> Option<RatioQuantiles> {
+/// The largest `||e_1|| / k_1` of a run, infinite if it diverged; `None` without a constraint.
+pub(super) fn largest_ratio(record: &Record) -> Option<f64> {
+    if record.diverged {
+        Some(f64::INFINITY)
+    } else {
+        record.ratio
+    }
+}
+
+fn grid<L: ClosedLoop>(campaign: &Campaign) -> Grid {
+    Grid::new::<L>(samples_in::<L>(campaign.horizon))
+}
+
+fn flag(decoder: &mut Decoder<'_>) -> Result<bool, Corrupt> {
+    match decoder.count()? {
+        0 => Ok(false),
+        1 => Ok(true),
+        _ => Err(Corrupt),
+    }
+}
+
+fn quantiles(ratios: &Sketch) -> Option<RatioQuantiles> {
     Some(RatioQuantiles {
-        median: percentile(sorted, 50)?,
-        p90: percentile(sorted, 90)?,
-        p99: percentile(sorted, 99)?,
-        max: percentile(sorted, 100)?,
+        median: ratios.percentile(50)?,
+        p90: ratios.percentile(90)?,
+        p99: ratios.percentile(99)?,
+        max: ratios.percentile(100)?,
+        accuracy: ratios.accuracy(),
     })
 }

@@ -1,13 +1,19 @@
 use std::cell::Cell;
-use std::ops::ControlFlow;
+use std::convert::Infallible;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::thread::yield_now;
 use std::vec::Vec;
 
-use super::{Campaign, Summary, run, run_while};
-use crate::closed_loop::{ClosedLoop, Options};
+use super::record::Record;
+use super::tally::Tally;
+use super::{Campaign, Flight, Shard, State, Summary, fly, run};
+use crate::closed_loop::{Options, Runs};
+use crate::lanes::Width;
 use crate::mock::MockLoop;
-use crate::simulation::Simulation;
+use crate::noise::Noise;
 
-fn campaign() -> Campaign {
+pub(super) fn campaign() -> Campaign {
     Campaign {
         seed: 5,
         first_run: 0,
@@ -16,6 +22,7 @@ fn campaign() -> Campaign {
         settle: 0.3,
         noise: true,
         dispersion: true,
+        width: None,
         threads: 1,
         band: true,
     }
@@ -32,7 +39,7 @@ fn outcome(campaign: &Campaign) -> Summary {
 
 /// Largest constraint ratio of a run simulated by hand; infinite if it diverges.
 fn largest_ratio(run: u64) -> f64 {
-    let mut plant = MockLoop::<true>::new(&Options {
+    let mut plant = MockLoop::<true, f64>::new(&Options {
         seed: 5,
         run,
         noise: true,
@@ -64,6 +71,25 @@ fn threads_do_not_change_the_result() {
             one,
             "{threads} threads"
         );
+    }
+}
+
+#[test]
+fn lanes_do_not_change_the_result() {
+    let scalar = outcome(&Campaign {
+        width: Some(Width::Scalar),
+        ..campaign()
+    });
+    for width in Width::ALL.into_iter().filter(|width| width.is_available()) {
+        // 59 runs leave lanes of the last batch without one.
+        for (runs, alike) in [(60, true), (59, false)] {
+            let lanes = outcome(&Campaign {
+                width: Some(width),
+                runs,
+                ..campaign()
+            });
+            assert_eq!(lanes == scalar, alike, "{width:?}");
+        }
     }
 }
 
@@ -120,19 +146,21 @@ fn tracking_error_counts_from_the_settling_time() {
         runs: 1,
         ..campaign()
     };
-    let mut simulation = Simulation::<MockLoop<true>>::new(
-        &Options {
-            seed: 5,
-            run: 0,
-            noise: false,
-            dispersion: false,
-        },
-        100,
-    );
+    let options = Options {
+        seed: 5,
+        run: 0,
+        noise: false,
+        dispersion: false,
+    };
+    let mut run = MockLoop::<true, f64>::new(&options);
     let mut sum = 0.0;
-    while let Some((sample, plant)) = simulation.next_sample() {
+    for sample in 0..=100 {
+        if sample > 0 {
+            run.advance();
+        }
+        run.control();
         let mut error = [0.0];
-        plant.tracking_error(&mut error);
+        run.tracking_error(&mut error);
         if sample >= 30 {
             sum += error[0] * error[0];
         }
@@ -160,8 +188,8 @@ fn an_unconstrained_loop_has_no_violations() {
 
 #[test]
 fn band_encloses_every_run_on_its_grid() {
-    // 2.5 s are 251 samples, fewer than the grid may have; 30 s are 3001, thinned by 3.
-    for (horizon, rows, step) in [(2.5, 251, 0.01), (30.0, 1001, 0.03)] {
+    // 2.5 s are 251 samples, fewer than the grid may have; 12 s are 1201, thinned by 3.
+    for (horizon, rows, step) in [(2.5, 251, 0.01), (12.0, 401, 0.03)] {
         let summary = outcome(&Campaign {
             horizon,
             runs: 9,
@@ -180,36 +208,234 @@ fn band_encloses_every_run_on_its_grid() {
 
 #[test]
 fn a_campaign_can_be_broken_off() {
-    let calls = Cell::new(0);
-    let stop_at_third = |done| {
-        calls.set(done);
-        if done == 3 {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        }
-    };
     let endless = Campaign {
         runs: u64::MAX,
         threads: 2,
         ..campaign()
     };
-    assert_eq!(run_while::<MockLoop<true>>(&endless, stop_at_third), None);
-    assert_eq!(calls.get(), 3);
+    let start = State::new::<MockLoop<true>>(&endless);
+    let calls = Cell::new(0);
+    let stop_at_third = |_: &Flight<'_>| {
+        calls.set(calls.get() + 1);
+        if calls.get() == 3 {
+            Err("enough")
+        } else {
+            Ok(())
+        }
+    };
+    let ended = fly::<MockLoop<true>, _>(
+        &endless,
+        Shard::WHOLE,
+        start.clone(),
+        |_, _| Ok(()),
+        stop_at_third,
+    );
+    assert_eq!((ended, calls.get()), (Err("enough"), 3));
+    let ended = fly::<MockLoop<true>, _>(
+        &endless,
+        Shard::WHOLE,
+        start,
+        |_, _| Err("full"),
+        |_| Ok(()),
+    );
+    assert_eq!(ended, Err("full"));
 }
 
 #[test]
-fn progress_counts_every_run() {
+fn progress_ends_with_all_runs() {
     let last = Cell::new(0);
-    run::<MockLoop<true>>(
-        &Campaign {
-            threads: 4,
-            ..campaign()
+    let four = Campaign {
+        threads: 4,
+        ..campaign()
+    };
+    run::<MockLoop<true>>(&four, |done| {
+        assert!((last.get()..=60).contains(&done));
+        last.set(done);
+    });
+    assert_eq!(last.get(), 60);
+}
+
+/// What a part of a campaign comes to.
+fn part(shard: Shard) -> State {
+    let many = many();
+    let start = State::new::<MockLoop<true>>(&many);
+    fly_on(&many, shard, start)
+}
+
+fn fly_on(campaign: &Campaign, shard: Shard, start: State) -> State {
+    let flown =
+        fly::<MockLoop<true>, Infallible>(campaign, shard, start, |_, _| Ok(()), |_| Ok(()));
+    match flown {
+        Ok(state) => state,
+        Err(never) => match never {},
+    }
+}
+
+fn many() -> Campaign {
+    Campaign {
+        runs: 500,
+        threads: 2,
+        ..campaign()
+    }
+}
+
+/// The records of a campaign's runs.
+fn records(campaign: &Campaign) -> Vec<Record> {
+    let one = |run| Record::of_batch::<MockLoop<true>>(campaign, Width::Scalar, run, 1);
+    (0..campaign.runs).flat_map(one).collect()
+}
+
+fn statistics(state: State) -> Summary {
+    Summary {
+        wall_s: 0.0,
+        ..state.summary::<MockLoop<true>>()
+    }
+}
+
+#[test]
+fn parts_merge_to_the_whole_in_any_order() {
+    let whole = outcome(&many());
+    for of in [2, 3, 100] {
+        let mut merged = State::new::<MockLoop<true>>(&many());
+        for index in (0..of).rev() {
+            merged.merge(part(Shard { index, of }));
+        }
+        assert_eq!(statistics(merged), whole, "{of} parts");
+    }
+}
+
+#[test]
+fn random_splits_of_the_records_merge_to_the_whole() {
+    let campaign = many();
+    let records = records(&campaign);
+    let empty = || Tally::new::<MockLoop<true>>(&campaign);
+    let mut whole = empty();
+    for (run, record) in (0..).zip(&records) {
+        whole.add(run, record);
+    }
+    let whole = whole.summary::<MockLoop<true>>(0.0);
+    for split in 0..20 {
+        let noise = Noise::<f64>::process(split, 0);
+        let mut order: Vec<usize> = (0..500).collect();
+        order.sort_by(|&a, &b| {
+            noise
+                .uniform(a as u64, 0)
+                .total_cmp(&noise.uniform(b as u64, 0))
+        });
+        let mut parts: Vec<Tally> = (0..=split).map(|_| empty()).collect();
+        for run in order {
+            let part = (noise.uniform(run as u64, 1) * parts.len() as f64) as usize;
+            parts[part].add(run as u64, &records[run]);
+        }
+        while parts.len() > 1 {
+            let last = parts.pop().expect("there are several");
+            let into = (noise.uniform(500 + parts.len() as u64, 0) * parts.len() as f64) as usize;
+            parts[into].merge(last);
+        }
+        let merged = parts.pop().expect("there is one");
+        assert_eq!(
+            merged.summary::<MockLoop<true>>(0.0),
+            whole,
+            "split {split}"
+        );
+    }
+}
+
+#[test]
+fn what_is_done_is_not_done_again() {
+    let (campaign, whole) = (many(), outcome(&many()));
+    // Broken off by a failure after some blocks, as by a full disk, when somebody has looked.
+    let (begun, looked) = (AtomicU64::new(0), AtomicBool::new(false));
+    let kept = Mutex::new(None);
+    let start = State::new::<MockLoop<true>>(&campaign);
+    let broken = fly::<MockLoop<true>, _>(
+        &campaign,
+        Shard::WHOLE,
+        start,
+        |_, _| {
+            if begun.fetch_add(1, Ordering::Relaxed) < 30 {
+                return Ok(());
+            }
+            while !looked.load(Ordering::Relaxed) {
+                yield_now();
+            }
+            Err(())
         },
-        |done| {
-            assert_eq!(done, last.get() + 1);
-            last.set(done);
+        |flight| {
+            if begun.load(Ordering::Relaxed) > 30 {
+                *kept.lock().unwrap() = Some(flight.snapshot());
+                looked.store(true, Ordering::Relaxed);
+            }
+            Ok(())
         },
     );
-    assert_eq!(last.get(), 60);
+    assert_eq!(broken, Err(()));
+    let mut kept = kept.into_inner().unwrap().expect("it was looked at");
+    assert!((1..500).contains(&kept.runs()), "{} runs", kept.runs());
+    let bytes = kept.encode();
+    let read =
+        State::decode::<MockLoop<true>>(&campaign, Shard::WHOLE, &bytes).expect("as written");
+    assert_eq!(read, kept);
+    let done = AtomicU64::new(0);
+    let all = fly::<MockLoop<true>, ()>(
+        &campaign,
+        Shard::WHOLE,
+        read,
+        |_, runs| {
+            done.fetch_add(runs.records.len() as u64, Ordering::Relaxed);
+            Ok(())
+        },
+        |_| Ok(()),
+    );
+    assert_eq!(done.into_inner(), 500 - kept.runs());
+    let all = all.expect("nothing fails");
+    assert_eq!(statistics(all.clone()), whole);
+    assert_eq!(statistics(fly_on(&campaign, Shard::WHOLE, all)), whole);
+}
+
+#[test]
+fn damaged_bytes_are_refused_or_change_the_state() {
+    let mut state = part(Shard::WHOLE);
+    let bytes = state.encode();
+    let read = |bytes: &[u8]| State::decode::<MockLoop<true>>(&many(), Shard::WHOLE, bytes);
+    for cut in (0..bytes.len()).step_by(4999) {
+        assert!(read(&bytes[..cut]).is_err());
+    }
+    for place in (0..bytes.len()).step_by(4001) {
+        let mut damaged = bytes.clone();
+        damaged[place] ^= 0x10;
+        assert_ne!(read(&damaged), Ok(state.clone()), "byte {place}");
+    }
+}
+
+#[test]
+fn memory_does_not_grow_with_the_runs() {
+    let campaign = many();
+    let records = records(&campaign);
+    let mut state = State::new::<MockLoop<true>>(&campaign);
+    let mut size_after = |runs: u64| {
+        for run in state.runs()..runs {
+            state.tally.add(run, &records[run as usize % 500]);
+        }
+        state.encode().len()
+    };
+    let (few, many) = (size_after(500), size_after(10_000));
+    // The same bins; only the counts in them take more digits.
+    assert!(many < 2 * few, "{few} bytes, then {many}");
+    let bins = 101 * 4 * 256 + 4096;
+    assert!(many < bins * 16, "{many} bytes");
+}
+
+#[test]
+fn the_worst_runs_are_listed() {
+    let worst = outcome(&campaign()).worst;
+    let mut expected: Vec<(f64, u64)> = (0..60).map(|run| (largest_ratio(run), run)).collect();
+    expected.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+    let found: Vec<(f64, u64)> = worst.iter().map(|worst| (worst.ratio, worst.run)).collect();
+    assert_eq!(found, expected[..10]);
+    assert!(
+        worst
+            .iter()
+            .all(|worst| worst.diverged == worst.ratio.is_infinite())
+    );
 }

@@ -5,11 +5,11 @@
     reason = "indices stand as in the formulas"
 )]
 
-use super::Vector;
+use super::{Matrix, Vector};
 use crate::real::Real;
 
 /// `A^-1 b` by the definition in [`super::Matrix::solve`]. The size is known at compile time, so one arm remains.
-#[inline]
+#[inline(always)]
 pub(super) fn solve<T: Real, const N: usize>(a: [[T; N]; N], b: [T; N]) -> Vector<T, N> {
     match N {
         1 => Vector([b[0] / a[0][0]; N]),
@@ -20,19 +20,19 @@ pub(super) fn solve<T: Real, const N: usize>(a: [[T; N]; N], b: [T; N]) -> Vecto
 }
 
 /// `x_i = adj_i . b / det`, the determinant by expansion along the first row of `A`.
-#[inline]
+#[inline(always)]
 fn over_determinant<T: Real, const N: usize>(
     a: [[T; N]; N],
     b: [T; N],
     adjugate: [[T; N]; N],
 ) -> Vector<T, N> {
-    let first_column = Vector(adjugate.map(|row| row[0]));
+    let first_column = Matrix::rows(adjugate).column(0);
     let determinant = Vector(a[0]).dot(first_column);
-    Vector(adjugate.map(|row| Vector(row).dot(Vector(b)) / determinant))
+    Matrix::rows(adjugate) * Vector(b) / determinant
 }
 
 /// The signs stand on the entries: `a_00 a_11 + a_01 (-a_10)` has the bits of `a_00 a_11 - a_01 a_10`.
-#[inline]
+#[inline(always)]
 fn adjugate2<T: Real, const N: usize>(a: &[[T; N]; N]) -> [[T; N]; N] {
     let mut adjugate = *a;
     adjugate[0][0] = a[1][1];
@@ -44,7 +44,7 @@ fn adjugate2<T: Real, const N: usize>(a: &[[T; N]; N]) -> [[T; N]; N] {
 
 /// Entry (i, j) is the 2 x 2 minor of `A` without row j and column i, rows and columns taken cyclically, which absorbs the signs:
 /// `a_pq a_rs - a_ps a_rq`. The two products stand in the order written out at [`super::Matrix::solve`].
-#[inline]
+#[inline(always)]
 fn adjugate3<T: Real, const N: usize>(a: &[[T; N]; N]) -> [[T; N]; N] {
     let mut adjugate = *a;
     for i in 0..N {
@@ -58,7 +58,7 @@ fn adjugate3<T: Real, const N: usize>(a: &[[T; N]; N]) -> [[T; N]; N] {
 }
 
 /// Forward elimination with row swaps by select, then back substitution.
-#[inline]
+#[inline(always)]
 fn eliminate<T: Real, const N: usize>(mut a: [[T; N]; N], mut b: [T; N]) -> Vector<T, N> {
     for k in 0..N {
         move_pivot_to(k, &mut a, &mut b);
@@ -82,12 +82,12 @@ fn eliminate<T: Real, const N: usize>(mut a: [[T; N]; N], mut b: [T; N]) -> Vect
 
 /// Swaps row `k` with the row at or below it that has the first largest entry in column `k`. Lanes may choose different rows, so the row
 /// number is a value and every swap is masked.
-#[inline]
+#[inline(always)]
 fn move_pivot_to<T: Real, const N: usize>(k: usize, a: &mut [[T; N]; N], b: &mut [T; N]) {
     let mut largest = a[k][k].abs();
     let mut pivot = T::from_f64(k as f64);
-    for (i, row) in a.iter().enumerate().skip(k + 1) {
-        let magnitude = row[k].abs();
+    for i in k + 1..N {
+        let magnitude = a[i][k].abs();
         let larger = magnitude.gt(largest);
         largest = T::select(larger, magnitude, largest);
         pivot = T::select(larger, T::from_f64(i as f64), pivot);

@@ -1,107 +1,171 @@
-//! Matrices, stored by rows.
+//! Matrices, stored by columns.
 
-use core::array;
-use core::ops::{Add, Div, Index, IndexMut, Mul, Neg, Sub};
+use core::ops::{Index, IndexMut, Mul};
 
-use super::{Vector, elimination, singular, sum};
-use crate::real::{Mask, Real};
+use super::elementwise::{Mul as Times, Plus, elementwise, operators};
+use super::{Each, Each2, PARTIAL, Vector, add_defects, elimination, singular, sum};
+use crate::real::Real;
 
-/// `R` rows of `C` numbers.
+/// `R` rows and `C` columns of numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Matrix<T, const R: usize, const C: usize>(pub [[T; C]; R]);
+pub struct Matrix<T, const R: usize, const C: usize>([Vector<T, R>; C]);
 
 impl<T: Real, const R: usize, const C: usize> Matrix<T, R, C> {
     /// The same number in every entry.
-    #[inline]
+    #[inline(always)]
     pub fn splat(value: T) -> Self {
-        Self([[value; C]; R])
+        Self([Vector::splat(value); C])
     }
 
-    /// Zeros.
-    #[inline]
-    pub fn zero() -> Self {
-        Self::splat(T::zero())
+    /// Entries by rows.
+    #[inline(always)]
+    pub fn rows(rows: [[T; C]; R]) -> Self {
+        let mut matrix = Self::zero();
+        let mut i = 0;
+        while i < R {
+            let mut j = 0;
+            while j < C {
+                matrix.0[j].0[i] = rows[i][j];
+                j += 1;
+            }
+            i += 1;
+        }
+        matrix
     }
 
     /// Entries from literals, by rows.
-    #[inline]
+    #[inline(always)]
     pub fn from_f64(rows: [[f64; C]; R]) -> Self {
-        Self(rows.map(|row| row.map(T::from_f64)))
+        let mut matrix = Self::zero();
+        let mut i = 0;
+        while i < R {
+            let mut j = 0;
+            while j < C {
+                matrix.0[j].0[i] = T::from_f64(rows[i][j]);
+                j += 1;
+            }
+            i += 1;
+        }
+        matrix
     }
 
-    /// `a` where the mask is true, else `b`.
-    #[inline]
-    pub fn select(mask: T::Mask, a: Self, b: Self) -> Self {
-        a.zip(b, |a, b| T::select(mask, a, b))
+    /// Entries by rows.
+    #[inline(always)]
+    pub fn to_rows(&self) -> [[T; C]; R] {
+        let mut rows = [[T::zero(); C]; R];
+        let mut i = 0;
+        while i < R {
+            let mut j = 0;
+            while j < C {
+                rows[i][j] = self.0[j].0[i];
+                j += 1;
+            }
+            i += 1;
+        }
+        rows
     }
+
+    elementwise!();
 
     /// `f` of each entry.
-    #[inline]
-    pub fn map(self, f: impl Fn(T) -> T) -> Self {
-        Self(self.0.map(|row| row.map(&f)))
+    #[inline(always)]
+    pub fn each(mut self, f: impl Each) -> Self {
+        let mut j = 0;
+        while j < C {
+            self.0[j] = self.0[j].each(f);
+            j += 1;
+        }
+        self
     }
 
     /// `f` of the entries at each place.
-    #[inline]
-    pub fn zip(self, other: Self, f: impl Fn(T, T) -> T) -> Self {
-        Self(array::from_fn(|i| {
-            array::from_fn(|j| f(self.0[i][j], other.0[i][j]))
-        }))
+    #[inline(always)]
+    pub fn each2(mut self, f: impl Each2, other: &Self) -> Self {
+        let mut j = 0;
+        while j < C {
+            self.0[j] = self.0[j].each2(f, &other.0[j]);
+            j += 1;
+        }
+        self
     }
 
-    /// `a_ij s`.
-    #[inline]
-    pub fn scale(self, factor: T) -> Self {
-        self.map(|x| x * factor)
-    }
-
-    /// `a_ij + s`.
-    #[inline]
-    pub fn add_scalar(self, term: T) -> Self {
-        self.map(|x| x + term)
-    }
-
-    /// Elementwise product `a_ij b_ij`.
-    #[inline]
-    pub fn hadamard(self, other: Self) -> Self {
-        self.zip(other, |a, b| a * b)
-    }
-
-    /// Elementwise quotient `a_ij / b_ij`.
-    #[inline]
-    pub fn quotient(self, other: Self) -> Self {
-        self.zip(other, |a, b| a / b)
+    /// `a` where the mask is true, else `b`.
+    #[inline(always)]
+    pub fn select(mask: T::Mask, a: Self, b: Self) -> Self {
+        let mut result = a;
+        let mut j = 0;
+        while j < C {
+            result.0[j] = Vector::select(mask, a.0[j], b.0[j]);
+            j += 1;
+        }
+        result
     }
 
     /// Rows and columns exchanged.
-    #[inline]
+    #[inline(always)]
     pub fn transpose(self) -> Matrix<T, C, R> {
-        Matrix(array::from_fn(|j| array::from_fn(|i| self.0[i][j])))
+        let mut transpose = Matrix::zero();
+        let mut j = 0;
+        while j < C {
+            let mut i = 0;
+            while i < R {
+                transpose.0[i].0[j] = self.0[j].0[i];
+                i += 1;
+            }
+            j += 1;
+        }
+        transpose
+    }
+
+    /// `A^T v`: entry j is column j times the vector.
+    #[inline(always)]
+    pub fn transpose_mul(self, vector: Vector<T, R>) -> Vector<T, C> {
+        let mut product = Vector::zero();
+        let mut j = 0;
+        while j < C {
+            product.0[j] = self.0[j].dot(vector);
+            j += 1;
+        }
+        product
     }
 
     /// Column `j`.
-    #[inline]
+    #[inline(always)]
     pub fn column(&self, j: usize) -> Vector<T, R> {
-        Vector(array::from_fn(|i| self.0[i][j]))
+        self.0[j]
     }
 
-    /// Sum of the squares of all entries, row after row, left to right.
-    #[inline]
+    /// Column `j`, to be written.
+    #[inline(always)]
+    pub fn column_mut(&mut self, j: usize) -> &mut Vector<T, R> {
+        &mut self.0[j]
+    }
+
+    /// Sum of the squares of all entries: first along each row, left to right, then of the rows' sums by the rule of [sums](super).
+    #[inline(always)]
     pub fn sum_squares(self) -> T {
-        let mut squares = self.0.iter().flatten().map(|&x| x * x);
-        let Some(first) = squares.next() else {
+        if R == 0 || C == 0 {
             return T::zero();
-        };
-        squares.fold(first, |sum, square| sum + square)
+        }
+        let mut rows = self.0[0].hadamard(self.0[0]);
+        let mut j = 1;
+        while j < C {
+            rows = rows + self.0[j].hadamard(self.0[j]);
+            j += 1;
+        }
+        sum(&rows.0)
     }
 
     /// Whether every entry is finite.
-    #[inline]
-    pub fn is_finite(self) -> T::Mask {
-        self.0
-            .iter()
-            .flatten()
-            .fold(T::Mask::splat(true), |all, x| all.and(x.is_finite()))
+    #[inline(always)]
+    pub fn is_finite(&self) -> T::Mask {
+        let mut sums = [T::zero(); PARTIAL];
+        let mut j = 0;
+        while j < C {
+            add_defects(&mut sums, &self.0[j].0);
+            j += 1;
+        }
+        sum(&sums).eq(T::zero())
     }
 
     /// Unit right singular vector `v` of the largest singular value, so that `||A v||` is the spectral norm of `A`.
@@ -114,7 +178,7 @@ impl<T: Real, const R: usize, const C: usize> Matrix<T, R, C> {
     /// 3. The column of V of the first largest `s_jj`, negated if its first entry of largest magnitude is negative.
     ///
     /// A zero matrix gives the first unit vector. Entries beyond about 1e77 overflow the rotation formulas.
-    #[inline]
+    #[inline(always)]
     pub fn singular_vector(self) -> Vector<T, C> {
         singular::leading_right_vector(&self)
     }
@@ -137,81 +201,52 @@ impl<T: Real, const N: usize> Matrix<T, N, N> {
     /// - `n >= 4`: elimination with partial pivoting. For each `k`, row k and the row of the first largest `|a_ik|`, `i >= k`, are swapped;
     ///   for each `i > k`, `l = a_ik / a_kk`, `a_ij = a_ij - l a_kj` for `j > k`, `b_i = b_i - l b_k`. Then from the last row up
     ///   `x_i = (((b_i - a_i,i+1 x_i+1) - a_i,i+2 x_i+2) - ...) / a_ii`.
-    #[inline]
+    #[inline(always)]
     pub fn solve(self, b: Vector<T, N>) -> Vector<T, N> {
-        elimination::solve(self.0, b.0)
+        elimination::solve(self.to_rows(), b.0)
     }
 }
 
 impl<T, const R: usize, const C: usize> Index<(usize, usize)> for Matrix<T, R, C> {
     type Output = T;
 
-    #[inline]
+    #[inline(always)]
     fn index(&self, (i, j): (usize, usize)) -> &T {
-        &self.0[i][j]
+        &self.0[j].0[i]
     }
 }
 
 impl<T, const R: usize, const C: usize> IndexMut<(usize, usize)> for Matrix<T, R, C> {
-    #[inline]
+    #[inline(always)]
     fn index_mut(&mut self, (i, j): (usize, usize)) -> &mut T {
-        &mut self.0[i][j]
+        &mut self.0[j].0[i]
     }
 }
 
-impl<T: Real, const R: usize, const C: usize> Add for Matrix<T, R, C> {
-    type Output = Self;
-
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        self.zip(other, |a, b| a + b)
-    }
-}
-
-impl<T: Real, const R: usize, const C: usize> Sub for Matrix<T, R, C> {
-    type Output = Self;
-
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        self.zip(other, |a, b| a - b)
-    }
-}
-
-impl<T: Real, const R: usize, const C: usize> Neg for Matrix<T, R, C> {
-    type Output = Self;
-
-    #[inline]
-    fn neg(self) -> Self {
-        self.map(|x| -x)
-    }
-}
-
-impl<T: Real, const R: usize, const C: usize> Mul<T> for Matrix<T, R, C> {
-    type Output = Self;
-
-    #[inline]
-    fn mul(self, factor: T) -> Self {
-        self.scale(factor)
-    }
-}
-
-impl<T: Real, const R: usize, const C: usize> Div<T> for Matrix<T, R, C> {
-    type Output = Self;
-
-    /// `a_ij / s`, a division for each entry.
-    #[inline]
-    fn div(self, divisor: T) -> Self {
-        self.map(|x| x / divisor)
-    }
-}
+operators!(Matrix<T, R, C>, const R: usize, const C: usize);
 
 impl<T: Real, const R: usize, const C: usize> Mul<Vector<T, C>> for Matrix<T, R, C> {
     type Output = Vector<T, R>;
 
-    /// Entry i is row i times the vector, summed over columns left to right.
-    #[inline]
+    /// Entry i is the inner product of row i and the vector: the sum over the columns, all entries at once.
+    #[inline(always)]
     fn mul(self, vector: Vector<T, C>) -> Vector<T, R> {
-        Vector(self.0.map(|row| Vector(row).dot(vector)))
+        if C >= PARTIAL {
+            return self.transpose().transpose_mul(vector);
+        }
+        let mut product = Vector::zero();
+        let mut j = 0;
+        while j < C {
+            let mut term = self.0[j].0;
+            T::each2(Times, &mut term, &[vector.0[j]; R]);
+            if j == 0 {
+                product.0 = term;
+            } else {
+                T::each2(Plus, &mut product.0, &term);
+            }
+            j += 1;
+        }
+        product
     }
 }
 
@@ -220,11 +255,15 @@ impl<T: Real, const R: usize, const K: usize, const C: usize> Mul<Matrix<T, K, C
 {
     type Output = Matrix<T, R, C>;
 
-    /// Entry (i, j) is `a_i0 b_0j + a_i1 b_1j + ...`, left to right.
-    #[inline]
+    /// Column j is the matrix times column j of the other.
+    #[inline(always)]
     fn mul(self, other: Matrix<T, K, C>) -> Matrix<T, R, C> {
-        Matrix(array::from_fn(|i| {
-            array::from_fn(|j| sum::<T, K>(|k| self.0[i][k] * other.0[k][j]))
-        }))
+        let mut product = Matrix::zero();
+        let mut j = 0;
+        while j < C {
+            product.0[j] = self * other.0[j];
+            j += 1;
+        }
+        product
     }
 }

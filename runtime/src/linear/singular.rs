@@ -5,23 +5,22 @@
     reason = "indices stand as in the formulas"
 )]
 
-use core::array;
-
-use super::{Matrix, Vector, sum};
+use super::{Matrix, Vector};
 use crate::real::Real;
 
 /// Jacobi converges quadratically: with eight sweeps the off-diagonal part of a matrix of the sizes at hand is zero to rounding.
 const SWEEPS: usize = 8;
 
 /// The definition is at [`Matrix::singular_vector`].
-#[inline]
+#[inline(always)]
 pub(super) fn leading_right_vector<T: Real, const R: usize, const C: usize>(
     a: &Matrix<T, R, C>,
 ) -> Vector<T, C> {
-    let mut s: [[T; C]; C] =
-        array::from_fn(|i| array::from_fn(|j| sum::<T, R>(|k| a.0[k][i] * a.0[k][j])));
-    let mut v: [[T; C]; C] =
-        array::from_fn(|i| array::from_fn(|j| if i == j { T::one() } else { T::zero() }));
+    let mut s = (a.transpose() * *a).to_rows();
+    let mut v = [[T::zero(); C]; C];
+    for i in 0..C {
+        v[i][i] = T::one();
+    }
     for _ in 0..SWEEPS {
         for p in 0..C {
             for q in p + 1..C {
@@ -33,7 +32,7 @@ pub(super) fn leading_right_vector<T: Real, const R: usize, const C: usize>(
 }
 
 /// One rotation in the plane (p, q) that makes `s_pq` zero; `V` takes the same rotation.
-#[inline]
+#[inline(always)]
 fn rotate<T: Real, const C: usize>(s: &mut [[T; C]; C], v: &mut [[T; C]; C], p: usize, q: usize) {
     let s_pq = s[p][q];
     let theta = (s[q][q] - s[p][p]) / (s_pq + s_pq);
@@ -56,27 +55,26 @@ fn rotate<T: Real, const C: usize>(s: &mut [[T; C]; C], v: &mut [[T; C]; C], p: 
             s[q][k] = s[k][q];
         }
     }
-    for row in v {
-        (row[p], row[q]) = turn(row[p], row[q]);
+    for k in 0..C {
+        (v[k][p], v[k][q]) = turn(v[k][p], v[k][q]);
     }
 }
 
 /// The column of `V` of the first largest diagonal entry of `S`.
-#[inline]
+#[inline(always)]
 fn column_of_largest<T: Real, const C: usize>(s: &[[T; C]; C], v: &[[T; C]; C]) -> Vector<T, C> {
-    let column = |j: usize| Vector(array::from_fn(|i| v[i][j]));
     let mut largest = s[0][0];
-    let mut chosen = column(0);
+    let mut chosen = Matrix::rows(*v).column(0);
     for j in 1..C {
         let larger = s[j][j].gt(largest);
         largest = T::select(larger, s[j][j], largest);
-        chosen = Vector::select(larger, column(j), chosen);
+        chosen = Vector::select(larger, Matrix::rows(*v).column(j), chosen);
     }
     chosen
 }
 
 /// The vector or its negative, such that its first entry of largest magnitude is not negative.
-#[inline]
+#[inline(always)]
 fn oriented<T: Real, const C: usize>(vector: Vector<T, C>) -> Vector<T, C> {
     let mut lead = vector[0];
     for i in 1..C {

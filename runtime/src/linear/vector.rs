@@ -1,10 +1,10 @@
 //! Column vectors.
 
-use core::array;
-use core::ops::{Add, Div, Index, IndexMut, Mul, Neg, Sub};
+use core::ops::{Index, IndexMut};
 
-use super::{Matrix, sum};
-use crate::real::{Mask, Real};
+use super::elementwise::{elementwise, operators};
+use super::{Each, Each2, Matrix, PARTIAL, add_defects, dot};
+use crate::real::Real;
 
 /// A column of `N` numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,150 +12,98 @@ pub struct Vector<T, const N: usize>(pub [T; N]);
 
 impl<T: Real, const N: usize> Vector<T, N> {
     /// The same number in every entry.
-    #[inline]
+    #[inline(always)]
     pub fn splat(value: T) -> Self {
         Self([value; N])
     }
 
-    /// Zeros.
-    #[inline]
-    pub fn zero() -> Self {
-        Self::splat(T::zero())
-    }
-
     /// Entries from literals.
-    #[inline]
+    #[inline(always)]
     pub fn from_f64(entries: [f64; N]) -> Self {
-        Self(entries.map(T::from_f64))
+        let mut vector = Self::zero();
+        let mut i = 0;
+        while i < N {
+            vector.0[i] = T::from_f64(entries[i]);
+            i += 1;
+        }
+        vector
     }
 
-    /// `a` where the mask is true, else `b`.
-    #[inline]
-    pub fn select(mask: T::Mask, a: Self, b: Self) -> Self {
-        a.zip(b, |a, b| T::select(mask, a, b))
-    }
+    elementwise!();
 
     /// `f` of each entry.
-    #[inline]
-    pub fn map(self, f: impl Fn(T) -> T) -> Self {
-        Self(self.0.map(f))
+    #[inline(always)]
+    pub fn each(mut self, f: impl Each) -> Self {
+        T::each(f, &mut self.0);
+        self
     }
 
     /// `f` of the entries at each place.
-    #[inline]
-    pub fn zip(self, other: Self, f: impl Fn(T, T) -> T) -> Self {
-        Self(array::from_fn(|i| f(self.0[i], other.0[i])))
+    #[inline(always)]
+    pub fn each2(mut self, f: impl Each2, other: &Self) -> Self {
+        T::each2(f, &mut self.0, &other.0);
+        self
     }
 
-    /// `v_i s`.
-    #[inline]
-    pub fn scale(self, factor: T) -> Self {
-        self.map(|x| x * factor)
+    /// `a` where the mask is true, else `b`.
+    #[inline(always)]
+    pub fn select(mask: T::Mask, a: Self, b: Self) -> Self {
+        let mut result = a;
+        let mut i = 0;
+        while i < N {
+            result.0[i] = T::select(mask, a.0[i], b.0[i]);
+            i += 1;
+        }
+        result
     }
 
-    /// `v_i + s`.
-    #[inline]
-    pub fn add_scalar(self, term: T) -> Self {
-        self.map(|x| x + term)
-    }
-
-    /// Elementwise product `a_i b_i`.
-    #[inline]
-    pub fn hadamard(self, other: Self) -> Self {
-        self.zip(other, |a, b| a * b)
-    }
-
-    /// Elementwise quotient `a_i / b_i`.
-    #[inline]
-    pub fn quotient(self, other: Self) -> Self {
-        self.zip(other, |a, b| a / b)
-    }
-
-    /// Inner product `a_0 b_0 + a_1 b_1 + ...`, left to right.
-    #[inline]
+    /// Inner product `a_0 b_0 + a_1 b_1 + ...`, by the rule of [sums](super).
+    #[inline(always)]
     pub fn dot(self, other: Self) -> T {
-        sum::<T, N>(|i| self.0[i] * other.0[i])
+        dot(&self.0, &other.0)
     }
 
-    /// `v_0 v_0 + v_1 v_1 + ...`, left to right.
-    #[inline]
+    /// `v_0 v_0 + v_1 v_1 + ...`, by the rule of [sums](super).
+    #[inline(always)]
     pub fn sum_squares(self) -> T {
-        self.dot(self)
+        dot(&self.0, &self.0)
     }
 
     /// `a b^T`: entry (i, j) is `a_i b_j`.
-    #[inline]
+    #[inline(always)]
     pub fn outer<const C: usize>(self, other: Vector<T, C>) -> Matrix<T, N, C> {
-        Matrix(self.0.map(|a| other.0.map(|b| a * b)))
+        let mut product = Matrix::zero();
+        let mut j = 0;
+        while j < C {
+            *product.column_mut(j) = self * other.0[j];
+            j += 1;
+        }
+        product
     }
 
     /// Whether every entry is finite.
-    #[inline]
-    pub fn is_finite(self) -> T::Mask {
-        self.0
-            .iter()
-            .fold(T::Mask::splat(true), |all, x| all.and(x.is_finite()))
+    #[inline(always)]
+    pub fn is_finite(&self) -> T::Mask {
+        let mut sums = [T::zero(); PARTIAL];
+        add_defects(&mut sums, &self.0);
+        super::sum(&sums).eq(T::zero())
     }
 }
+
+operators!(Vector<T, N>, const N: usize);
 
 impl<T, const N: usize> Index<usize> for Vector<T, N> {
     type Output = T;
 
-    #[inline]
+    #[inline(always)]
     fn index(&self, i: usize) -> &T {
         &self.0[i]
     }
 }
 
 impl<T, const N: usize> IndexMut<usize> for Vector<T, N> {
-    #[inline]
+    #[inline(always)]
     fn index_mut(&mut self, i: usize) -> &mut T {
         &mut self.0[i]
-    }
-}
-
-impl<T: Real, const N: usize> Add for Vector<T, N> {
-    type Output = Self;
-
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        self.zip(other, |a, b| a + b)
-    }
-}
-
-impl<T: Real, const N: usize> Sub for Vector<T, N> {
-    type Output = Self;
-
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        self.zip(other, |a, b| a - b)
-    }
-}
-
-impl<T: Real, const N: usize> Neg for Vector<T, N> {
-    type Output = Self;
-
-    #[inline]
-    fn neg(self) -> Self {
-        self.map(|x| -x)
-    }
-}
-
-impl<T: Real, const N: usize> Mul<T> for Vector<T, N> {
-    type Output = Self;
-
-    #[inline]
-    fn mul(self, factor: T) -> Self {
-        self.scale(factor)
-    }
-}
-
-impl<T: Real, const N: usize> Div<T> for Vector<T, N> {
-    type Output = Self;
-
-    /// `v_i / s`, a division for each entry.
-    #[inline]
-    fn div(self, divisor: T) -> Self {
-        self.map(|x| x / divisor)
     }
 }

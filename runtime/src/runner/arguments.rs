@@ -1,5 +1,6 @@
 //! Command-line arguments.
 
+use std::boxed::Box;
 use std::ffi::{OsStr, OsString};
 use std::fmt;
 use std::format;
@@ -7,20 +8,33 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::string::{String, ToString};
 use std::thread;
+use std::vec::Vec;
 
-use crate::ensemble::Campaign;
+use crate::ensemble::{Campaign, Shard};
 
 /// What the arguments ask for.
 #[derive(Debug, PartialEq)]
 pub(super) enum Command {
     Help,
-    Simulate(Request),
+    Simulate(Box<Request>),
 }
 
-/// A campaign, and the files to write with it.
+/// A campaign, and the files that go with it.
 #[derive(Debug, PartialEq)]
 pub(super) struct Request {
     pub(super) campaign: Campaign,
+    /// The part to simulate.
+    pub(super) shard: Shard,
+    /// File of the state, read if it is there and written now and then.
+    pub(super) checkpoint: Option<PathBuf>,
+    /// Complete states to merge instead of simulating.
+    pub(super) merge: Vec<PathBuf>,
+    /// What this program was built from.
+    pub(super) key: String,
+    /// Where the specification is.
+    pub(super) specification: String,
+    /// File of a row for each run.
+    pub(super) run_table: Option<PathBuf>,
     /// File and run of a trajectory.
     pub(super) trajectory: Option<(PathBuf, u64)>,
     /// File of a band.
@@ -38,7 +52,8 @@ pub(super) enum UsageError {
         expected: &'static str,
     },
     Missing(&'static str),
-    WithoutTrajectory,
+    Needs(&'static str, &'static str),
+    MergeWithParts,
 }
 
 impl fmt::Display for UsageError {
@@ -52,7 +67,11 @@ impl fmt::Display for UsageError {
                 expected,
             } => write!(f, "`{option}` is `{found}`, expected {expected}"),
             Self::Missing(option) => write!(f, "`{option}` is required"),
-            Self::WithoutTrajectory => write!(f, "`--trajectory-run` needs `--trajectory`"),
+            Self::Needs(option, other) => write!(f, "`{option}` needs `{other}`"),
+            Self::MergeWithParts => write!(
+                f,
+                "`--merge` goes with none of `--shard`, `--checkpoint` and `--run-table`"
+            ),
         }
     }
 }
@@ -72,24 +91,21 @@ pub(super) fn help(name: &str) -> String {
   --no-dispersion      nominal parameters
   --trajectory FILE    write the telemetry of one run
   --trajectory-run K   its number (default: the first run)
-  --band FILE          write percentiles over the runs against time"
+  --band FILE          write percentiles over the runs against time
+  --keep-band          keep what `--band` needs in the checkpoint
+  --run-table FILE     write a row for each run
+  --checkpoint FILE    keep the state in FILE, and go on from there
+  --shard K/N          simulate the K-th of N parts; needs --checkpoint
+  --merge FILE         merge this complete checkpoint instead of simulating; once for each part
+  --key KEY            what this program was built from, for checkpoints
+  --specification PATH where the specification is, for checkpoints"
     )
 }
 
 /// Reads arguments. The last of repeated options holds.
 pub(super) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Command, UsageError> {
-    let mut campaign = Campaign {
-        seed: 1,
-        first_run: 0,
-        runs: 1,
-        horizon: f64::NAN,
-        settle: 0.0,
-        noise: true,
-        dispersion: true,
-        threads: thread::available_parallelism().map_or(1, usize::from),
-        band: false,
-    };
-    let (mut trajectory, mut trajectory_run, mut band) = (None, None, None);
+    let mut request = Request::new();
+    let mut trajectory_run = None;
     while let Some(argument) = arguments.next() {
         let option = argument.to_string_lossy();
         let mut value = || {
@@ -97,6 +113,7 @@ pub(super) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Com
                 .next()
                 .ok_or_else(|| UsageError::NoValue(option.to_string()))
         };
+        let campaign = &mut request.campaign;
         match option.as_ref() {
             "--help" | "-h" => return Ok(Command::Help),
             "--seed" => campaign.seed = count(&option, &value()?, 0)?,
@@ -107,25 +124,82 @@ pub(super) fn parse(mut arguments: impl Iterator<Item = OsString>) -> Result<Com
             "--settle" => campaign.settle = seconds(&option, &value()?)?,
             "--no-noise" => campaign.noise = false,
             "--no-dispersion" => campaign.dispersion = false,
-            "--trajectory" => trajectory = Some(PathBuf::from(value()?)),
+            "--keep-band" => campaign.band = true,
+            "--trajectory" => request.trajectory = Some((value()?.into(), 0)),
             "--trajectory-run" => trajectory_run = Some(count(&option, &value()?, 0)?),
-            "--band" => band = Some(PathBuf::from(value()?)),
+            "--band" => request.band = Some(value()?.into()),
+            "--run-table" => request.run_table = Some(value()?.into()),
+            "--checkpoint" => request.checkpoint = Some(value()?.into()),
+            "--shard" => request.shard = shard(&option, &value()?)?,
+            "--merge" => request.merge.push(value()?.into()),
+            "--key" => request.key = value()?.to_string_lossy().into_owned(),
+            "--specification" => request.specification = value()?.to_string_lossy().into_owned(),
             _ => return Err(UsageError::Unknown(option.to_string())),
         }
     }
-    if campaign.horizon.is_nan() {
-        return Err(UsageError::Missing("--horizon"));
+    let request = request.complete(trajectory_run)?;
+    Ok(Command::Simulate(Box::new(request)))
+}
+
+impl Request {
+    fn new() -> Self {
+        Self {
+            campaign: Campaign {
+                seed: 1,
+                first_run: 0,
+                runs: 1,
+                horizon: f64::NAN,
+                settle: 0.0,
+                noise: true,
+                dispersion: true,
+                width: None,
+                threads: thread::available_parallelism().map_or(1, usize::from),
+                band: false,
+            },
+            shard: Shard::WHOLE,
+            checkpoint: None,
+            merge: Vec::new(),
+            key: String::new(),
+            specification: String::new(),
+            run_table: None,
+            trajectory: None,
+            band: None,
+        }
     }
-    if trajectory.is_none() && trajectory_run.is_some() {
-        return Err(UsageError::WithoutTrajectory);
+
+    /// Options that need or exclude each other.
+    fn complete(mut self, trajectory_run: Option<u64>) -> Result<Self, UsageError> {
+        if self.campaign.horizon.is_nan() {
+            return Err(UsageError::Missing("--horizon"));
+        }
+        match &mut self.trajectory {
+            Some((_, run)) => *run = trajectory_run.unwrap_or(self.campaign.first_run),
+            None if trajectory_run.is_some() => {
+                return Err(UsageError::Needs("--trajectory-run", "--trajectory"));
+            }
+            None => {}
+        }
+        let part = self.shard != Shard::WHOLE;
+        if part && self.checkpoint.is_none() {
+            return Err(UsageError::Needs("--shard", "--checkpoint"));
+        }
+        let simulates = part || self.checkpoint.is_some() || self.run_table.is_some();
+        if simulates && !self.merge.is_empty() {
+            return Err(UsageError::MergeWithParts);
+        }
+        self.campaign.band |= self.band.is_some();
+        Ok(self)
     }
-    campaign.band = band.is_some();
-    let trajectory = trajectory.map(|path| (path, trajectory_run.unwrap_or(campaign.first_run)));
-    Ok(Command::Simulate(Request {
-        campaign,
-        trajectory,
-        band,
-    }))
+}
+
+/// `K/N`, the K-th of N parts, counted from 1.
+fn shard(option: &str, value: &OsStr) -> Result<Shard, UsageError> {
+    let numbers = value.to_str().and_then(|text| text.split_once('/'));
+    let numbers = numbers.and_then(|(k, n)| Some((k.parse().ok()?, n.parse().ok()?)));
+    match numbers {
+        Some((k, of)) if (1..=of).contains(&k) => Ok(Shard { index: k - 1, of }),
+        _ => Err(invalid(option, value, "K/N with K from 1 to N")),
+    }
 }
 
 /// A whole number that is at least `least`.
@@ -167,11 +241,11 @@ mod tests {
     use std::path::PathBuf;
     use std::string::{String, ToString};
 
-    use super::{Command, Request, parse};
+    use super::{Command, Request, Shard, parse};
 
     fn request(line: &str) -> Request {
         match parse(line.split_whitespace().map(Into::into)) {
-            Ok(Command::Simulate(request)) => request,
+            Ok(Command::Simulate(request)) => *request,
             other => panic!("{other:?}"),
         }
     }
@@ -184,14 +258,11 @@ mod tests {
 
     #[test]
     fn every_option_is_read() {
-        let Request {
-            campaign,
-            trajectory,
-            band,
-        } = request(
+        let request = request(
             "--seed 18446744073709551615 --runs 20 --first-run 7 --horizon 2.5 --settle 1e-1 --threads 3 --no-noise --no-dispersion \
-             --trajectory a.bin --trajectory-run 9 --band b.bin",
+             --trajectory a.bin --trajectory-run 9 --band b.bin --run-table r.bin --checkpoint c --shard 2/5 --key abc --specification s.yaml",
         );
+        let campaign = &request.campaign;
         assert_eq!(
             (campaign.seed, campaign.runs, campaign.first_run),
             (u64::MAX, 20, 7)
@@ -202,33 +273,37 @@ mod tests {
         );
         assert!(!campaign.noise && !campaign.dispersion && campaign.band);
         assert_eq!(
-            (trajectory, band),
-            (Some(("a.bin".into(), 9)), Some(PathBuf::from("b.bin")))
+            (request.trajectory, request.band, request.run_table),
+            (
+                Some(("a.bin".into(), 9)),
+                Some(PathBuf::from("b.bin")),
+                Some(PathBuf::from("r.bin"))
+            )
+        );
+        assert_eq!(
+            (request.checkpoint, request.shard),
+            (Some(PathBuf::from("c")), Shard { index: 1, of: 5 })
+        );
+        assert_eq!(
+            (request.key.as_str(), request.specification.as_str()),
+            ("abc", "s.yaml")
         );
     }
 
     #[test]
     fn the_horizon_alone_is_enough() {
-        let Request {
-            campaign,
-            trajectory,
-            band,
-        } = request("--horizon 20");
-        assert_eq!(
-            (
-                campaign.seed,
-                campaign.runs,
-                campaign.first_run,
-                campaign.settle
-            ),
-            (1, 1, 0, 0.0)
-        );
-        assert!(campaign.noise && campaign.dispersion && !campaign.band && campaign.threads >= 1);
-        assert_eq!((trajectory, band), (None, None));
+        let found = request("--horizon 20");
+        let mut expected = Request::new();
+        expected.campaign.horizon = 20.0;
+        assert!(found.campaign.threads >= 1);
+        assert_eq!(found, expected);
         assert_eq!(
             request("--horizon 1 --first-run 4 --trajectory t").trajectory,
             Some(("t".into(), 4))
         );
+        let merged = request("--horizon 1 --merge a --merge b --keep-band");
+        assert_eq!(merged.merge, [PathBuf::from("a"), PathBuf::from("b")]);
+        assert!(merged.campaign.band);
     }
 
     #[test]
@@ -252,5 +327,16 @@ mod tests {
             error("--horizon 1 --trajectory-run 2"),
             "`--trajectory-run` needs `--trajectory`"
         );
+        assert_eq!(
+            error("--horizon 1 --shard 1/2"),
+            "`--shard` needs `--checkpoint`"
+        );
+        assert!(error("--horizon 1 --merge a --checkpoint b").starts_with("`--merge` goes with"));
+        for wrong in ["0/2", "3/2", "1/0", "1", "a/b"] {
+            assert_eq!(
+                error(&std::format!("--horizon 1 --shard {wrong}")),
+                std::format!("`--shard` is `{wrong}`, expected K/N with K from 1 to N")
+            );
+        }
     }
 }

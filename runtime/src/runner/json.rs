@@ -3,7 +3,7 @@
 use std::format;
 use std::string::{String, ToString};
 
-use crate::ensemble::{RatioQuantiles, Summary};
+use crate::ensemble::{RatioQuantiles, Summary, WorstRun};
 
 /// The result object of a campaign.
 pub(super) fn summary(summary: &Summary) -> String {
@@ -11,6 +11,10 @@ pub(super) fn summary(summary: &Summary) -> String {
     object([
         ("runs", summary.runs.to_string()),
         ("samples", summary.samples.to_string()),
+        (
+            "violations",
+            optional(summary.violations, |count| count.to_string()),
+        ),
         ("violated", optional(summary.violated, number)),
         (
             "violated_interval95",
@@ -19,6 +23,7 @@ pub(super) fn summary(summary: &Summary) -> String {
             }),
         ),
         ("ratio", optional(summary.ratio, quantiles)),
+        ("worst", array(summary.worst.iter().map(worst))),
         (
             "rms_tracking",
             object(
@@ -49,11 +54,24 @@ fn quantiles(ratio: RatioQuantiles) -> String {
         p90,
         p99,
         max,
+        accuracy,
     } = ratio;
-    object(
-        [("median", median), ("p90", p90), ("p99", p99), ("max", max)]
-            .map(|(name, value)| (name, number(value))),
-    )
+    let fields = [
+        ("median", median),
+        ("p90", p90),
+        ("p99", p99),
+        ("max", max),
+        ("accuracy", accuracy),
+    ];
+    object(fields.map(|(name, value)| (name, number(value))))
+}
+
+fn worst(worst: &WorstRun) -> String {
+    object([
+        ("run", worst.run.to_string()),
+        ("ratio", number(worst.ratio)),
+        ("diverged", worst.diverged.to_string()),
+    ])
 }
 
 /// Shortest text that reads back as the same number; `null` for NaN and infinities, which JSON has not.

@@ -1,33 +1,33 @@
 //! The whole program of a simulator binary: arguments in, JSON lines and binary tables out.
 //!
-//! Standard output carries lines `{"progress": runs_done}`, at most 20 a second, and at the end one line `{"result": {..}}`; numbers that are not
-//! finite are `null`. A reader that goes away ends the campaign quietly. Files appear under their names only when they are complete.
-//! Exit codes: 0 done, 1 the output could not be written, 2 wrong arguments.
+//! Standard output carries lines `{"resumed": runs_done}` if a checkpoint is gone on from, `{"progress": [runs_done, runs]}`, at most 20 a second, and at the
+//! end one line `{"result": {..}}`, or `{"refused": REASON}` if a checkpoint does not fit; numbers that are not finite are `null`. A reader that
+//! goes away ends the campaign quietly. Files appear under their names only when they are complete, but for that of `--run-table`.
+//! Exit codes: 0 done, 1 a file or the output could not be written, 2 wrong arguments or a checkpoint that does not fit.
 
 mod arguments;
+mod campaign;
+mod checkpoint;
 mod json;
+mod runs;
 mod table;
 #[cfg(test)]
 mod tests;
 
-use std::cell::Cell;
 use std::fmt;
+use std::format;
 use std::io::{self, Write};
-use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::time::{Duration, Instant};
 use std::{env, writeln};
 
 use crate::band::Band;
 use crate::closed_loop::{ClosedLoop, Options};
-use crate::ensemble::{Campaign, Summary, run_while};
-use crate::simulation::{Simulation, samples_in};
+use crate::ensemble::Campaign;
+use crate::simulation::{samples_in, telemetry};
 use arguments::{Command, Request, UsageError};
+use checkpoint::Refusal;
 use table::Table;
-
-/// Time between progress lines.
-const PROGRESS_INTERVAL: Duration = Duration::from_millis(50);
 
 /// Runs the program with the arguments of the process.
 pub fn main<L: ClosedLoop>() -> ExitCode {
@@ -47,12 +47,15 @@ enum Failure {
     Usage(UsageError),
     Output(io::Error),
     File(PathBuf, io::Error),
+    Refused(PathBuf, Refusal),
+    /// The parts to merge have so many of the campaign's runs.
+    Parts(u64, u64),
 }
 
 impl Failure {
     fn exit_code(&self) -> u8 {
         match self {
-            Failure::Usage(_) => 2,
+            Failure::Usage(_) | Failure::Refused(..) | Failure::Parts(..) => 2,
             Failure::Output(_) | Failure::File(..) => 1,
         }
     }
@@ -69,6 +72,10 @@ impl fmt::Display for Failure {
             Failure::Usage(error) => write!(f, "{error}; --help lists the options"),
             Failure::Output(error) => write!(f, "cannot write to standard output: {error}"),
             Failure::File(path, error) => write!(f, "cannot write `{}`: {error}", path.display()),
+            Failure::Refused(path, refusal) => write!(f, "`{}` {refusal}", path.display()),
+            Failure::Parts(found, runs) => {
+                write!(f, "the parts have {found} runs, the campaign has {runs}")
+            }
         }
     }
 }
@@ -84,38 +91,20 @@ fn run<L: ClosedLoop>(
         }
         Command::Simulate(request) => request,
     };
-    let summary = simulate::<L>(&request.campaign, output)?;
+    let state = if request.merge.is_empty() {
+        campaign::simulate::<L>(&request, output)
+    } else {
+        campaign::merge::<L>(&request)
+    };
+    if let Err(refused @ Failure::Refused(..)) = &state {
+        let reason = json::string(&format!("{refused}"));
+        writeln!(output, "{{\"refused\": {reason}}}").map_err(Failure::Output)?;
+    }
+    let summary = state?.summary::<L>();
     write_files::<L>(&request, summary.band.as_ref())?;
     writeln!(output, "{{\"result\": {}}}", json::summary(&summary))
         .and_then(|()| output.flush())
         .map_err(Failure::Output)
-}
-
-/// The campaign with its progress lines; the first line that cannot be written breaks it off.
-fn simulate<L: ClosedLoop>(
-    campaign: &Campaign,
-    output: &mut impl Write,
-) -> Result<Summary, Failure> {
-    let last_line = Cell::new(Instant::now());
-    let mut failure = None;
-    let report = |done: u64| {
-        if last_line.get().elapsed() < PROGRESS_INTERVAL {
-            return ControlFlow::Continue(());
-        }
-        last_line.set(Instant::now());
-        match writeln!(output, "{{\"progress\": {done}}}").and_then(|()| output.flush()) {
-            Ok(()) => ControlFlow::Continue(()),
-            Err(error) => {
-                failure = Some(error);
-                ControlFlow::Break(())
-            }
-        }
-    };
-    let summary = run_while::<L>(campaign, report);
-    match failure {
-        Some(error) => Err(Failure::Output(error)),
-        None => Ok(summary.expect("invariant: only a failed line breaks a campaign off")),
-    }
 }
 
 fn write_files<L: ClosedLoop>(request: &Request, band: Option<&Band>) -> Result<(), Failure> {
@@ -137,13 +126,9 @@ fn write_trajectory<L: ClosedLoop>(campaign: &Campaign, path: &Path, run: u64) -
         noise: campaign.noise,
         dispersion: campaign.dispersion,
     };
-    let mut simulation = Simulation::<L>::new(&options, samples_in::<L>(campaign.horizon));
-    let mut row = std::vec![0.0; L::SIGNALS.len()];
     let mut table = Table::create(path, L::SIGNALS)?;
-    while let Some((_, closed_loop)) = simulation.next_sample() {
-        closed_loop.telemetry(&mut row);
-        table.push(&row)?;
-    }
+    let last = samples_in::<L>(campaign.horizon);
+    telemetry::<L, _>(&options, last, |row| table.push(row))?;
     table.finish()
 }
 

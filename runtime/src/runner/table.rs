@@ -75,7 +75,7 @@ impl Drop for Table {
 }
 
 /// A name in the same directory, so that the rename stays on one file system; unique among processes.
-fn temporary_name(path: &Path) -> io::Result<PathBuf> {
+pub(super) fn temporary_name(path: &Path) -> io::Result<PathBuf> {
     let name = path
         .file_name()
         .ok_or_else(|| io::Error::new(io::ErrorKind::InvalidInput, "not a file name"))?;

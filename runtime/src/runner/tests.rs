@@ -76,7 +76,7 @@ fn the_last_line_is_the_result() {
             .lines()
             .rev()
             .skip(1)
-            .all(|line| line.starts_with(r#"{"progress": "#))
+            .all(|line| line.starts_with(r#"{"progress": ["#))
     );
 }
 
@@ -178,4 +178,167 @@ fn a_closed_pipe_ends_the_campaign() {
     let failure =
         runner(&["--horizon", "1", "--runs", &runs], &mut Closed).expect_err("nobody reads");
     assert!(failure.is_closed_pipe() && failure.exit_code() == 1);
+}
+
+const CAMPAIGN: [&str; 9] = [
+    "--horizon",
+    "0.5",
+    "--runs",
+    "300",
+    "--settle",
+    "0.2",
+    "--keep-band",
+    "--key",
+    "k1",
+];
+
+fn with<'a>(more: &[&'a str]) -> Vec<&'a str> {
+    [&CAMPAIGN[..], more].concat()
+}
+
+/// The result line without the time it took.
+fn result(arguments: &[&str]) -> String {
+    let output = text(arguments);
+    let last = output.lines().last().expect("there is output");
+    let (statistics, _) = last.split_once(", \"wall_s\"").expect("times come last");
+    statistics.to_string()
+}
+
+fn refusal(arguments: &[&str]) -> String {
+    let mut output = Vec::new();
+    let failure = runner(arguments, &mut output).expect_err("it does not fit");
+    assert_eq!(failure.exit_code(), 2);
+    assert!(String::from_utf8_lossy(&output).starts_with(r#"{"refused": ""#));
+    format!("{failure}")
+}
+
+#[test]
+fn a_checkpoint_is_gone_on_from_or_refused() {
+    let directory = directory("checkpoint");
+    let path = directory.join("state");
+    let state = path.to_string_lossy().into_owned();
+    let first = result(&with(&["--checkpoint", &state]));
+    assert_eq!(first, result(&CAMPAIGN));
+    let output = text(&with(&["--checkpoint", &state]));
+    assert!(output.starts_with("{\"resumed\": 300}\n"), "{output}");
+    assert_eq!(result(&with(&["--checkpoint", &state])), first);
+    let file = fs::read(&path).expect("it was written");
+    assert!(file.starts_with(
+        b"nsv campaign state 1\nspecification \"\"\nname mock\nsimulator k1\nseed 1\n"
+    ));
+
+    let other = with(&["--checkpoint", &state, "--seed", "2", "--no-noise"]);
+    let said = refusal(&other);
+    assert!(
+        said.ends_with(
+            "` is of another campaign: seed is 1, expected 2, noise is true, expected false"
+        ),
+        "{said}"
+    );
+    for place in [200, file.len() / 2, file.len() - 1] {
+        let mut damaged = file.clone();
+        damaged[place] ^= 1;
+        fs::write(&path, damaged).expect("it can be written");
+        assert!(refusal(&with(&["--checkpoint", &state])).contains("is damaged"));
+    }
+    for (contents, said) in [
+        (&file[..file.len() / 2], "is damaged"),
+        (b"hello", "is not the state of a campaign"),
+        (
+            b"nsv campaign state 7\n\n",
+            "has version 7 of the format, this program reads version 1",
+        ),
+    ] {
+        fs::write(&path, contents).expect("it can be written");
+        assert!(refusal(&with(&["--checkpoint", &state])).contains(said));
+    }
+    fs::remove_dir_all(directory).expect("it can be removed");
+}
+
+#[test]
+fn shards_merge_to_the_campaign() {
+    let directory = directory("shards");
+    let parts: Vec<String> = (1..=3)
+        .map(|k| {
+            directory
+                .join(format!("{k}"))
+                .to_string_lossy()
+                .into_owned()
+        })
+        .collect();
+    for (k, part) in (1..).zip(&parts) {
+        text(&with(&["--shard", &format!("{k}/3"), "--checkpoint", part]));
+    }
+    let merge = |order: &[usize]| {
+        let files = order.iter().flat_map(|&k| ["--merge", parts[k].as_str()]);
+        with(&files.collect::<Vec<_>>())
+    };
+    let whole = result(&CAMPAIGN);
+    assert_eq!(result(&merge(&[0, 1, 2])), whole);
+    assert_eq!(result(&merge(&[2, 0, 1])), whole);
+    let missing = runner(&merge(&[0, 2]), &mut Vec::new()).expect_err("a part is missing");
+    assert_eq!(
+        format!("{missing}"),
+        "the parts have 200 runs, the campaign has 300"
+    );
+    fs::remove_dir_all(directory).expect("it can be removed");
+}
+
+#[test]
+fn each_run_has_its_row() {
+    // What is not a number is equal by its bits.
+    let bits = |path: &str| {
+        let (header, numbers) = table(Path::new(path));
+        (
+            header,
+            numbers.into_iter().map(f64::to_bits).collect::<Vec<_>>(),
+        )
+    };
+    let directory = directory("rows");
+    let [whole, part, again] =
+        ["whole", "part", "again"].map(|name| directory.join(name).to_string_lossy().into_owned());
+    text(&with(&["--run-table", &whole, "--threads", "3"]));
+    let (header, rows) = bits(&whole);
+    assert_eq!(
+        header,
+        r#"{"columns": ["run", "samples", "diverged", "ratio", "rms.x", "saturated.u"], "rows": 300}"#
+    );
+    assert_eq!(rows.len(), 300 * 6);
+    for run in [0, 7, 299] {
+        let number = run.to_string();
+        let alone = [
+            "--horizon",
+            "0.5",
+            "--settle",
+            "0.2",
+            "--first-run",
+            &number,
+            "--run-table",
+            &again,
+        ];
+        text(&alone);
+        let (_, row) = bits(&again);
+        assert_eq!(row, rows[run * 6..][..6], "run {run}");
+    }
+    // The second of two parts has every other block of eight.
+    let state = directory.join("state").to_string_lossy().into_owned();
+    let shard = with(&[
+        "--shard",
+        "2/2",
+        "--checkpoint",
+        &state,
+        "--run-table",
+        &part,
+    ]);
+    text(&shard);
+    let (_, of_part) = bits(&part);
+    assert_eq!(of_part[..48], rows[48..96]);
+    assert_eq!(of_part[48..96], rows[144..192]);
+    // Complete, it stays as it is; gone, it is missed.
+    text(&shard);
+    assert_eq!(bits(&part).1, of_part);
+    fs::remove_file(&part).expect("it can be removed");
+    let failure = runner(&shard, &mut Vec::new()).expect_err("its rows are gone");
+    assert!(format!("{failure}").contains("part"), "{failure}");
+    fs::remove_dir_all(directory).expect("it can be removed");
 }

@@ -10,12 +10,26 @@ use crate::cli::child;
 use crate::cli::failure::{Exit, Failure};
 use nsv_codegen::interrupt::Scratch;
 
+/// A built runner.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Program {
+    /// The executable file.
+    pub path: PathBuf,
+    /// What it was built from, as a hash.
+    pub key: String,
+}
+
+/// The key that the program of `package` has or would have.
+pub(crate) fn key(cache: &Cache, package: &Package) -> Result<String, Failure> {
+    Ok(package.key(&Toolchain::find(&cache.simulators())?.version))
+}
+
 /// The program of `package`. `building` is called before a build that takes a while.
 pub(crate) fn prepare(
     cache: &Cache,
     package: &Package,
     building: impl FnOnce(),
-) -> Result<PathBuf, Failure> {
+) -> Result<Program, Failure> {
     let toolchain = Toolchain::find(&cache.simulators())?;
     prepare_with(cache, package, &toolchain, building)
 }
@@ -25,11 +39,11 @@ fn prepare_with(
     package: &Package,
     toolchain: &Toolchain,
     building: impl FnOnce(),
-) -> Result<PathBuf, Failure> {
+) -> Result<Program, Failure> {
     let key = package.key(&toolchain.version);
-    let program = cache.program(&key);
-    if program.is_file() {
-        return Ok(program);
+    let path = cache.program(&key);
+    if path.is_file() {
+        return Ok(Program { path, key });
     }
     building();
     let failed =
@@ -46,17 +60,11 @@ fn prepare_with(
     // Only the program moves into place, in one step; sources and intermediate files go with the scratch folder.
     let kept = scratch.path().join("kept");
     std::fs::create_dir(&kept)
-        .and_then(|()| std::fs::rename(built, kept.join(program.file_name().unwrap_or_default())))
+        .and_then(|()| std::fs::rename(built, kept.join(path.file_name().unwrap_or_default())))
         .and_then(|()| std::fs::rename(&kept, cache.simulators().join(&key)))
-        .or_else(|error| {
-            if program.is_file() {
-                Ok(())
-            } else {
-                Err(error)
-            }
-        }) // another nsv built the same
+        .or_else(|error| if path.is_file() { Ok(()) } else { Err(error) }) // another nsv built the same
         .map_err(|error| failed(&error))?;
-    Ok(program)
+    Ok(Program { path, key })
 }
 
 /// Builds the package in `folder`; the path of the program.
@@ -139,8 +147,10 @@ mod tests {
         let cache = Cache::at(root.path().to_owned()).unwrap();
         let builds = Cell::new(0);
         let prepare = || prepare(&cache, &fake(SPEC), || builds.set(builds.get() + 1)).unwrap();
-        let program = prepare();
-        assert_eq!(program, prepare());
+        let built = prepare();
+        assert_eq!(built, prepare());
+        assert_eq!(key(&cache, &fake(SPEC)).unwrap(), built.key);
+        let program = built.path;
         assert_eq!(builds.get(), 1);
         assert_eq!(entries(&cache.simulators()), [program.parent().unwrap()]);
         assert_eq!(entries(program.parent().unwrap()), [program.as_path()]);

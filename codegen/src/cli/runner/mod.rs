@@ -2,12 +2,14 @@
 
 mod build;
 mod cache;
+mod job;
 mod package;
 mod protocol;
 mod toolchain;
 
-pub(crate) use build::prepare;
+pub(crate) use build::{Program, key, prepare};
 pub(crate) use cache::Cache;
+pub(crate) use job::{Campaign, Job, Part, Recordings, Work};
 pub(crate) use package::Package;
-pub(crate) use protocol::{Campaign, Recordings, Replay, simulate};
+pub(crate) use protocol::{Event, Replay, perform};
 pub(crate) use toolchain::{INSTALL, Toolchain};

@@ -62,9 +62,10 @@ impl Package {
         manifest_of_runtime: String,
     ) -> Package {
         let mut files: BTreeMap<String, String> = runtime
-            .map(|(path, text)| (format!("runtime/src/{path}"), text))
+            .map(|(path, text)| (format!("runtime/{path}"), text))
             .collect();
         files.insert("runtime/Cargo.toml".into(), manifest_of_runtime);
+        files.insert("runtime/math/Cargo.toml".into(), manifest_of_math());
         files.insert("Cargo.toml".into(), MANIFEST.into());
         files.insert("Cargo.lock".into(), lock());
         files.insert("src/main.rs".into(), MAIN.into());
@@ -110,10 +111,23 @@ impl Package {
 
 /// Stands in for the runtime's own manifest, which inherits from the workspace.
 fn manifest_of_runtime() -> String {
-    let version = env!("CARGO_PKG_VERSION");
+    manifest(
+        "nsv-runtime",
+        "std = [\"nsv-math/std\"]",
+        "nsv-math = { path = \"math\" }\n",
+    )
+}
+
+/// Stands in for the manifest of the numeric types.
+fn manifest_of_math() -> String {
+    manifest("nsv-math", "std = []", "")
+}
+
+fn manifest(name: &str, features: &str, dependencies: &str) -> String {
     format!(
-        "[package]\nname = \"nsv-runtime\"\nversion = \"{version}\"\nedition = \"2024\"\n\n\
-         [features]\ndefault = []\nstd = []\n\n[dependencies]\nlibm = \"={}\"\n",
+        "[package]\nname = \"{name}\"\nversion = \"{}\"\nedition = \"2024\"\n\n\
+         [features]\ndefault = []\n{features}\n\n[dependencies]\n{dependencies}libm = \"={}\"\n",
+        env!("CARGO_PKG_VERSION"),
         libm_version()
     )
 }
@@ -121,7 +135,8 @@ fn manifest_of_runtime() -> String {
 fn lock() -> String {
     let version = env!("CARGO_PKG_VERSION");
     format!(
-        "version = 4\n\n{}\n[[package]]\nname = \"nsv-runtime\"\nversion = \"{version}\"\ndependencies = [\n \"libm\",\n]\n\n\
+        "version = 4\n\n{}\n[[package]]\nname = \"nsv-math\"\nversion = \"{version}\"\ndependencies = [\n \"libm\",\n]\n\n\
+         [[package]]\nname = \"nsv-runtime\"\nversion = \"{version}\"\ndependencies = [\n \"libm\",\n \"nsv-math\",\n]\n\n\
          [[package]]\nname = \"{NAME}\"\nversion = \"0.0.0\"\ndependencies = [\n \"nsv-runtime\",\n]\n",
         embedded::LIBM
     )
@@ -150,8 +165,9 @@ pub(super) mod tests {
             ("simulator.rs".to_owned(), spec.to_owned()),
         ];
         let runtime = [
-            ("lib.rs", runtime.to_owned()),
-            ("runner/mod.rs", runner.to_owned()),
+            ("src/lib.rs", runtime.to_owned()),
+            ("src/runner/mod.rs", runner.to_owned()),
+            ("math/src/lib.rs", "#![no_std]\n".to_owned()),
         ];
         Package::with_runtime(
             &generated.into(),
@@ -164,9 +180,11 @@ pub(super) mod tests {
 
     #[test]
     fn every_source_of_the_runtime_is_embedded() {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../runtime/src");
-        let lib = std::fs::read_to_string(root.join("lib.rs")).unwrap();
-        assert!(embedded::RUNTIME.contains(&("lib.rs", lib.as_str())));
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../runtime");
+        for lib in ["src/lib.rs", "math/src/lib.rs"] {
+            let text = std::fs::read_to_string(root.join(lib)).unwrap();
+            assert!(embedded::RUNTIME.contains(&(lib, text.as_str())));
+        }
         for (path, text) in embedded::RUNTIME {
             assert_eq!(
                 *text,
@@ -177,11 +195,8 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn the_manifest_says_what_the_runtime_says() {
-        let original = std::fs::read_to_string(
-            Path::new(env!("CARGO_MANIFEST_DIR")).join("../runtime/Cargo.toml"),
-        )
-        .unwrap();
+    fn the_manifests_say_what_the_originals_say() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let section = |text: &str, name: &str| -> Vec<String> {
             let after = text.split(&format!("[{name}]")).nth(1).unwrap_or_default();
             let lines = after
@@ -193,12 +208,18 @@ pub(super) mod tests {
                 .map(|line| line.split(['.', ' ', '=']).next().unwrap().to_owned())
                 .collect()
         };
-        for name in ["features", "dependencies"] {
-            assert_eq!(
-                section(&manifest_of_runtime(), name),
-                section(&original, name),
-                "[{name}]"
-            );
+        for (ours, original) in [
+            (manifest_of_runtime(), "runtime/Cargo.toml"),
+            (manifest_of_math(), "runtime/math/Cargo.toml"),
+        ] {
+            let text = std::fs::read_to_string(root.join(original)).unwrap();
+            for name in ["features", "dependencies"] {
+                assert_eq!(
+                    section(&ours, name),
+                    section(&text, name),
+                    "{original} [{name}]"
+                );
+            }
         }
     }
 

@@ -5,39 +5,10 @@ use std::process::Command;
 
 use serde::Deserialize;
 
+use super::job::Job;
 use crate::cli::child;
 use crate::cli::failure::{Exit, Failure, reason};
 use crate::report::{Outcome, Table};
-
-/// What to simulate.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Campaign {
-    /// Seed of all noise and dispersion.
-    pub seed: u64,
-    /// Number of the first run.
-    pub first_run: u64,
-    /// Number of runs.
-    pub runs: u64,
-    /// Length of a run, s.
-    pub horizon_s: f64,
-    /// Start of the rms window, s.
-    pub settle_s: f64,
-    /// Worker threads; 0 for one per core.
-    pub threads: usize,
-    /// Whether noise acts.
-    pub noise: bool,
-    /// Whether plant parameters are dispersed.
-    pub dispersion: bool,
-}
-
-/// Which signals to record.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Recordings {
-    /// The run whose signals are recorded.
-    pub trajectory_run: Option<u64>,
-    /// Whether statistics over the runs are recorded.
-    pub band: bool,
-}
 
 /// What came of it.
 #[derive(Clone, Debug)]
@@ -50,40 +21,61 @@ pub(crate) struct Replay {
     pub band: Option<Table>,
 }
 
+/// What a runner says while it works.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Event {
+    /// So many runs were done before.
+    Resumed(u64),
+    /// So many runs are done, of so many.
+    Progress(u64, u64),
+}
+
 #[derive(Deserialize)]
 #[serde(rename_all = "snake_case")]
 enum Line {
-    Progress(u64),
-    Result(Outcome),
+    Resumed(u64),
+    Progress(u64, u64),
+    Result(Box<Outcome>),
+    Refused(String),
 }
 
-/// Runs `program`; `scratch` takes the files that the signals come in, `on_progress` sees how many runs are done.
-pub(crate) fn simulate(
-    program: &Path,
-    campaign: &Campaign,
-    recordings: Recordings,
+/// Runs the program; `scratch` takes the files that the signals come in.
+pub(crate) fn perform(
+    job: &Job<'_>,
     scratch: &Path,
-    mut on_progress: impl FnMut(u64),
+    mut on_event: impl FnMut(Event),
 ) -> Result<Replay, Failure> {
     let file = |name: &str, wanted: bool| wanted.then(|| scratch.join(name));
-    let trajectory = file("trajectory", recordings.trajectory_run.is_some());
-    let band = file("band", recordings.band);
-    let mut command = Command::new(program);
-    command.args(arguments(campaign));
-    if let (Some(run), Some(path)) = (recordings.trajectory_run, &trajectory) {
-        command
-            .arg("--trajectory")
-            .arg(path)
-            .arg("--trajectory-run")
-            .arg(run.to_string());
+    let trajectory = file("trajectory", job.recordings.trajectory_run.is_some());
+    let band = file("band", job.recordings.band);
+    let mut command = Command::new(&job.program.path);
+    command.args(job.arguments());
+    if let (Some(run), Some(path)) = (job.recordings.trajectory_run, &trajectory) {
+        command.arg("--trajectory").arg(path);
+        command.arg("--trajectory-run").arg(run.to_string());
     }
     if let Some(path) = &band {
         command.arg("--band").arg(path);
     }
-    let (mut outcome, mut strange) = (None, None);
-    let finished = child::run(&mut command, |line| match serde_json::from_str(line) {
-        Ok(Line::Progress(done)) => on_progress(done),
-        Ok(Line::Result(result)) => outcome = Some(result),
+    let outcome = conversation(&mut command, &mut on_event)?;
+    Ok(Replay {
+        outcome,
+        trajectory: trajectory.map(read).transpose()?,
+        band: band.map(read).transpose()?,
+    })
+}
+
+/// Runs the command to its result.
+fn conversation(
+    command: &mut Command,
+    on_event: &mut impl FnMut(Event),
+) -> Result<Outcome, Failure> {
+    let (mut outcome, mut refused, mut strange) = (None, None, None);
+    let finished = child::run(command, |line| match serde_json::from_str(line) {
+        Ok(Line::Resumed(runs)) => on_event(Event::Resumed(runs)),
+        Ok(Line::Progress(done, runs)) => on_event(Event::Progress(done, runs)),
+        Ok(Line::Result(result)) => outcome = Some(*result),
+        Ok(Line::Refused(reason)) => refused = Some(reason),
         Err(_) => strange = Some(line.to_owned()),
     });
     let finished = finished.map_err(|error| {
@@ -92,57 +84,20 @@ pub(crate) fn simulate(
             format_args!("cannot run the simulator: {}", reason(&error)),
         )
     })?;
+    if let Some(reason) = refused {
+        return Err(Failure::new(Exit::Usage, reason));
+    }
     if !finished.status.success() {
         return Err(ended(
             &format!("ended with {}", finished.status),
             &finished.stderr,
         ));
     }
-    let outcome = match (outcome, strange) {
-        (Some(outcome), None) => outcome,
-        (_, Some(line)) => return Err(ended(&format!("said `{line}`"), &finished.stderr)),
-        (None, None) => return Err(ended("gave no result", &finished.stderr)),
-    };
-    Ok(Replay {
-        outcome,
-        trajectory: trajectory.map(read).transpose()?,
-        band: band.map(read).transpose()?,
-    })
-}
-
-fn arguments(campaign: &Campaign) -> Vec<String> {
-    let Campaign {
-        seed,
-        first_run,
-        runs,
-        horizon_s,
-        settle_s,
-        threads,
-        noise,
-        dispersion,
-    } = *campaign;
-    let threads = match threads {
-        0 => std::thread::available_parallelism().map_or(1, usize::from),
-        threads => threads,
-    };
-    let pairs = [
-        ("--seed", seed.to_string()),
-        ("--runs", runs.to_string()),
-        ("--first-run", first_run.to_string()),
-        ("--horizon", format!("{horizon_s:?}")),
-        ("--settle", format!("{settle_s:?}")),
-        ("--threads", threads.to_string()),
-    ];
-    let switches = [("--no-noise", !noise), ("--no-dispersion", !dispersion)];
-    let switches = switches
-        .into_iter()
-        .filter(|(_, given)| *given)
-        .map(|(name, _)| name.to_owned());
-    pairs
-        .into_iter()
-        .flat_map(|(name, value)| [name.to_owned(), value])
-        .chain(switches)
-        .collect()
+    match (outcome, strange) {
+        (Some(outcome), None) => Ok(outcome),
+        (_, Some(line)) => Err(ended(&format!("said `{line}`"), &finished.stderr)),
+        (None, None) => Err(ended("gave no result", &finished.stderr)),
+    }
 }
 
 fn read(path: PathBuf) -> Result<Table, Failure> {
@@ -171,11 +126,13 @@ fn ended(how: &str, stderr: &str) -> Failure {
 #[cfg(test)]
 #[cfg(unix)]
 pub(in crate::cli) mod tests {
+    use super::super::job::tests::CAMPAIGN;
+    use super::super::{Program, Recordings, Work};
     use super::*;
 
     pub(in crate::cli) const RESULT: &str = concat!(
-        r#"{"result": {"runs": 2, "samples": 20, "violated": 0.5, "violated_interval95": [0.0126, 0.9874], "#,
-        r#""ratio": {"median": 0.4, "p90": 1.2, "p99": 1.3, "max": 1.3}, "rms_tracking": {"y": 0.002}, "#,
+        r#"{"result": {"runs": 2, "samples": 20, "violations": 1, "violated": 0.5, "violated_interval95": [0.0126, 0.9874], "#,
+        r#""ratio": {"median": 0.4, "p90": 1.2, "p99": 1.3, "max": 1.3, "accuracy": 0.0}, "worst": [{"run": 4, "ratio": 1.3, "diverged": false}], "rms_tracking": {"y": 0.002}, "#,
         r#""saturated_fraction": {"u": 0.25}, "nonfinite": 0, "wall_s": 0.5, "steps_per_s": 40.0}}"#
     );
 
@@ -193,25 +150,27 @@ pub(in crate::cli) mod tests {
         path
     }
 
-    const CAMPAIGN: Campaign = Campaign {
-        seed: 7,
-        first_run: 3,
-        runs: 2,
-        horizon_s: 20.0,
-        settle_s: 4.5,
-        threads: 2,
-        noise: false,
-        dispersion: true,
+    const FLY: Work<'_> = Work::Fly {
+        part: None,
+        checkpoint: None,
     };
 
-    fn play(body: &str, recordings: Recordings) -> (Result<Replay, Failure>, Vec<u64>) {
+    fn play(body: &str, recordings: Recordings<'_>) -> (Result<Replay, Failure>, Vec<Event>) {
         let folder = tempfile::tempdir().unwrap();
-        let mut progress = Vec::new();
-        let program = script(folder.path(), body);
-        let replay = simulate(&program, &CAMPAIGN, recordings, folder.path(), |done| {
-            progress.push(done)
-        });
-        (replay, progress)
+        let mut events = Vec::new();
+        let program = Program {
+            path: script(folder.path(), body),
+            key: "k".into(),
+        };
+        let job = Job {
+            program: &program,
+            specification: Path::new("/spec.yaml"),
+            campaign: &CAMPAIGN,
+            work: FLY,
+            recordings,
+        };
+        let replay = perform(&job, folder.path(), |event| events.push(event));
+        (replay, events)
     }
 
     fn message(result: Result<Replay, Failure>) -> String {
@@ -227,15 +186,13 @@ pub(in crate::cli) mod tests {
 
     #[test]
     fn progress_and_statistics_are_read() {
-        let (replay, progress) = play(
-            &format!("echo '{{\"progress\": 1}}'\necho '{RESULT}'"),
+        let (replay, events) = play(
+            &format!("echo '{{\"resumed\": 0}}'\necho '{{\"progress\": [1, 2]}}'\necho '{RESULT}'"),
             Recordings::default(),
         );
         let outcome = replay.unwrap().outcome;
-        assert_eq!(
-            (outcome.runs, outcome.violated, progress),
-            (2, Some(0.5), vec![1])
-        );
+        assert_eq!((outcome.runs, outcome.violated), (2, Some(0.5)));
+        assert_eq!(events, [Event::Resumed(0), Event::Progress(1, 2)]);
     }
 
     #[test]
@@ -253,6 +210,7 @@ pub(in crate::cli) mod tests {
             Recordings {
                 trajectory_run: Some(4),
                 band: true,
+                ..Recordings::default()
             },
         );
         let replay = replay.unwrap();
@@ -261,12 +219,20 @@ pub(in crate::cli) mod tests {
     }
 
     #[test]
-    fn arguments_are_those_of_the_protocol() {
-        let arguments = arguments(&CAMPAIGN).join(" ");
-        assert_eq!(
-            arguments,
-            "--seed 7 --runs 2 --first-run 3 --horizon 20.0 --settle 4.5 --threads 2 --no-noise"
+    fn a_refusal_is_a_matter_of_usage() {
+        let (refused, _) = play(
+            r#"echo '{"refused": "`c` is damaged"}'; exit 2"#,
+            Recordings::default(),
         );
+        let Err(Failure::Message {
+            exit: Exit::Usage,
+            message,
+            ..
+        }) = refused
+        else {
+            panic!("{refused:?}")
+        };
+        assert_eq!(message, "`c` is damaged");
     }
 
     #[test]
@@ -285,7 +251,7 @@ pub(in crate::cli) mod tests {
             &format!("echo '{RESULT}'"),
             Recordings {
                 trajectory_run: Some(0),
-                band: false,
+                ..Recordings::default()
             },
         );
         assert!(message(cut).contains("trajectory"));

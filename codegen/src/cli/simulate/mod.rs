@@ -1,10 +1,13 @@
 //! `nsv simulate`: builds the freshly generated code and flies it.
 
 mod progress;
+mod result;
+mod run_table;
 mod summary;
 mod trajectory;
 
-use std::path::PathBuf;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
 
 use nsv_codegen::interrupt::Scratch;
 use nsv_spec::model::{MAX_STEPS, Model};
@@ -12,10 +15,14 @@ use nsv_spec::model::{MAX_STEPS, Model};
 use super::compile::{Math, Partials, compile, load};
 use super::failure::{Exit, Failure};
 use super::files;
-use super::output::{self, note};
-use super::runner::{self, Cache, Campaign, Package, Recordings, Replay};
-use crate::report::{Plant, Report, page};
+use super::output::note;
+use super::runner::{self, Cache, Campaign, Event, Job, Package, Part, Recordings, Replay, Work};
+use crate::report::Plant;
+use crate::report::number::count;
 use progress::Progress;
+
+pub(super) use result::{Files, Flown, Format};
+use trajectory::Kind;
 
 /// Simulate the closed loop: statistics on standard output, signals and a report on request
 #[derive(clap::Args)]
@@ -35,9 +42,21 @@ pub(crate) struct Args {
     /// Write the signals of one run in SI units, as CSV or Parquet by the name's ending
     #[arg(long, value_name = "FILE.csv|.parquet", value_parser = recording)]
     out: Option<PathBuf>,
+    /// Write a row for each run, in their order, as CSV or Parquet by the name's ending
+    #[arg(long, value_name = "FILE.csv|.parquet", value_parser = recording)]
+    runs_out: Option<PathBuf>,
     /// Write a page with figures
     #[arg(long, value_name = "FILE.html")]
     report: Option<PathBuf>,
+    /// Keep what is done in FILE every few seconds; go on from it if it is there
+    #[arg(long, value_name = "FILE")]
+    checkpoint: Option<PathBuf>,
+    /// Simulate the K-th of N parts; `nsv merge` adds their checkpoints up
+    #[arg(long, value_name = "K/N", value_parser = part, requires = "checkpoint", conflicts_with = "report")]
+    shard: Option<Part>,
+    /// Keep in the checkpoint what a later report shows of all runs
+    #[arg(long, requires = "checkpoint")]
+    bands: bool,
     /// How the statistics are written
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -58,14 +77,6 @@ pub(crate) struct Args {
     run: Option<u64>,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Format {
-    /// A table
-    Human,
-    /// One JSON document
-    Json,
-}
-
 fn seconds(text: &str) -> Result<f64, String> {
     let value: f64 = text
         .parse()
@@ -77,36 +88,45 @@ fn seconds(text: &str) -> Result<f64, String> {
     }
 }
 
-fn recording(text: &str) -> Result<PathBuf, String> {
+/// A file of numbers.
+pub(super) fn recording(text: &str) -> Result<PathBuf, String> {
     let path = PathBuf::from(text);
-    match trajectory::Kind::of(&path) {
+    match Kind::of(&path) {
         Some(_) => Ok(path),
         None => Err("expected a name that ends in .csv or .parquet".to_owned()),
     }
+}
+
+fn part(text: &str) -> Result<Part, String> {
+    Part::parse(text).ok_or_else(|| "expected K/N with K from 1 to N".to_owned())
 }
 
 /// Runs the verb.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let model = load(&args.spec)?;
     // Before the campaign, which may take long.
-    for path in [&args.out, &args.report].into_iter().flatten() {
-        files::expect_folder(path)?;
+    for path in [&args.out, &args.runs_out, &args.report, &args.checkpoint] {
+        path.as_deref().map_or(Ok(()), files::expect_folder)?;
     }
     let (campaign, shown) = campaign(args, &model)?;
     let compiled = compile(&args.spec, &model, Partials::Cached, args.math)?;
     let plant = Plant::from(&model);
-    let replay = fly(
-        &Cache::open()?,
-        &Package::new(&compiled.files),
-        &campaign,
+    let package = Package::new(&compiled.files);
+    let replay = fly(&Cache::open()?, &package, &plant, &campaign, shown, args)?;
+    let flown = Flown {
+        specification: &args.spec,
+        plant: &plant,
+        campaign: &campaign,
+        part: args.shard,
+        math: args.math,
         shown,
-        args,
-    )?;
-    record(args, &plant, &campaign, shown, &replay)?;
-    match args.format {
-        Format::Human => output::data(&summary::table(&plant, &campaign, &replay.outcome)),
-        Format::Json => output::json(&summary::document(&plant, &campaign, &replay.outcome)),
-    }
+        replay: &replay,
+    };
+    flown.write(Files {
+        out: args.out.as_deref(),
+        report: args.report.as_deref(),
+    })?;
+    flown.tell(args.format)
 }
 
 /// What to simulate, and the run to show.
@@ -151,89 +171,94 @@ fn campaign(args: &Args, model: &Model) -> Result<(Campaign, u64), Failure> {
     Ok((campaign, shown))
 }
 
-/// Builds the simulator and runs the campaign.
+/// Builds the simulator, runs the campaign, and writes a row for each run if they are wanted.
 fn fly(
     cache: &Cache,
     package: &Package,
+    plant: &Plant,
     campaign: &Campaign,
     shown: u64,
     args: &Args,
 ) -> Result<Replay, Failure> {
-    let progress = Progress::new();
+    let mut progress = Progress::new();
     let program = runner::prepare(cache, package, || progress.building())?;
+    let scratch = scratch(args.runs_out.as_deref())?;
+    let table = args.runs_out.as_ref().map(|_| match &args.checkpoint {
+        Some(checkpoint) => beside(checkpoint),
+        None => scratch.path().join("runs"),
+    });
     let recordings = Recordings {
         trajectory_run: (args.out.is_some() || args.report.is_some()).then_some(shown),
         band: args.report.is_some() && campaign.runs > 1,
+        keep_band: args.bands,
+        run_table: table.as_deref(),
     };
-    let scratch =
-        Scratch::new().map_err(|error| Failure::io("write in", &std::env::temp_dir(), &error))?;
-    let replay = runner::simulate(&program, campaign, recordings, scratch.path(), |done| {
-        progress.runs(done, campaign.runs)
+    let job = Job {
+        program: &program,
+        specification: &args.spec,
+        campaign,
+        work: Work::Fly {
+            part: args.shard,
+            checkpoint: args.checkpoint.as_deref(),
+        },
+        recordings,
+    };
+    let replay = runner::perform(&job, scratch.path(), |event| match event {
+        Event::Resumed(runs) => resumed(runs, args.checkpoint.as_deref()),
+        Event::Progress(done, runs) => progress.runs(done, runs),
     });
     progress.done();
-    replay
+    let replay = replay.map_err(|failure| match args.checkpoint {
+        Some(_) if failure.exit() == Some(Exit::Usage) => failure
+            .with_help("repeat the campaign's own options, or name another file to start anew"),
+        _ => failure,
+    })?;
+    if let (Some(path), Some(table)) = (&args.runs_out, &table) {
+        run_table::convert(table, path, &origin(plant, campaign))?;
+    }
+    Ok(replay)
 }
 
-/// Writes the files that were asked for.
-fn record(
-    args: &Args,
-    plant: &Plant,
-    campaign: &Campaign,
-    shown: u64,
-    replay: &Replay,
-) -> Result<(), Failure> {
-    let Some(trajectory) = &replay.trajectory else {
-        return Ok(());
-    };
-    if let Some(path) = &args.out {
-        let origin = [
-            ("nsv.spec", plant.name.clone()),
-            ("nsv.hash", plant.hash.clone()),
-            ("nsv.seed", campaign.seed.to_string()),
-            ("nsv.run", shown.to_string()),
-        ];
-        trajectory::write(path, trajectory, &origin)?;
-    }
-    if let Some(path) = &args.report {
-        let text = page(&Report {
-            plant,
-            command: &command(
-                std::env::args_os()
-                    .skip(1)
-                    .map(|word| word.to_string_lossy().into_owned()),
-            ),
-            seed: campaign.seed,
-            horizon_s: campaign.horizon_s,
-            settle_s: campaign.settle_s,
-            trajectory_run: shown,
-            outcome: &replay.outcome,
-            trajectory,
-            band: replay.band.as_ref(),
-        });
-        files::replace(&[(path.clone(), &text)], &[])?;
-    }
-    Ok(())
-}
-
-/// The command as it would be typed into a shell.
-fn command(words: impl Iterator<Item = String>) -> String {
-    let plain = |word: &str| {
-        !word.is_empty()
-            && word
-                .chars()
-                .all(|c| c.is_ascii_alphanumeric() || "-_./=+:,@%".contains(c))
-    };
-    let quoted = words.map(|word| {
-        if plain(&word) {
-            word
-        } else {
-            format!("'{}'", word.replace('\'', r"'\''"))
+/// A folder for what the simulator writes; rows of all runs, which may be many, go to the disk that they stay on.
+fn scratch(runs_out: Option<&Path>) -> Result<Scratch, Failure> {
+    let folder = runs_out.and_then(Path::parent);
+    match folder.filter(|folder| !folder.as_os_str().is_empty()) {
+        Some(folder) => {
+            Scratch::new_in(folder).map_err(|error| Failure::io("write in", folder, &error))
         }
-    });
-    std::iter::once("nsv".to_owned())
-        .chain(quoted)
-        .collect::<Vec<_>>()
-        .join(" ")
+        None if runs_out.is_some() => Scratch::new_in(Path::new("."))
+            .map_err(|error| Failure::io("write in", Path::new("."), &error)),
+        None => {
+            Scratch::new().map_err(|error| Failure::io("write in", &std::env::temp_dir(), &error))
+        }
+    }
+}
+
+/// The rows that belong to a checkpoint.
+fn beside(checkpoint: &Path) -> PathBuf {
+    let mut name = OsString::from(checkpoint);
+    name.push(".runs");
+    name.into()
+}
+
+fn resumed(runs: u64, checkpoint: Option<&Path>) {
+    if let (1.., Some(path)) = (runs, checkpoint) {
+        note(format_args!(
+            "going on after {} runs in `{}`",
+            count(runs),
+            path.display()
+        ));
+    }
+}
+
+/// What a file of numbers says about where they come from.
+fn origin(plant: &Plant, campaign: &Campaign) -> [(&'static str, String); 4] {
+    [
+        ("nsv.spec", plant.name.clone()),
+        ("nsv.hash", plant.hash.clone()),
+        ("nsv.seed", campaign.seed.to_string()),
+        ("nsv.horizon_s", format!("{:?}", campaign.horizon_s)),
+    ]
 }
 
 #[cfg(test)]
@@ -284,6 +309,8 @@ mod tests {
             &at("run.csv"),
             "--report",
             &at("run.html"),
+            "--runs-out",
+            &at("runs.csv"),
         ];
         let args = Line::parse_from(words).args;
         let generated = [
@@ -308,7 +335,7 @@ mod tests {
             };
             (
                 campaign,
-                fly(&cache, &package, &campaign, 2, &args).unwrap(),
+                fly(&cache, &package, &plant(), &campaign, 2, &args).unwrap(),
             )
         };
         let (campaign, replay) = fly(2);
@@ -327,7 +354,27 @@ mod tests {
         );
         assert!(replay.outcome.ratio.unwrap().max.unwrap() > 0.0);
 
-        record(&args, &plant(), &campaign, 2, &replay).unwrap();
+        let flown = Flown {
+            specification: Path::new("x.yaml"),
+            plant: &plant(),
+            campaign: &campaign,
+            part: None,
+            math: Math::Strict,
+            shown: 2,
+            replay: &replay,
+        };
+        let files = Files {
+            out: args.out.as_deref(),
+            report: args.report.as_deref(),
+        };
+        flown.write(files).unwrap();
+        let rows = std::fs::read_to_string(at("runs.csv")).unwrap();
+        assert_eq!(rows.lines().count(), 41);
+        assert_eq!(
+            rows.lines().next(),
+            Some("run,samples,diverged,ratio,rms.y,saturated.u")
+        );
+        assert!(rows.contains("\n39,501,false,"), "{rows}");
         let csv = std::fs::read_to_string(at("run.csv")).unwrap();
         assert!(
             csv.starts_with("t,x1.y,y_r.y,e1.y,k1,ratio1,d1.y,u_sat.u\n0.0,1.0,0.0,1.0,"),
@@ -347,15 +394,6 @@ mod tests {
         assert_eq!(
             (alone.outcome.ratio, alone.outcome.rms_tracking),
             (replay.outcome.ratio, replay.outcome.rms_tracking)
-        );
-    }
-
-    #[test]
-    fn the_command_can_be_pasted() {
-        let words = ["simulate", "a b.yaml", "--report", "it's.html", ""].map(str::to_owned);
-        assert_eq!(
-            command(words.into_iter()),
-            r"nsv simulate 'a b.yaml' --report 'it'\''s.html' ''"
         );
     }
 

@@ -4,9 +4,10 @@ use std::fmt::Write as _;
 
 use serde::{Serialize, Serializer};
 
-use crate::cli::runner::Campaign;
+use super::Flown;
+use crate::cli::runner::{Campaign, Part};
 use crate::report::number::{count, percent, short};
-use crate::report::{Outcome, Plant, Quantiles};
+use crate::report::{Outcome, Plant, Quantiles, WorstRun};
 
 /// The JSON document.
 #[derive(Serialize)]
@@ -14,10 +15,15 @@ pub(super) struct Document<'a> {
     spec: &'a str,
     seed: u64,
     runs: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    shard: Option<Part>,
     horizon_s: f64,
+    violations: Option<u64>,
     violated: Option<f64>,
     violated_interval95: Option<[f64; 2]>,
     ratio: Option<Quantiles>,
+    worst: &'a [WorstRun],
+    replay_worst: Option<String>,
     rms_tracking: ByName<'a>,
     saturated_fraction: ByName<'a>,
     nonfinite: u64,
@@ -35,11 +41,8 @@ impl Serialize for ByName<'_> {
 }
 
 /// The statistics for programs, SI.
-pub(super) fn document<'a>(
-    plant: &'a Plant,
-    campaign: &Campaign,
-    outcome: &'a Outcome,
-) -> Document<'a> {
+pub(super) fn document<'a>(flown: &Flown<'a>) -> Document<'a> {
+    let (plant, campaign, outcome) = (flown.plant, flown.campaign, &flown.replay.outcome);
     let outputs = plant
         .blocks
         .first()
@@ -55,10 +58,17 @@ pub(super) fn document<'a>(
         spec: &plant.name,
         seed: campaign.seed,
         runs: outcome.runs,
+        shard: flown.part,
         horizon_s: campaign.horizon_s,
+        violations: outcome.violations,
         violated: outcome.violated,
         violated_interval95: outcome.violated_interval95,
         ratio: outcome.ratio,
+        worst: &outcome.worst,
+        replay_worst: outcome
+            .worst
+            .first()
+            .map(|worst| flown.replay_command(worst.run)),
         rms_tracking: ByName(rms.collect()),
         saturated_fraction: ByName(
             inputs
@@ -77,24 +87,69 @@ pub(super) fn document<'a>(
 }
 
 /// The statistics for people, in display units.
-pub(super) fn table(plant: &Plant, campaign: &Campaign, outcome: &Outcome) -> String {
-    let mut rows = vec![(
-        "specification",
-        format!("{} ({})", plain(&plant.title), plant.name),
-    )];
-    rows.push((
-        "campaign",
-        format!(
-            "{}, horizon {} s, seed {}",
-            runs(campaign),
-            short(campaign.horizon_s),
-            campaign.seed
+pub(super) fn table(flown: &Flown<'_>) -> String {
+    let (plant, campaign, outcome) = (flown.plant, flown.campaign, &flown.replay.outcome);
+    let mut rows = vec![
+        (
+            "specification",
+            format!("{} ({})", plain(&plant.title), plant.name),
         ),
-    ));
-    rows.push(("constraint", constraint(outcome)));
+        (
+            "campaign",
+            format!(
+                "{}, horizon {} s, seed {}",
+                runs(campaign, flown.part, outcome.runs),
+                short(campaign.horizon_s),
+                campaign.seed
+            ),
+        ),
+        ("constraint", constraint(outcome)),
+    ];
     if let Some(ratio) = &outcome.ratio {
         rows.push(("error / bound", quantiles(ratio, outcome.runs)));
     }
+    if let (2.., Some(shown)) = (outcome.runs, worst(&outcome.worst)) {
+        rows.push(("worst runs", shown));
+    }
+    rows.push(("rms tracking", rms(plant, campaign, outcome)));
+    rows.push(("at the limit", saturated(plant, outcome)));
+    if outcome.nonfinite > 0 {
+        rows.push((
+            "lost",
+            format!(
+                "{} runs ended with a non-finite state",
+                count(outcome.nonfinite)
+            ),
+        ));
+    }
+    rows.push(("speed", speed(outcome)));
+    let mut text = String::new();
+    for (name, value) in rows {
+        let _ = writeln!(text, "{name:14} {value}");
+    }
+    text
+}
+
+/// The first of the worst runs, and how to see one.
+fn worst(worst: &[WorstRun]) -> Option<String> {
+    let first = worst.first()?;
+    let shown = worst.iter().take(5).map(|worst| match worst.ratio {
+        _ if worst.diverged => format!("{} (lost)", worst.run),
+        ratio => format!(
+            "{} ({})",
+            worst.run,
+            ratio.map_or("not finite".into(), short)
+        ),
+    });
+    let shown: Vec<String> = shown.collect();
+    Some(format!(
+        "{}  (fly one again with `--run {}`)",
+        shown.join(", "),
+        first.run
+    ))
+}
+
+fn rms(plant: &Plant, campaign: &Campaign, outcome: &Outcome) -> String {
     let outputs = plant
         .blocks
         .first()
@@ -110,14 +165,14 @@ pub(super) fn table(plant: &Plant, campaign: &Campaign, outcome: &Outcome) -> St
                 .to_owned(),
         )
     });
-    rows.push((
-        "rms tracking",
-        format!(
-            "{}  (after {} s)",
-            rms.collect::<Vec<_>>().join(", "),
-            short(campaign.settle_s)
-        ),
-    ));
+    format!(
+        "{}  (after {} s)",
+        rms.collect::<Vec<_>>().join(", "),
+        short(campaign.settle_s)
+    )
+}
+
+fn saturated(plant: &Plant, outcome: &Outcome) -> String {
     let saturated = plant.inputs.iter().filter_map(|input| {
         let fraction = outcome
             .saturated_fraction
@@ -125,34 +180,19 @@ pub(super) fn table(plant: &Plant, campaign: &Campaign, outcome: &Outcome) -> St
             .map_or("-".to_owned(), percent);
         Some(format!("{} {fraction}", input.channel.name))
     });
-    rows.push((
-        "at the limit",
-        format!(
-            "{}  (of the time)",
-            saturated.collect::<Vec<_>>().join(", ")
-        ),
-    ));
-    if outcome.nonfinite > 0 {
-        rows.push((
-            "lost",
-            format!(
-                "{} runs ended with a non-finite state",
-                count(outcome.nonfinite)
-            ),
-        ));
-    }
-    let speed = format!(
+    format!(
+        "{}  (of the time)",
+        saturated.collect::<Vec<_>>().join(", ")
+    )
+}
+
+fn speed(outcome: &Outcome) -> String {
+    format!(
         "{} control steps in {} s, {} per second",
         count(outcome.samples),
         short(outcome.wall_s),
         count(outcome.steps_per_s as u64)
-    );
-    rows.push(("speed", speed));
-    let mut text = String::new();
-    for (name, value) in rows {
-        let _ = writeln!(text, "{name:14} {value}");
-    }
-    text
+    )
 }
 
 /// A title on one line of a terminal: what would move the cursor or turn the writing direction is left out.
@@ -169,16 +209,21 @@ fn unit(unit: &str) -> &str {
     if unit == "1" { "" } else { unit }
 }
 
-fn runs(campaign: &Campaign) -> String {
+fn runs(campaign: &Campaign, part: Option<Part>, done: u64) -> String {
     let what = match (campaign.noise, campaign.dispersion) {
         (true, true) => "",
         (false, true) => " without noise",
         (true, false) => " without dispersion",
         (false, false) => " without noise and dispersion",
     };
-    match campaign.runs {
-        1 => format!("run {}{what}", campaign.first_run),
-        runs => format!("{} runs{what}", count(runs)),
+    match (campaign.runs, part) {
+        (1, _) => format!("run {}{what}", campaign.first_run),
+        (runs, None) => format!("{} runs{what}", count(runs)),
+        (runs, Some(Part { part, of })) => format!(
+            "part {part} of {of}, {} of {} runs{what}",
+            count(done),
+            count(runs)
+        ),
     }
 }
 
@@ -217,7 +262,11 @@ fn quantiles(ratio: &Quantiles, runs: u64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::path::Path;
+
     use super::*;
+    use crate::cli::compile::Math;
+    use crate::cli::runner::Replay;
     use crate::report::sample::Sample;
 
     const CAMPAIGN: Campaign = Campaign {
@@ -237,30 +286,68 @@ mod tests {
         assert_eq!(plain(title), "]0;a b c 31m d");
     }
 
+    /// What `shown` makes of a sample.
+    fn shown<T>(
+        sample: &Sample,
+        campaign: &Campaign,
+        part: Option<Part>,
+        shown: impl Fn(&Flown<'_>) -> T,
+    ) -> T {
+        let replay = Replay {
+            outcome: sample.outcome.clone(),
+            trajectory: None,
+            band: None,
+        };
+        shown(&Flown {
+            specification: Path::new("specs/sample.yaml"),
+            plant: &sample.plant,
+            campaign,
+            part,
+            math: Math::Strict,
+            shown: 0,
+            replay: &replay,
+        })
+    }
+
     #[test]
     fn a_campaign_as_a_table() {
-        let sample = Sample::full();
-        insta::assert_snapshot!(table(&sample.plant, &CAMPAIGN, &sample.outcome));
+        insta::assert_snapshot!(shown(&Sample::full(), &CAMPAIGN, None, table));
     }
 
     #[test]
     fn one_run_as_a_table() {
-        let sample = Sample::plain();
         let campaign = Campaign {
             runs: 1,
             first_run: 7,
             noise: false,
             ..CAMPAIGN
         };
-        insta::assert_snapshot!(table(&sample.plant, &campaign, &sample.outcome));
+        insta::assert_snapshot!(shown(&Sample::plain(), &campaign, None, table));
+    }
+
+    #[test]
+    fn a_part_says_what_it_is_part_of() {
+        let mut sample = Sample::full();
+        sample.outcome.worst[0] = WorstRun {
+            run: 3,
+            ratio: None,
+            diverged: true,
+        };
+        let campaign = Campaign {
+            runs: 1_000_000,
+            ..CAMPAIGN
+        };
+        let text = shown(&sample, &campaign, Part::parse("2/8"), table);
+        assert!(
+            text.contains("part 2 of 8, 500 of 1 000 000 runs, horizon"),
+            "{text}"
+        );
+        assert!(text.contains("3 (lost), 12 (1.9), 401 (1.31)"), "{text}");
     }
 
     #[test]
     fn a_campaign_as_json() {
-        let sample = Sample::full();
-        let text =
-            serde_json::to_string_pretty(&document(&sample.plant, &CAMPAIGN, &sample.outcome))
-                .unwrap();
-        insta::assert_snapshot!(text);
+        let json = |flown: &Flown<'_>| serde_json::to_string_pretty(&document(flown)).unwrap();
+        insta::assert_snapshot!(shown(&Sample::full(), &CAMPAIGN, None, json));
     }
 }

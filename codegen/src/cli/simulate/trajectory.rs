@@ -19,14 +19,14 @@ use crate::report::Table;
 
 /// A file format, by the ending of the name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
     Csv,
     Parquet,
 }
 
 impl Kind {
     /// The format of a path.
-    pub(super) fn of(path: &Path) -> Option<Kind> {
+    pub(crate) fn of(path: &Path) -> Option<Kind> {
         match path.extension()?.to_str()? {
             "csv" => Some(Kind::Csv),
             "parquet" => Some(Kind::Parquet),
@@ -67,7 +67,7 @@ fn write_csv(file: &mut BufWriter<File>, table: &Table) -> io::Result<()> {
 }
 
 /// The operating system's error behind one of the CSV writer.
-fn plain(error: csv::Error) -> io::Error {
+pub(super) fn plain(error: csv::Error) -> io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(error) => error,
         other => io::Error::other(format!("{other:?}")),

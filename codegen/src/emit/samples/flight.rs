@@ -3,7 +3,7 @@
 use emitted::pitch::controller::SAFE_INPUT;
 use emitted::pitch::{Controller, Params, Simulator};
 use emitted::{bare, wiener};
-use nsv_runtime::closed_loop::{ClosedLoop, Options};
+use nsv_runtime::closed_loop::{ClosedLoop, Options, Runs};
 use nsv_runtime::linear::Vector;
 use nsv_runtime::status::Status;
 
@@ -41,7 +41,7 @@ fn events_are_reported() {
 
 fn a_run_depends_on_its_seed_and_number_alone<L: ClosedLoop>() {
     let run = |seed, run, noise| {
-        let mut simulator = L::new(&Options {
+        let mut simulator = L::Runs::<f64>::new(&Options {
             seed,
             run,
             noise,
@@ -49,6 +49,7 @@ fn a_run_depends_on_its_seed_and_number_alone<L: ClosedLoop>() {
         });
         let mut row = vec![0.0; L::SIGNALS.len()];
         for _ in 0..100 {
+            simulator.observe();
             simulator.control();
             simulator.telemetry(&mut row);
             simulator.advance();
@@ -62,7 +63,7 @@ fn a_run_depends_on_its_seed_and_number_alone<L: ClosedLoop>() {
 }
 
 fn a_bare_loop_decays() {
-    let mut simulator = bare::Simulator::new(&Options {
+    let mut simulator = bare::Simulator::<f64>::new(&Options {
         seed: 1,
         run: 1,
         noise: true,

@@ -1,9 +1,40 @@
 //! Products, solving and the singular vector of small dense arrays, row-major.
 
-/// Sum of products of paired entries, left to right from the first product.
-pub(super) fn sum_of_products(mut pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
-    let first = pairs.next().map_or(0.0, |(a, b)| a * b);
-    pairs.fold(first, |sum, (a, b)| sum + a * b)
+/// Number of partial sums of a long sum.
+const PARTIAL: usize = 8;
+
+/// Up to seven terms are added left to right. From eight on term k goes to partial sum k mod 8, and the partial sums are added in halves:
+/// the first four to the last four, of those the first two to the last two, and then these two. 0 without terms.
+pub(super) fn sum(terms: impl Iterator<Item = f64>) -> f64 {
+    let terms: Vec<f64> = terms.collect();
+    if terms.len() < PARTIAL {
+        return terms
+            .into_iter()
+            .reduce(|sum, term| sum + term)
+            .unwrap_or(0.0);
+    }
+    let mut sums = terms[..PARTIAL].to_vec();
+    for (k, term) in terms.iter().enumerate().skip(PARTIAL) {
+        sums[k % PARTIAL] += term;
+    }
+    while sums.len() > 1 {
+        let half = sums.split_off(sums.len() / 2);
+        for (sum, other) in sums.iter_mut().zip(half) {
+            *sum += other;
+        }
+    }
+    sums[0]
+}
+
+/// Sum of products of paired entries.
+pub(super) fn sum_of_products(pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
+    sum(pairs.map(|(a, b)| a * b))
+}
+
+/// Sum of the squares of all entries of an array with `columns` columns: along each row left to right, then of the rows' sums.
+pub(super) fn sum_of_squares(a: &[f64], columns: usize) -> f64 {
+    let squares = |row: &[f64]| row.iter().map(|x| x * x).reduce(|sum, square| sum + square);
+    sum(a.chunks(columns).filter_map(squares))
 }
 
 /// Product of a `rows` x `inner` and an `inner` x `columns` matrix.
@@ -123,10 +154,10 @@ pub(super) fn singular_vector(a: &[f64], n: usize, out: &mut [f64]) {
 fn rotate(s: &mut [Vec<f64>], v: &mut [Vec<f64>], p: usize, q: usize) {
     let off = s[p][q];
     let theta = (s[q][q] - s[p][p]) / (off + off);
-    let root = 1.0 / (theta.abs() + libm::sqrt(theta * theta + 1.0));
+    let root = 1.0 / (theta.abs() + f64::sqrt(theta * theta + 1.0));
     let signed = if theta < 0.0 { -root } else { root };
     let tangent = if off == 0.0 { 0.0 } else { signed };
-    let cosine = 1.0 / libm::sqrt(tangent * tangent + 1.0);
+    let cosine = 1.0 / f64::sqrt(tangent * tangent + 1.0);
     let sine = tangent * cosine;
     let shift = tangent * off;
     s[p][p] -= shift;

@@ -1,4 +1,4 @@
-//! The meaning of a program: every operation evaluated in `f64` with a fixed order of roundings, elementary functions by `libm`.
+//! The meaning of a program: every operation evaluated in `f64` with a fixed order of roundings, elementary functions by `nsv-math`.
 //! The runtime implements the same definitions independently, and tests compare the two to the last bit.
 
 mod kernel;

@@ -80,7 +80,9 @@ impl Tables {
                     linear::sum_of_products(value(a).iter().copied().zip(value(b).iter().copied()))
             }
             Op::Outer(a, b) => linear::product(value(a), value(b), 1, value(b).len(), out),
-            Op::SumSquares(a) => out[0] = linear::sum_of_products(value(a).iter().map(|&x| (x, x))),
+            Op::SumSquares(a) => {
+                out[0] = linear::sum_of_squares(value(a), columns(program.shape(a)))
+            }
             Op::Solve(a, b) => linear::solve(value(a), value(b), out),
             Op::SingularVector(a) => {
                 linear::singular_vector(value(a), columns(program.shape(a)), out)

@@ -1,5 +1,7 @@
 //! Scalar definitions: elementary functions, operators, comparisons, integer powers.
 
+use nsv_math::real::Real;
+
 use crate::ir::{Comparison, Function, Operator};
 
 /// A function of one real.
@@ -8,18 +10,18 @@ pub(super) fn function(function: Function, x: f64) -> f64 {
         Function::Neg => -x,
         Function::Abs => x.abs(),
         Function::Sign => sign(x),
-        Function::Sqrt => libm::sqrt(x),
-        Function::Exp => libm::exp(x),
-        Function::Ln => libm::log(x),
-        Function::Sin => libm::sin(x),
-        Function::Cos => libm::cos(x),
-        Function::Tan => libm::tan(x),
-        Function::Asin => libm::asin(x),
-        Function::Acos => libm::acos(x),
-        Function::Atan => libm::atan(x),
-        Function::Sinh => libm::sinh(x),
-        Function::Cosh => libm::cosh(x),
-        Function::Tanh => libm::tanh(x),
+        Function::Sqrt => Real::sqrt(x),
+        Function::Exp => Real::exp(x),
+        Function::Ln => Real::ln(x),
+        Function::Sin => Real::sin(x),
+        Function::Cos => Real::cos(x),
+        Function::Tan => Real::tan(x),
+        Function::Asin => Real::asin(x),
+        Function::Acos => Real::acos(x),
+        Function::Atan => Real::atan(x),
+        Function::Sinh => Real::sinh(x),
+        Function::Cosh => Real::cosh(x),
+        Function::Tanh => Real::tanh(x),
     }
 }
 
@@ -41,7 +43,7 @@ pub(super) fn operator(operator: Operator, a: f64, b: f64) -> f64 {
         Operator::Sub => a - b,
         Operator::Mul => a * b,
         Operator::Div => a / b,
-        Operator::Pow => libm::pow(a, b),
+        Operator::Pow => Real::pow(a, b),
         Operator::Min => {
             if a < b {
                 a
@@ -56,7 +58,7 @@ pub(super) fn operator(operator: Operator, a: f64, b: f64) -> f64 {
                 b
             }
         }
-        Operator::Atan2 => libm::atan2(a, b),
+        Operator::Atan2 => Real::atan2(a, b),
     }
 }
 

@@ -68,7 +68,7 @@ pub(super) fn figure(report: &Report<'_>, band: &Table) -> Option<Figure> {
     }
     let caption = format!(
         "Over {} runs at each instant: the whole range, the middle nine tenths, and the median.",
-        report.outcome.runs.min(1000)
+        report.outcome.runs
     );
     Some(Figure {
         number: 9,

@@ -1,13 +1,4 @@
-//! Quantiles and confidence intervals.
-
-/// The `percent`-th percentile by nearest rank: the smallest value such that at least `percent` % of the values are not above it. `sorted` is
-/// ascending; `None` if it is empty. The 50th percentile of an even number of values is the lower of the two in the middle.
-pub fn percentile(sorted: &[f64], percent: u32) -> Option<f64> {
-    let rank = (sorted.len() as u128 * u128::from(percent))
-        .div_ceil(100)
-        .max(1) as usize;
-    sorted.get(rank - 1).copied()
-}
+//! Confidence in counts.
 
 /// Two-sided Clopper-Pearson interval of a probability after `successes` in `trials`: it covers the true value with at least the given
 /// confidence. (0, 1) without trials.
@@ -83,7 +74,7 @@ fn beta_fraction(a: f64, b: f64, x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{clopper_pearson, percentile};
+    use super::clopper_pearson;
 
     fn check(successes: u64, trials: u64, (low, high): (f64, f64), tolerance: f64) {
         let found = clopper_pearson(successes, trials, 0.95);
@@ -131,20 +122,5 @@ mod tests {
         );
         check(999, 1000, (0.9944410757201734, 0.9999746825125088), 1e-10);
         check(7, 12, (0.2766696856821058, 0.8483477701915698), 1e-10);
-    }
-
-    #[test]
-    fn percentiles_are_values_that_occurred() {
-        let values = [1.0, 2.0, 3.0, 4.0];
-        assert_eq!(percentile(&values, 50), Some(2.0));
-        assert_eq!(percentile(&values, 51), Some(3.0));
-        assert_eq!(percentile(&values, 100), Some(4.0));
-        assert_eq!(percentile(&values, 0), Some(1.0));
-        assert_eq!(percentile(&[], 50), None);
-        let hundred: std::vec::Vec<f64> = (1..=100).map(f64::from).collect();
-        assert_eq!(
-            [5, 50, 95, 99].map(|p| percentile(&hundred, p)),
-            [5.0, 50.0, 95.0, 99.0].map(Some)
-        );
     }
 }

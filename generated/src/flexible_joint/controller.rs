@@ -1,0 +1,941 @@
+// SHA-256 of the text below: 8beb6f26b91d4649a3b70c8b0a60344482f2a9ff9f6b4830dc2e15fe734df292
+// nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
+// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
+// initial: 25 additions, 52 multiplications, 12 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
+// control: 101 additions, 130 multiplications, 15 divisions, 0 square roots, 8 elementary functions, 6 comparisons and selections
+
+//! `flexible_joint`: control law and sampled controller.
+#![allow(non_snake_case, reason = "names are those of the equations")]
+#![allow(clippy::too_many_arguments, reason = "as in the equations")]
+#![allow(clippy::approx_constant, reason = "numbers are as specified")]
+#![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
+
+use super::params::Params;
+use super::polynomials;
+use core::f64::consts::FRAC_PI_2;
+use nsv_runtime::kernel;
+use nsv_runtime::linear::{Matrix, Vector};
+use nsv_runtime::real::{Mask, Part, Real};
+use nsv_runtime::status::Status;
+
+/// Largest magnitude of each control: `torque` in kg*m^2/s^2.
+pub const INPUT_LIMIT: [f64; 1] = [3.0];
+
+/// Time between samples, s.
+pub const SAMPLE_TIME: f64 = 0.0005;
+
+/// Control while a measurement is not finite.
+pub const SAFE_INPUT: [f64; 1] = [0.0];
+
+/// The controller's states, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State<T> {
+    /// Auxiliary anti-windup state zeta (13): link_angle (q1).
+    ///
+    /// `zeta_1' = -C_1 zeta_1 + G_1 zeta_2`
+    pub zeta1: Vector<T, 1>,
+    /// Auxiliary anti-windup state zeta (13): link_rate (v1).
+    ///
+    /// `zeta_2' = -C_2 zeta_2 + G_2 zeta_3`
+    pub zeta2: Vector<T, 1>,
+    /// Auxiliary anti-windup state zeta (13): motor_angle (q2).
+    ///
+    /// `zeta_3' = -C_3 zeta_3 + G_3 zeta_4`
+    pub zeta3: Vector<T, 1>,
+    /// Auxiliary anti-windup state zeta (13): motor_rate (v2).
+    ///
+    /// `zeta_4' = -C_4 zeta_4 + G_4 (sat(u) - u)`
+    pub zeta4: Vector<T, 1>,
+    /// Filtered virtual control h (33): link_rate (v1).
+    ///
+    /// `h_1' = (alpha_1 - h_1) / Fl_1`
+    pub h1: Vector<T, 1>,
+    /// Network weights W_hat (65), one row per monomial and one column per channel: link_rate (v1).
+    ///
+    /// `W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
+    ///
+    /// Rows: `one, z1, v1, z12, z1_v1, v12`.
+    pub W2: Matrix<T, 6, 1>,
+    /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
+    /// link_rate (v1).
+    ///
+    /// `th_2' = -S_2 (D_hat_2 + F_2 + G_2 x_3 + A_hat_2)`
+    pub th2: Vector<T, 1>,
+    /// Filtered virtual control h (33): motor_angle (q2).
+    ///
+    /// `h_2' = (alpha_2 - h_2) / Fl_2`
+    pub h2: Vector<T, 1>,
+    /// Filtered virtual control h (33): motor_rate (v2).
+    ///
+    /// `h_3' = (alpha_3 - h_3) / Fl_3`
+    pub h3: Vector<T, 1>,
+    /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
+    /// motor_rate (v2).
+    ///
+    /// `th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 v_4 - h_3' + C_4 zeta_4 + A_hat_4)`
+    pub th4: Vector<T, 3>,
+}
+
+impl<T: Real> State<T> {
+    /// All zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self {
+            zeta1: Vector::zero(),
+            zeta2: Vector::zero(),
+            zeta3: Vector::zero(),
+            zeta4: Vector::zero(),
+            h1: Vector::zero(),
+            W2: Matrix::zero(),
+            th2: Vector::zero(),
+            h2: Vector::zero(),
+            h3: Vector::zero(),
+            th4: Vector::zero(),
+        }
+    }
+
+    /// `a` where the mask is true, else `b`.
+    #[inline(always)]
+    pub fn select(mask: T::Mask, a: &Self, b: &Self) -> Self {
+        Self {
+            zeta1: Vector::select(mask, a.zeta1, b.zeta1),
+            zeta2: Vector::select(mask, a.zeta2, b.zeta2),
+            zeta3: Vector::select(mask, a.zeta3, b.zeta3),
+            zeta4: Vector::select(mask, a.zeta4, b.zeta4),
+            h1: Vector::select(mask, a.h1, b.h1),
+            W2: Matrix::select(mask, a.W2, b.W2),
+            th2: Vector::select(mask, a.th2, b.th2),
+            h2: Vector::select(mask, a.h2, b.h2),
+            h3: Vector::select(mask, a.h3, b.h3),
+            th4: Vector::select(mask, a.th4, b.th4),
+        }
+    }
+
+    /// Whether every entry is finite.
+    #[inline(always)]
+    pub fn is_finite(&self) -> T::Mask {
+        self.zeta1
+            .is_finite()
+            .and(self.zeta2.is_finite())
+            .and(self.zeta3.is_finite())
+            .and(self.zeta4.is_finite())
+            .and(self.h1.is_finite())
+            .and(self.W2.is_finite())
+            .and(self.th2.is_finite())
+            .and(self.h2.is_finite())
+            .and(self.h3.is_finite())
+            .and(self.th4.is_finite())
+    }
+}
+
+/// What a sample of the controller gives.
+///
+/// With `Status::NON_FINITE_INPUT`, only the control is meaningful.
+#[derive(Clone, Copy, Debug)]
+pub struct Output<T: Real> {
+    /// What happened, in any lane.
+    pub status: Status,
+    /// Whether the law was finite, so that its control and next states are used.
+    pub valid: T::Mask,
+    /// Control that the law asks for, before its limits.
+    pub u: Vector<T, 1>,
+    /// Control to apply: within its limits, always finite.
+    pub u_sat: Vector<T, 1>,
+    /// `y_r(t)`
+    pub y_r: Vector<T, 1>,
+    /// `e_1 = x_1 - y_r - zeta_1`
+    pub e1: Vector<T, 1>,
+    /// `k_1(t)`
+    pub k1: T,
+    /// `alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]`
+    pub alpha1: Vector<T, 1>,
+    /// `e_2 = x_2 - h_1 - zeta_2`
+    pub e2: Vector<T, 1>,
+    /// `alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]`
+    pub alpha2: Vector<T, 1>,
+    /// `D_hat_2 = th_2 + S_2 x_2`
+    pub D_hat2: Vector<T, 1>,
+    /// `e_3 = x_3 - h_2 - zeta_3`
+    pub e3: Vector<T, 1>,
+    /// `alpha_3 = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]`
+    pub alpha3: Vector<T, 1>,
+    /// `e_4 = x_4 - h_3 - zeta_4`
+    pub e4: Vector<T, 1>,
+    /// `d_hat_4 = L_4 w_hat_4`
+    pub D_hat4: Vector<T, 1>,
+}
+
+/// Robot link with an elastic joint
+///
+/// The sampled controller: [`Controller::step`] is total, allocates nothing and cannot panic.
+#[derive(Clone, Debug)]
+pub struct Controller<T: Real> {
+    params: Params<T>,
+    state: State<T>,
+    started: T::Mask,
+}
+
+impl<T: Real> Controller<T> {
+    /// A controller that starts at its first step.
+    #[inline(always)]
+    pub fn new(params: Params<T>) -> Self {
+        Self {
+            params,
+            state: State::zero(),
+            started: T::Mask::splat(false),
+        }
+    }
+
+    /// Starts anew from these measurements; from the next ones if they are not finite.
+    #[inline(always)]
+    pub fn reset(
+        &mut self,
+        t: T,
+        x1: Vector<T, 1>,
+        x2: Vector<T, 1>,
+        x3: Vector<T, 1>,
+        x4: Vector<T, 1>,
+    ) {
+        let start = initial(t, x1, x2, x3, x4, &self.params);
+        let finite = start
+            .is_finite()
+            .and(t.is_finite())
+            .and(x1.is_finite())
+            .and(x2.is_finite())
+            .and(x3.is_finite())
+            .and(x4.is_finite());
+        self.state = State::select(finite, &start, &State::zero());
+        self.started = finite;
+    }
+
+    /// One sample: the control for the time since start (s) and the measured states (SI), after
+    /// which the states are those of the next sample.
+    ///
+    /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
+    /// the status has `NON_FINITE_INPUT`, and the states stay as they were. `SATURATED` means that
+    /// a control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
+    /// barrier was clamped.
+    ///
+    /// The first step with finite measurements initialises the states; so does the step after one
+    /// whose law overflowed although its measurements were finite, since such states are beyond
+    /// use.
+    #[inline(always)]
+    pub fn step(
+        &mut self,
+        t: T,
+        x1: Vector<T, 1>,
+        x2: Vector<T, 1>,
+        x3: Vector<T, 1>,
+        x4: Vector<T, 1>,
+    ) -> Output<T> {
+        let measured = t
+            .is_finite()
+            .and(x1.is_finite())
+            .and(x2.is_finite())
+            .and(x3.is_finite())
+            .and(x4.is_finite());
+        let starting = measured.and(self.started.not());
+        if starting.any() {
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+                x3,
+                x4,
+            });
+        }
+        let law = control(t, x1, x2, x3, x4, &self.state, &self.params);
+        let valid = measured
+            .and(law.u.is_finite())
+            .and(law.u_sat.is_finite())
+            .and(law.next.is_finite());
+        self.state = if valid.all() {
+            law.next
+        } else {
+            State::select(valid, &law.next, &self.state)
+        };
+        self.started = valid.or(self.started.and(measured.not()));
+        let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
+        let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
+        let saturated = u[0].ne(u_sat[0]);
+        let status = Status::NON_FINITE_INPUT.when(valid.not().any())
+            | Status::CONSTRAINT_VIOLATED.when(valid.and(law.violated).any())
+            | Status::SATURATED.when(saturated.any());
+        Output {
+            status,
+            valid,
+            u,
+            u_sat,
+            y_r: law.y_r,
+            e1: law.e1,
+            k1: law.k1,
+            alpha1: law.alpha1,
+            e2: law.e2,
+            alpha2: law.alpha2,
+            D_hat2: law.D_hat2,
+            e3: law.e3,
+            alpha3: law.alpha3,
+            e4: law.e4,
+            D_hat4: law.D_hat4,
+        }
+    }
+
+    /// The states.
+    #[inline(always)]
+    pub fn state(&self) -> &State<T> {
+        &self.state
+    }
+
+    /// The parameters.
+    #[inline(always)]
+    pub fn params(&self) -> &Params<T> {
+        &self.params
+    }
+}
+
+/// Initialises the controller where the mask is true.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+    x3: Vector<T, 1>,
+    x4: Vector<T, 1>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(
+            self.t,
+            self.x1,
+            self.x2,
+            self.x3,
+            self.x4,
+            &self.controller.params,
+        );
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+    }
+}
+
+/// The controller's states at its first sample.
+///
+/// Operations: 25 additions, 52 multiplications, 12 divisions, 0 square roots, 8 elementary
+/// functions, 3 comparisons and selections.
+#[inline(always)]
+pub fn initial<T: Real>(
+    t: T,
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+    x3: Vector<T, 1>,
+    x4: Vector<T, 1>,
+    params: &Params<T>,
+) -> State<T> {
+    let real = T::from_f64;
+
+    // -- known dynamics of block 1 (link_angle) (11) --
+    // G_1(x_1 .. x_1)
+    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
+
+    // -- plant model --
+    let q1 = x1[0];
+
+    // -- known dynamics of block 2 (link_rate) (11) --
+    // F_2(x_1 .. x_2)
+    let F2 = Vector([-(params.weight * q1.sin() + params.stiffness * q1) / real(0.031)]);
+    // G_2(x_1 .. x_2)
+    let G2 = Matrix::rows([[params.stiffness / real(0.031)]]);
+
+    // -- reference and constraints --
+    let t1 = real(1.0471975511965979) * t.sin();
+    let t2 = t * t;
+    let t3 = (real(-0.1) * (t2 * t)).exp();
+    let t4 = real(1.0) - t3;
+    // y_r(t)
+    let y_r = Vector([t1 * t4]);
+    // y_r'
+    let y_r_dot = Vector([
+        t4 * (real(1.0471975511965979) * t.cos())
+            - t1 * (t3 * (real(-0.1) * (real(3.0) * t2))),
+    ]);
+    // k_1(t)
+    let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
+
+    // -- error variable of block 1 (14) --
+    // e_1 = x_1 - y_r - zeta_1
+    let e1 = x1 - y_r;
+
+    // -- given --
+    let zeta1: Vector<T, 1> = Vector::zero();
+    let zeta2: Vector<T, 1> = Vector::zero();
+    let W2: Matrix<T, 6, 1> = Matrix::zero();
+    let t5 = x2 * real(40.0);
+    let th2 = -t5;
+    let zeta3: Vector<T, 1> = Vector::zero();
+    let zeta4: Vector<T, 1> = Vector::zero();
+
+    // -- barrier of block 1 (23) (26) --
+    // s_1 = e_1^T e_1
+    let s1 = e1.sum_squares();
+    let t6 = s1 / (k1 * k1);
+    // pi s_1^2 / (2 k_1^4), before the clamp
+    let E1_free = real(FRAC_PI_2) * (t6 * t6);
+    // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
+    let E1 = E1_free.min(real(1.5697963267948967));
+    // cos E_1
+    let cosE1 = E1.cos();
+    let t7 = cosE1 * cosE1;
+    // c_1 = s_1 e_1^T / cos^2 E_1
+    let c1 = e1 * s1 / t7;
+
+    // -- robust feedback of block 1 (31) (63) --
+    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
+    let Lam0_1 = e1 * real(5.0)
+        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
+        + e1 * real(4.0);
+    // eta_2/2 ||G||^2 c^T (37)
+    let Lam1_filter = c1 * real(0.5);
+    // Lam_1, sum of the terms above
+    let Lam1 = Lam0_1 + Lam1_filter;
+    // ||c_1||^2
+    let s_c1 = c1.sum_squares();
+
+    // -- virtual control (31) of block 1 --
+    // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
+    let bracket1 = Lam1 - y_r_dot;
+    let t8 = G1.solve(bracket1);
+    // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
+    let alpha1 = -t8;
+
+    // -- dynamic surface filter of block 1 (33) --
+    // h_1' = (alpha_1 - h_1) / Fl_1
+    let h1_dot = (t8 - t8) / real(0.01);
+
+    // -- error variable of block 2 (14) --
+    // e_2 = x_2 - h_1 - zeta_2
+    let e2 = x2 + t8;
+
+    // -- barrier of block 2 (23) (26) --
+    // s_2 = e_2^T e_2
+    let s2 = e2.sum_squares();
+    // c_2 = s_2 e_2^T / cos^2 E_2
+    let c2 = e2 * s2;
+
+    // -- disturbance observer of block 2 (20) (49) --
+    // D_hat_2 = th_2 + S_2 x_2
+    let D_hat2 = t5 - t5;
+
+    // -- norms of block 2 --
+    // ||G_2||^2
+    let G_norm2_2 = G2.sum_squares();
+
+    // -- robust feedback of block 2 (31) (63) --
+    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
+    let Lam0_2 = e2 * real(18.5) + e2 * real(16.0);
+    // eta_1/2 c^T (36)
+    let Lam2_disturbance = c2 * real(0.5);
+    // eta_2/2 ||G||^2 c^T (37)
+    let Lam2_filter = c2 * (real(5e-5) * G_norm2_2);
+    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
+    // Lam_2, sum of the terms above
+    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_coupling;
+    // ||c_2||^2
+    let s_c2 = c2.sum_squares();
+
+    // -- virtual control (31) of block 2 --
+    // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
+    let bracket2 = F2 - h1_dot + D_hat2 + Lam2;
+    let t9 = G2.solve(bracket2);
+    // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
+    let alpha2 = -t9;
+
+    // -- dynamic surface filter of block 2 (33) --
+    // h_2' = (alpha_2 - h_2) / Fl_2
+    let h2_dot = (t9 - t9) / real(0.002);
+
+    // -- error variable of block 3 (14) --
+    // e_3 = x_3 - h_2 - zeta_3
+    let e3 = x3 + t9;
+
+    // -- barrier of block 3 (23) (26) --
+    // s_3 = e_3^T e_3
+    let s3 = e3.sum_squares();
+    // c_3 = s_3 e_3^T / cos^2 E_3
+    let c3 = e3 * s3;
+
+    // -- robust feedback of block 3 (31) (63) --
+    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
+    let Lam0_3 = e3 * real(55.0) + e3 * real(45.0);
+    // eta_2/2 ||G||^2 c^T (37)
+    let Lam3_filter = c3 * real(0.5);
+    let t10 = G_norm2_2 * s_c2;
+    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    let Lam3_coupling = e3 * (t10 * t10) / real(400000000.0);
+    // Lam_3, sum of the terms above
+    let Lam3 = Lam0_3 + Lam3_filter + Lam3_coupling;
+
+    // -- virtual control (31) of block 3 --
+    // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
+    let bracket3 = Lam3 - h2_dot;
+    let t11 = G1.solve(bracket3);
+    // alpha_3 = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
+    let alpha3 = -t11;
+
+    // -- error variable of block 4 (14) --
+    // e_4 = x_4 - h_3 - zeta_4
+    let e4 = x4 + t11;
+
+    // -- disturbance observer of block 4 (20) (49) --
+    // S_4, observer gain
+    let S4: Matrix<T, 3, 1> = Matrix::from_f64([[40.0], [20.0], [60.0]]);
+
+    // -- given --
+    let th4 = -(S4 * e4);
+    State {
+        zeta1,
+        zeta2,
+        zeta3,
+        zeta4,
+        h1: alpha1,
+        W2,
+        th2,
+        h2: alpha2,
+        h3: alpha3,
+        th4,
+    }
+}
+
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// `G_2(x_1 .. x_2)`
+    pub G2: Matrix<T, 1, 1>,
+    /// `||G_2||^2`
+    pub G_norm2_2: T,
+    /// Part of `Lam2_filter`.
+    pub Lam2_filter_1: T,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 0 additions, 2 multiplications, 1 divisions, 0 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+
+    // -- known dynamics of block 2 (link_rate) (11) --
+    // G_2(x_1 .. x_2)
+    let G2 = Matrix::rows([[params.stiffness / real(0.031)]]);
+
+    // -- norms of block 2 --
+    // ||G_2||^2
+    let G_norm2_2 = G2.sum_squares();
+    let Lam2_filter_1 = real(5e-5) * G_norm2_2;
+    Prepared {
+        G2,
+        G_norm2_2,
+        Lam2_filter_1,
+    }
+}
+
+/// Values of [`clock`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock<T> {
+    /// `y_r(t)`
+    pub y_r: Vector<T, 1>,
+    /// `y_r'`
+    pub y_r_dot: Vector<T, 1>,
+    /// `k_1(t)`
+    pub k1: T,
+    /// Part of `E1_free`.
+    pub E1_free_1: T,
+}
+
+/// What depends on time and parameters alone: needed once for a sample of all runs with these
+/// parameters. See [`Clock`].
+///
+/// Operations: 3 additions, 14 multiplications, 0 divisions, 0 square roots, 4 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn clock<T: Real>(t: T) -> Clock<T> {
+    let real = T::from_f64;
+
+    // -- reference and constraints --
+    let t1 = real(1.0471975511965979) * t.sin();
+    let t2 = t * t;
+    let t3 = (real(-0.1) * (t2 * t)).exp();
+    let t4 = real(1.0) - t3;
+    // y_r(t)
+    let y_r = Vector([t1 * t4]);
+    // y_r'
+    let y_r_dot = Vector([
+        t4 * (real(1.0471975511965979) * t.cos())
+            - t1 * (t3 * (real(-0.1) * (real(3.0) * t2))),
+    ]);
+    // k_1(t)
+    let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
+    let E1_free_1 = k1 * k1;
+    Clock {
+        y_r,
+        y_r_dot,
+        k1,
+        E1_free_1,
+    }
+}
+
+/// Results of [`control`].
+#[derive(Clone, Copy, Debug)]
+pub struct ControlOutputs<T: Real> {
+    /// `u = -G_4^-1 [ F_4 + A_hat_4 - h_3' + C_4 zeta_4 + D_hat_4 + Lam_4 ]`
+    pub u: Vector<T, 1>,
+    /// `sat(u), each component limited to +-u_max (8)`
+    pub u_sat: Vector<T, 1>,
+    /// `E_1 >= pi/2 - delta`
+    pub violated: T::Mask,
+    /// `y_r(t)`
+    pub y_r: Vector<T, 1>,
+    /// `e_1 = x_1 - y_r - zeta_1`
+    pub e1: Vector<T, 1>,
+    /// `k_1(t)`
+    pub k1: T,
+    /// `alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]`
+    pub alpha1: Vector<T, 1>,
+    /// `e_2 = x_2 - h_1 - zeta_2`
+    pub e2: Vector<T, 1>,
+    /// `alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]`
+    pub alpha2: Vector<T, 1>,
+    /// `D_hat_2 = th_2 + S_2 x_2`
+    pub D_hat2: Vector<T, 1>,
+    /// `e_3 = x_3 - h_2 - zeta_3`
+    pub e3: Vector<T, 1>,
+    /// `alpha_3 = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]`
+    pub alpha3: Vector<T, 1>,
+    /// `e_4 = x_4 - h_3 - zeta_4`
+    pub e4: Vector<T, 1>,
+    /// `d_hat_4 = L_4 w_hat_4`
+    pub D_hat4: Vector<T, 1>,
+    /// All outputs `next.*`.
+    pub next: State<T>,
+}
+
+/// One sample of the control law: control, next states and the signals on the way.
+///
+/// Operations: 98 additions, 114 multiplications, 14 divisions, 0 square roots, 4 elementary
+/// functions, 6 comparisons and selections.
+#[inline(always)]
+pub fn law<T: Real>(
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+    x3: Vector<T, 1>,
+    x4: Vector<T, 1>,
+    state: &State<T>,
+    params: &Params<T>,
+    prepared: &Prepared<T>,
+    clock: &Clock<T>,
+) -> ControlOutputs<T> {
+    let real = T::from_f64;
+
+    // -- known dynamics of block 1 (link_angle) (11) --
+    // G_1(x_1 .. x_1)
+    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
+
+    // -- plant model --
+    let q1 = x1[0];
+    let v2 = x4[0];
+    let q2 = x3[0];
+    let v1 = x2[0];
+
+    // -- known dynamics of block 2 (link_rate) (11) --
+    let t1 = q1.sin();
+    // F_2(x_1 .. x_2)
+    let F2 = Vector([-(params.weight * t1 + params.stiffness * q1) / real(0.031)]);
+
+    // -- known dynamics of block 4 (motor_rate) (11) --
+    // F_4(x_1 .. x_4)
+    let F4 = Vector([-(real(0.007) * v2 + params.stiffness * (q2 - q1)) / real(0.004)]);
+    // G_4(x_1 .. x_4)
+    let G4: Matrix<T, 1, 1> = Matrix::from_f64([[250.0]]);
+
+    // -- error variable of block 1 (14) --
+    // e_1 = x_1 - y_r - zeta_1
+    let e1 = x1 - clock.y_r - state.zeta1;
+
+    // -- barrier of block 1 (23) (26) --
+    // s_1 = e_1^T e_1
+    let s1 = e1.sum_squares();
+    let t2 = s1 / clock.E1_free_1;
+    // pi s_1^2 / (2 k_1^4), before the clamp
+    let E1_free = real(FRAC_PI_2) * (t2 * t2);
+    // E_1 >= pi/2 - delta
+    let violated1 = E1_free.ge(real(1.5697963267948967));
+    // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
+    let E1 = E1_free.min(real(1.5697963267948967));
+    // cos E_1
+    let cosE1 = E1.cos();
+    let t3 = cosE1 * cosE1;
+    // c_1 = s_1 e_1^T / cos^2 E_1
+    let c1 = e1 * s1 / t3;
+
+    // -- robust feedback of block 1 (31) (63) --
+    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
+    let Lam0_1 = e1 * real(5.0)
+        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
+        + e1 * real(4.0);
+    // eta_2/2 ||G||^2 c^T (37)
+    let Lam1_filter = c1 * real(0.5);
+    // Lam_1, sum of the terms above
+    let Lam1 = Lam0_1 + Lam1_filter;
+    // ||c_1||^2
+    let s_c1 = c1.sum_squares();
+
+    // -- virtual control (31) of block 1 --
+    let t4 = state.zeta1 * real(20.0);
+    // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
+    let bracket1 = t4 - clock.y_r_dot + Lam1;
+    // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
+    let alpha1 = -G1.solve(bracket1);
+
+    // -- auxiliary system of block 1 (13) (E1) --
+    // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
+    let zeta1_dot = state.zeta2 - t4;
+
+    // -- dynamic surface filter of block 1 (33) --
+    // h_1' = (alpha_1 - h_1) / Fl_1
+    let h1_dot = (alpha1 - state.h1) / real(0.01);
+
+    // -- error variable of block 2 (14) --
+    // e_2 = x_2 - h_1 - zeta_2
+    let e2 = x2 - state.h1 - state.zeta2;
+
+    // -- barrier of block 2 (23) (26) --
+    // s_2 = e_2^T e_2
+    let s2 = e2.sum_squares();
+    // c_2 = s_2 e_2^T / cos^2 E_2
+    let c2 = e2 * s2;
+
+    // -- MTPN of block 2 (4) (16) --
+    // z_2, network inputs
+    let z2 = Vector([t1, v1]);
+    // P_2 = P_m(z_2), 6 nodes
+    let P2 = polynomials::basis2(z2);
+    // A_hat_2 = iota_2 W_2^T P_2
+    let A_hat2 = state.W2.transpose_mul(P2);
+
+    // -- disturbance observer of block 2 (20) (49) --
+    // D_hat_2 = th_2 + S_2 x_2
+    let D_hat2 = state.th2 + x2 * real(40.0);
+
+    // -- robust feedback of block 2 (31) (63) --
+    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
+    let Lam0_2 = e2 * real(18.5) + e2 * real(16.0);
+    // eta_1/2 c^T (36)
+    let Lam2_disturbance = c2 * real(0.5);
+    // eta_2/2 ||G||^2 c^T (37)
+    let Lam2_filter = c2 * prepared.Lam2_filter_1;
+    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
+    // Lam_2, sum of the terms above
+    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_coupling;
+    // ||c_2||^2
+    let s_c2 = c2.sum_squares();
+
+    // -- virtual control (31) of block 2 --
+    let t5 = F2 + A_hat2;
+    let t6 = state.zeta2 * real(50.0);
+    // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
+    let bracket2 = t5 - h1_dot + t6 + D_hat2 + Lam2;
+    // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
+    let alpha2 = -prepared.G2.solve(bracket2);
+
+    // -- auxiliary system of block 2 (13) (E1) --
+    // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
+    let zeta2_dot = prepared.G2 * state.zeta3 - t6;
+
+    // -- weight law of block 2 (32) (65) --
+    // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
+    let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
+
+    // -- observer dynamics of block 2 (21) (50) --
+    // th_2' = -S_2 (D_hat_2 + F_2 + G_2 x_3 + A_hat_2)
+    let th2_dot = -((D_hat2 + t5 + prepared.G2 * x3) * real(40.0));
+
+    // -- dynamic surface filter of block 2 (33) --
+    // h_2' = (alpha_2 - h_2) / Fl_2
+    let h2_dot = (alpha2 - state.h2) / real(0.002);
+
+    // -- error variable of block 3 (14) --
+    // e_3 = x_3 - h_2 - zeta_3
+    let e3 = x3 - state.h2 - state.zeta3;
+
+    // -- barrier of block 3 (23) (26) --
+    // s_3 = e_3^T e_3
+    let s3 = e3.sum_squares();
+    // c_3 = s_3 e_3^T / cos^2 E_3
+    let c3 = e3 * s3;
+
+    // -- robust feedback of block 3 (31) (63) --
+    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
+    let Lam0_3 = e3 * real(55.0) + e3 * real(45.0);
+    // eta_2/2 ||G||^2 c^T (37)
+    let Lam3_filter = c3 * real(0.5);
+    let t7 = prepared.G_norm2_2 * s_c2;
+    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    let Lam3_coupling = e3 * (t7 * t7) / real(400000000.0);
+    // Lam_3, sum of the terms above
+    let Lam3 = Lam0_3 + Lam3_filter + Lam3_coupling;
+    // ||c_3||^2
+    let s_c3 = c3.sum_squares();
+
+    // -- virtual control (31) of block 3 --
+    let t8 = state.zeta3 * real(100.0);
+    // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
+    let bracket3 = t8 - h2_dot + Lam3;
+    // alpha_3 = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
+    let alpha3 = -G1.solve(bracket3);
+
+    // -- auxiliary system of block 3 (13) (E1) --
+    // zeta_3' = -C_3 zeta_3 + G_3 zeta_4
+    let zeta3_dot = state.zeta4 - t8;
+
+    // -- dynamic surface filter of block 3 (33) --
+    // h_3' = (alpha_3 - h_3) / Fl_3
+    let h3_dot = (alpha3 - state.h3) / real(0.001);
+
+    // -- error variable of block 4 (14) --
+    // e_4 = x_4 - h_3 - zeta_4
+    let e4 = x4 - state.h3 - state.zeta4;
+
+    // -- barrier of block 4 (23) (26) --
+    // s_4 = e_4^T e_4
+    let s4 = e4.sum_squares();
+    // c_4 = s_4 e_4^T / cos^2 E_4
+    let c4 = e4 * s4;
+
+    // -- disturbance observer of block 4 (20) (49) --
+    // S_4, observer gain
+    let S4: Matrix<T, 3, 1> = Matrix::from_f64([[40.0], [20.0], [60.0]]);
+    // w_hat_4 = th_4 + S_4 e_4
+    let w_hat4 = state.th4 + S4 * e4;
+    // L_4
+    let L4: Matrix<T, 1, 3> = Matrix::from_f64([[1.0, 1.0, 0.0]]);
+    // d_hat_4 = L_4 w_hat_4
+    let D_hat4 = L4 * w_hat4;
+
+    // -- robust feedback of block 4 (31) (63) --
+    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
+    let Lam0_4 = e4 * real(145.0) + e4 * real(120.0);
+    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    let Lam4_coupling = e4 * (s_c3 * s_c3) * real(0.25);
+    // Lam_4, sum of the terms above
+    let Lam4 = Lam0_4 + c4 + Lam4_coupling;
+
+    // -- control (64) of block 4 --
+    let t9 = state.zeta4 * real(200.0);
+    // F_4 + A_hat_4 - h_3' + C_4 zeta_4 + D_hat_4 + Lam_4
+    let bracket4 = F4 - h3_dot + t9 + D_hat4 + Lam4;
+    let t10 = G4.solve(bracket4);
+    // u = -G_4^-1 [ F_4 + A_hat_4 - h_3' + C_4 zeta_4 + D_hat_4 + Lam_4 ]
+    let u = -t10;
+    // sat(u), each component limited to +-u_max (8)
+    let u_sat = u.max(Vector::splat(real(-3.0))).min(Vector::splat(real(3.0)));
+
+    // -- auxiliary system of block 4 (13) (E1) --
+    // zeta_4' = -C_4 zeta_4 + G_4 (sat(u) - u)
+    let zeta4_dot = (u_sat + t10) * real(250.0) - t9;
+
+    // -- observer dynamics of block 4 (21) (50) --
+    // M_4 - S_4 L_4
+    let w4_closed: Matrix<T, 3, 3> = Matrix::from_f64([
+        [-40.0, -40.0, 0.0],
+        [-20.0, -20.0, 20.0],
+        [-60.0, -80.0, 0.0],
+    ]);
+    // th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 v_4 - h_3' + C_4 zeta_4 + A_hat_4)
+    let th4_dot = w4_closed * w_hat4 - S4 * (F4 + u * real(250.0) - h3_dot + t9);
+
+    // -- states of block 1, one sample later --
+    // zeta1(t + dt) = zeta1 + Gamma zeta1'
+    let zeta1_next = state.zeta1 + zeta1_dot * real(0.0004975083125415973);
+    // h1(t + dt) = h1 + Gamma h1'
+    let h1_next = state.h1 + h1_dot * real(0.0004877057549928599);
+
+    // -- states of block 2, one sample later --
+    // zeta2(t + dt) = zeta2 + Gamma zeta2'
+    let zeta2_next = state.zeta2 + zeta2_dot * real(0.0004938017594333467);
+    // h2(t + dt) = h2 + Gamma h2'
+    let h2_next = state.h2 + h2_dot * real(0.00044239843385719023);
+    // th2(t + dt) = th2 + Gamma th2'
+    let th2_next = state.th2 + th2_dot * real(0.0004950331673311175);
+    // W2(t + dt) = W2 + Gamma W2'
+    let W2_next = state.W2 + W2_dot * real(0.0004999875002083307);
+
+    // -- states of block 3, one sample later --
+    // zeta3(t + dt) = zeta3 + Gamma zeta3'
+    let zeta3_next = state.zeta3 + zeta3_dot * real(0.0004877057549928599);
+    // h3(t + dt) = h3 + Gamma h3'
+    let h3_next = state.h3 + h3_dot * real(0.00039346934028736656);
+
+    // -- states of block 4, one sample later --
+    // zeta4(t + dt) = zeta4 + Gamma zeta4'
+    let zeta4_next = state.zeta4 + zeta4_dot * real(0.00047581290982020213);
+    // Gamma of th4
+    let th4_step: Matrix<T, 3, 3> = Matrix::from_f64([
+        [0.000495049750665833, -4.950207916806941e-6, -1.6542082639089032e-8],
+        [-2.4999170823621035e-6, 0.0004974917704589582, 2.4916460410425596e-6],
+        [-7.417040833890866e-6, -9.916957916252972e-6, 0.0004999668744173617],
+    ]);
+    // th4(t + dt) = th4 + Gamma th4'
+    let th4_next = state.th4 + th4_step * th4_dot;
+    ControlOutputs {
+        u,
+        u_sat,
+        violated: violated1,
+        y_r: clock.y_r,
+        e1,
+        k1: clock.k1,
+        alpha1,
+        e2,
+        alpha2,
+        D_hat2,
+        e3,
+        alpha3,
+        e4,
+        D_hat4,
+        next: State {
+            zeta1: zeta1_next,
+            zeta2: zeta2_next,
+            zeta3: zeta3_next,
+            zeta4: zeta4_next,
+            h1: h1_next,
+            W2: W2_next,
+            th2: th2_next,
+            h2: h2_next,
+            h3: h3_next,
+            th4: th4_next,
+        },
+    }
+}
+
+/// One sample of the control law: control, next states and the signals on the way.
+///
+/// Operations: 101 additions, 130 multiplications, 15 divisions, 0 square roots, 8 elementary
+/// functions, 6 comparisons and selections.
+#[inline(always)]
+pub fn control<T: Real>(
+    t: T,
+    x1: Vector<T, 1>,
+    x2: Vector<T, 1>,
+    x3: Vector<T, 1>,
+    x4: Vector<T, 1>,
+    state: &State<T>,
+    params: &Params<T>,
+) -> ControlOutputs<T> {
+    let prepared = prepare(params);
+    let clock = clock(t);
+    law(x1, x2, x3, x4, state, params, &prepared, &clock)
+}

@@ -1,0 +1,1035 @@
+// SHA-256 of the text below: f7c1e6a9fb45458b7fede991cfb53207c8aa51ffe8a97f5a1e20f34667bd4680
+// nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
+// specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
+// initial: 187 additions, 236 multiplications, 32 divisions, 0 square roots, 18 elementary functions, 18 comparisons and selections
+// control: 1849 additions, 2201 multiplications, 75 divisions, 3 square roots, 25 elementary functions, 49 comparisons and selections
+
+//! `underwater_vehicle`: control law and sampled controller.
+#![allow(non_snake_case, reason = "names are those of the equations")]
+#![allow(clippy::too_many_arguments, reason = "as in the equations")]
+#![allow(clippy::approx_constant, reason = "numbers are as specified")]
+#![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
+
+use super::params::Params;
+use super::polynomials;
+use core::f64::consts::FRAC_PI_2;
+use nsv_runtime::kernel;
+use nsv_runtime::linear::{Matrix, Vector};
+use nsv_runtime::real::{Mask, Part, Real};
+use nsv_runtime::status::Status;
+
+/// Largest magnitude of each control: `F_x` in kg*m/s^2, `F_y` in kg*m/s^2, `F_z` in kg*m/s^2,
+/// `M_x` in kg*m^2/s^2, `M_y` in kg*m^2/s^2, `M_z` in kg*m^2/s^2.
+pub const INPUT_LIMIT: [f64; 6] = [40.0, 40.0, 40.0, 5.0, 5.0, 5.0];
+
+/// Time between samples, s.
+pub const SAMPLE_TIME: f64 = 0.01;
+
+/// Control while a measurement is not finite.
+pub const SAFE_INPUT: [f64; 6] = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+
+/// The controller's states, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State<T> {
+    /// Auxiliary anti-windup state zeta (13): pose (north, east, down, phi, theta, psi).
+    ///
+    /// `zeta_1' = -C_1 zeta_1 + G_1 zeta_2`
+    pub zeta1: Vector<T, 6>,
+    /// Auxiliary anti-windup state zeta (13): velocity (surge, sway, heave, p, q, r).
+    ///
+    /// `zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)`
+    pub zeta2: Vector<T, 6>,
+    /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
+    /// pose (north, east, down, phi, theta, psi).
+    ///
+    /// `th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)`
+    pub th1: Vector<T, 6>,
+    /// Filtered virtual control h (33): velocity (surge, sway, heave, p, q, r).
+    ///
+    /// `h_1' = (alpha_1 - h_1) / Fl_1`
+    pub h1: Vector<T, 6>,
+    /// Network weights W_hat (65), one row per monomial and one column per channel: velocity
+    /// (surge, sway, heave, p, q, r).
+    ///
+    /// `W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
+    ///
+    /// Rows: `one, surge, sway, heave, p, q, r, surge2, surge_sway, surge_heave, surge_p, surge_q,
+    /// surge_r, sway2, sway_heave, sway_p, sway_q, sway_r, heave2, heave_p, heave_q, heave_r, p2,
+    /// p_q, p_r, q2, q_r, r2`.
+    pub W2: Matrix<T, 28, 6>,
+    /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
+    /// velocity (surge, sway, heave, p, q, r).
+    ///
+    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)`
+    pub th2: Vector<T, 12>,
+    /// Bound eps_hat of the approximation error (66): velocity (surge, sway, heave, p, q, r).
+    ///
+    /// `eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)`
+    pub eps2: T,
+    /// Bound sigma_hat of the noise intensity (67): velocity (surge, sway, heave, p, q, r).
+    ///
+    /// `sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 +
+    /// varsigma_2^2)) - lambda_sigma sigma_hat_2)`
+    pub sigma2: T,
+    /// Noise term phi (68), kept positive: velocity (surge, sway, heave, p, q, r).
+    ///
+    /// `phi_2(t + dt) = max(phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)), phi_min)`
+    pub phi2: T,
+}
+
+impl<T: Real> State<T> {
+    /// All zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self {
+            zeta1: Vector::zero(),
+            zeta2: Vector::zero(),
+            th1: Vector::zero(),
+            h1: Vector::zero(),
+            W2: Matrix::zero(),
+            th2: Vector::zero(),
+            eps2: T::zero(),
+            sigma2: T::zero(),
+            phi2: T::zero(),
+        }
+    }
+
+    /// `a` where the mask is true, else `b`.
+    #[inline(always)]
+    pub fn select(mask: T::Mask, a: &Self, b: &Self) -> Self {
+        Self {
+            zeta1: Vector::select(mask, a.zeta1, b.zeta1),
+            zeta2: Vector::select(mask, a.zeta2, b.zeta2),
+            th1: Vector::select(mask, a.th1, b.th1),
+            h1: Vector::select(mask, a.h1, b.h1),
+            W2: Matrix::select(mask, a.W2, b.W2),
+            th2: Vector::select(mask, a.th2, b.th2),
+            eps2: T::select(mask, a.eps2, b.eps2),
+            sigma2: T::select(mask, a.sigma2, b.sigma2),
+            phi2: T::select(mask, a.phi2, b.phi2),
+        }
+    }
+
+    /// Whether every entry is finite.
+    #[inline(always)]
+    pub fn is_finite(&self) -> T::Mask {
+        self.zeta1
+            .is_finite()
+            .and(self.zeta2.is_finite())
+            .and(self.th1.is_finite())
+            .and(self.h1.is_finite())
+            .and(self.W2.is_finite())
+            .and(self.th2.is_finite())
+            .and(self.eps2.is_finite())
+            .and(self.sigma2.is_finite())
+            .and(self.phi2.is_finite())
+    }
+}
+
+/// What a sample of the controller gives.
+///
+/// With `Status::NON_FINITE_INPUT`, only the control is meaningful.
+#[derive(Clone, Copy, Debug)]
+pub struct Output<T: Real> {
+    /// What happened, in any lane.
+    pub status: Status,
+    /// Whether the law was finite, so that its control and next states are used.
+    pub valid: T::Mask,
+    /// Control that the law asks for, before its limits.
+    pub u: Vector<T, 6>,
+    /// Control to apply: within its limits, always finite.
+    pub u_sat: Vector<T, 6>,
+    /// `y_r(t)`
+    pub y_r: Vector<T, 6>,
+    /// `e_1 = x_1 - y_r - zeta_1`
+    pub e1: Vector<T, 6>,
+    /// `k_1(t)`
+    pub k1: T,
+    /// `alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]`
+    pub alpha1: Vector<T, 6>,
+    /// `D_hat_1 = th_1 + S_1 x_1`
+    pub D_hat1: Vector<T, 6>,
+    /// `e_2 = x_2 - h_1 - zeta_2`
+    pub e2: Vector<T, 6>,
+    /// `d_hat_2 = L_2 w_hat_2`
+    pub D_hat2: Vector<T, 6>,
+}
+
+/// Underwater vehicle in waves and a current
+///
+/// The sampled controller: [`Controller::step`] is total, allocates nothing and cannot panic.
+#[derive(Clone, Debug)]
+pub struct Controller<T: Real> {
+    params: Params<T>,
+    state: State<T>,
+    started: T::Mask,
+}
+
+impl<T: Real> Controller<T> {
+    /// A controller that starts at its first step.
+    #[inline(always)]
+    pub fn new(params: Params<T>) -> Self {
+        Self {
+            params,
+            state: State::zero(),
+            started: T::Mask::splat(false),
+        }
+    }
+
+    /// Starts anew from these measurements; from the next ones if they are not finite.
+    #[inline(always)]
+    pub fn reset(&mut self, t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) {
+        let start = initial(t, x1, x2);
+        let finite = start
+            .is_finite()
+            .and(t.is_finite())
+            .and(x1.is_finite())
+            .and(x2.is_finite());
+        self.state = State::select(finite, &start, &State::zero());
+        self.started = finite;
+    }
+
+    /// One sample: the control for the time since start (s) and the measured states (SI), after
+    /// which the states are those of the next sample.
+    ///
+    /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
+    /// the status has `NON_FINITE_INPUT`, and the states stay as they were. `SATURATED` means that
+    /// a control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
+    /// barrier was clamped.
+    ///
+    /// The first step with finite measurements initialises the states; so does the step after one
+    /// whose law overflowed although its measurements were finite, since such states are beyond
+    /// use.
+    #[inline(always)]
+    pub fn step(&mut self, t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> Output<T> {
+        let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
+        let starting = measured.and(self.started.not());
+        if starting.any() {
+            T::outlined(Begin {
+                controller: self,
+                mask: starting,
+                t,
+                x1,
+                x2,
+            });
+        }
+        let law = control(t, x1, x2, &self.state, &self.params);
+        let valid = measured
+            .and(law.u.is_finite())
+            .and(law.u_sat.is_finite())
+            .and(law.next.is_finite());
+        self.state = if valid.all() {
+            law.next
+        } else {
+            State::select(valid, &law.next, &self.state)
+        };
+        self.started = valid.or(self.started.and(measured.not()));
+        let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
+        let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
+        let saturated = u[0]
+            .ne(u_sat[0])
+            .or(u[1].ne(u_sat[1]))
+            .or(u[2].ne(u_sat[2]))
+            .or(u[3].ne(u_sat[3]))
+            .or(u[4].ne(u_sat[4]))
+            .or(u[5].ne(u_sat[5]));
+        let status = Status::NON_FINITE_INPUT.when(valid.not().any())
+            | Status::CONSTRAINT_VIOLATED.when(valid.and(law.violated).any())
+            | Status::SATURATED.when(saturated.any());
+        Output {
+            status,
+            valid,
+            u,
+            u_sat,
+            y_r: law.y_r,
+            e1: law.e1,
+            k1: law.k1,
+            alpha1: law.alpha1,
+            D_hat1: law.D_hat1,
+            e2: law.e2,
+            D_hat2: law.D_hat2,
+        }
+    }
+
+    /// The states.
+    #[inline(always)]
+    pub fn state(&self) -> &State<T> {
+        &self.state
+    }
+
+    /// The parameters.
+    #[inline(always)]
+    pub fn params(&self) -> &Params<T> {
+        &self.params
+    }
+}
+
+/// Initialises the controller where the mask is true.
+struct Begin<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    mask: T::Mask,
+    t: T,
+    x1: Vector<T, 6>,
+    x2: Vector<T, 6>,
+}
+impl<T: Real> Part for Begin<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let start = initial(self.t, self.x1, self.x2);
+        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+    }
+}
+
+/// The controller's states at its first sample.
+///
+/// Operations: 187 additions, 236 multiplications, 32 divisions, 0 square roots, 18 elementary
+/// functions, 18 comparisons and selections.
+#[inline(always)]
+pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let psi = x1[5];
+    let phi = x1[3];
+    let theta = x1[4];
+    let t1 = Vector([psi, theta, phi]);
+    let [cos_psi, cos_theta, cos_phi] = t1.cos().0;
+    let [sin_psi, sin_theta, sin_phi] = t1.sin().0;
+    let t2 = cos_psi * sin_theta;
+    let t3 = sin_psi * sin_theta;
+    let t4 = theta.tan();
+    let J = Matrix::rows([
+        [
+            cos_psi * cos_theta,
+            t2 * sin_phi - sin_psi * cos_phi,
+            t2 * cos_phi + sin_psi * sin_phi,
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            sin_psi * cos_theta,
+            t3 * sin_phi + cos_psi * cos_phi,
+            t3 * cos_phi - cos_psi * sin_phi,
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            -sin_theta,
+            cos_theta * sin_phi,
+            cos_theta * cos_phi,
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [real(0.0), real(0.0), real(0.0), real(1.0), sin_phi * t4, cos_phi * t4],
+        [real(0.0), real(0.0), real(0.0), real(0.0), cos_phi, -sin_phi],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            sin_phi / cos_theta,
+            cos_phi / cos_theta,
+        ],
+    ]);
+
+    // -- reference and constraints --
+    let t5 = real(0.3) * t;
+    let t6 = real(0.4) * t;
+    let t7 = real(0.2) * t;
+    let t8 = Vector([t5, t7, t6]);
+    let [sin_t5, sin_t7, sin_t6] = t8.sin().0;
+    let t9 = real(2.0) * sin_t5;
+    let t10 = t * t;
+    let t11 = (real(-0.02) * (t10 * t)).exp();
+    let t12 = real(1.0) - t11;
+    let [cos_t5, cos_t7, cos_t6] = t8.cos().0;
+    let t13 = real(2.0) * (real(1.0) - cos_t5);
+    let t14 = real(1.0) - cos_t7;
+    let t15 = real(0.26179938779914946) * sin_t6;
+    let t16 = real(0.4363323129985824) * sin_t5;
+    let t17 = real(1.0471975511965979) * sin_t7;
+    // y_r(t)
+    let y_r = Vector([t9 * t12, t13 * t12, t14 * t12, t15 * t12, t16 * t12, t17 * t12]);
+    let t18 = cos_t5 * real(0.3);
+    let t19 = t11 * (real(-0.02) * (real(3.0) * t10));
+    // y_r'
+    let y_r_dot = Vector([
+        t12 * (real(2.0) * t18) - t9 * t19,
+        t12 * (real(2.0) * (sin_t5 * real(0.3))) - t13 * t19,
+        t12 * (sin_t7 * real(0.2)) - t14 * t19,
+        t12 * (real(0.26179938779914946) * (cos_t6 * real(0.4))) - t15 * t19,
+        t12 * (real(0.4363323129985824) * t18) - t16 * t19,
+        t12 * (real(1.0471975511965979) * (cos_t7 * real(0.2))) - t17 * t19,
+    ]);
+    // k_1(t)
+    let k1 = real(0.4) * (real(-0.3) * t).exp() + real(0.1);
+
+    // -- error variable of block 1 (14) --
+    // e_1 = x_1 - y_r - zeta_1
+    let e1 = x1 - y_r;
+
+    // -- given --
+    let zeta1: Vector<T, 6> = Vector::zero();
+    let th1 = -x1;
+    let zeta2: Vector<T, 6> = Vector::zero();
+    let W2: Matrix<T, 28, 6> = Matrix::zero();
+    let eps2 = real(0.0);
+    let sigma2 = real(0.0);
+    let phi2 = real(10.0);
+
+    // -- barrier of block 1 (23) (26) --
+    // s_1 = e_1^T e_1
+    let s1 = e1.sum_squares();
+    let t20 = s1 / (k1 * k1);
+    // pi s_1^2 / (2 k_1^4), before the clamp
+    let E1_free = real(FRAC_PI_2) * (t20 * t20);
+    // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
+    let E1 = E1_free.min(real(1.5697963267948967));
+    // cos E_1
+    let cosE1 = E1.cos();
+    let t21 = cosE1 * cosE1;
+    // c_1 = s_1 e_1^T / cos^2 E_1
+    let c1 = e1 * s1 / t21;
+
+    // -- disturbance observer of block 1 (20) (49) --
+    // D_hat_1 = th_1 + S_1 x_1
+    let D_hat1 = x1 - x1;
+
+    // -- norms of block 1 --
+    // ||G_1||^2
+    let G_norm2_1 = J.sum_squares();
+
+    // -- robust feedback of block 1 (31) (63) --
+    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
+    let Lam0_1 = e1
+        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
+        + e1 * real(0.5);
+    // eta_1/2 c^T (36)
+    let Lam1_disturbance = c1 * real(0.5);
+    // eta_2/2 ||G||^2 c^T (37)
+    let Lam1_filter = c1 * (real(0.5) * G_norm2_1);
+    // Lam_1, sum of the terms above
+    let Lam1 = Lam0_1 + Lam1_disturbance + Lam1_filter;
+
+    // -- virtual control (31) of block 1 --
+    // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
+    let bracket1 = D_hat1 - y_r_dot + Lam1;
+    let t22 = J.solve(bracket1);
+    // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
+    let alpha1 = -t22;
+
+    // -- error variable of block 2 (14) --
+    // e_2 = x_2 - h_1 - zeta_2
+    let e2 = x2 + t22;
+
+    // -- given --
+    let t23 = real(-8.0) * e2[0];
+    let t24 = real(5.8) * e2[0];
+    let t25 = real(-8.0) * e2[1];
+    let t26 = real(5.8) * e2[1];
+    let t27 = real(-8.0) * e2[2];
+    let t28 = real(5.8) * e2[2];
+    let t29 = real(-8.0) * e2[3];
+    let t30 = real(5.8) * e2[3];
+    let t31 = real(-8.0) * e2[4];
+    let t32 = real(5.8) * e2[4];
+    let t33 = real(-8.0) * e2[5];
+    let t34 = real(5.8) * e2[5];
+    let th2 = -Vector([t23, t24, t25, t26, t27, t28, t29, t30, t31, t32, t33, t34]);
+    State {
+        zeta1,
+        zeta2,
+        th1,
+        h1: alpha1,
+        W2,
+        th2,
+        eps2,
+        sigma2,
+        phi2,
+    }
+}
+
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// `inverse_M`.
+    pub inverse_M: Matrix<T, 6, 6>,
+    /// Part of `Psi2`.
+    pub Psi2_1: T,
+    /// `Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)`
+    pub Psi2: T,
+    /// `phi_min = sqrt(Psi_2 dt / 0.1) (E11)`
+    pub phi2_min: T,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 654 additions, 768 multiplications, 8 divisions, 1 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let I = real(0.16) + params.added_scale * real(0.12);
+    let m_x = real(11.5) + params.added_scale * real(5.5);
+    let det_xq = m_x * I - real(0.0529);
+    let m_y = real(11.5) + params.added_scale * real(12.7);
+    let det_yp = m_y * I - real(0.0529);
+    let m_z = real(11.5) + params.added_scale * real(14.57);
+    let t1 = real(-0.23) / det_xq;
+    let t2 = real(0.23) / det_yp;
+    let inverse_M = Matrix::rows([
+        [I / det_xq, real(0.0), real(0.0), real(0.0), t1, real(0.0)],
+        [real(0.0), I / det_yp, real(0.0), t2, real(0.0), real(0.0)],
+        [real(0.0), real(0.0), real(1.0) / m_z, real(0.0), real(0.0), real(0.0)],
+        [real(0.0), t2, real(0.0), m_y / det_yp, real(0.0), real(0.0)],
+        [t1, real(0.0), real(0.0), real(0.0), m_x / det_xq, real(0.0)],
+        [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(1.0) / I],
+    ]);
+    let shaking: Matrix<T, 6, 6> = Matrix::from_f64([
+        [0.1, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.1, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.1, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.01, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.01, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 0.01],
+    ]);
+
+    // -- known dynamics of block 2 (velocity) (11) --
+    // H_2(x_1 .. x_2)
+    let H2 = inverse_M * shaking;
+
+    // -- disturbance observer of block 2 (20) (49) --
+    // S_2, observer gain
+    let S2: Matrix<T, 12, 6> = Matrix::from_f64([
+        [-8.0, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [5.8, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, -8.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 5.8, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, -8.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 5.8, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, -8.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 5.8, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, -8.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 5.8, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, -8.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 5.8],
+    ]);
+
+    // -- noise terms of block 2 (58) (62) --
+    // ||H_2||^2
+    let H_norm2_2 = H2.sum_squares();
+    // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
+    let Ybar_norm2 = real(7.3484692283495345);
+    // S_2 H_2
+    let SH2 = S2 * H2;
+    // ||S_2 H_2||^2
+    let SH_norm2_2 = SH2.sum_squares();
+    let Psi2_1 = H_norm2_2 * Ybar_norm2;
+
+    // -- noise terms of block 2 (58) (62) --
+    // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
+    let Psi2 = Psi2_1 * Psi2_1 * real(0.5) + real(0.30000000000000004)
+        + real(0.1) * (SH_norm2_2 * SH_norm2_2);
+
+    // -- states of block 2, one sample later --
+    // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
+    let phi2_min = (Psi2 * real(0.09999999999999999)).sqrt();
+    Prepared {
+        inverse_M,
+        Psi2_1,
+        Psi2,
+        phi2_min,
+    }
+}
+
+/// Values of [`clock`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock<T> {
+    /// `y_r(t)`
+    pub y_r: Vector<T, 6>,
+    /// `y_r'`
+    pub y_r_dot: Vector<T, 6>,
+    /// `k_1(t)`
+    pub k1: T,
+    /// Part of `E1_free`.
+    pub E1_free_1: T,
+}
+
+/// What depends on time and parameters alone: needed once for a sample of all runs with these
+/// parameters. See [`Clock`].
+///
+/// Operations: 10 additions, 45 multiplications, 0 divisions, 0 square roots, 8 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn clock<T: Real>(t: T) -> Clock<T> {
+    let real = T::from_f64;
+
+    // -- reference and constraints --
+    let t1 = real(0.3) * t;
+    let t2 = real(0.4) * t;
+    let t3 = real(0.2) * t;
+    let t4 = Vector([t1, t3, t2]);
+    let [sin_t1, sin_t3, sin_t2] = t4.sin().0;
+    let t5 = real(2.0) * sin_t1;
+    let t6 = t * t;
+    let t7 = (real(-0.02) * (t6 * t)).exp();
+    let t8 = real(1.0) - t7;
+    let [cos_t1, cos_t3, cos_t2] = t4.cos().0;
+    let t9 = real(2.0) * (real(1.0) - cos_t1);
+    let t10 = real(1.0) - cos_t3;
+    let t11 = real(0.26179938779914946) * sin_t2;
+    let t12 = real(0.4363323129985824) * sin_t1;
+    let t13 = real(1.0471975511965979) * sin_t3;
+    // y_r(t)
+    let y_r = Vector([t5 * t8, t9 * t8, t10 * t8, t11 * t8, t12 * t8, t13 * t8]);
+    let t14 = cos_t1 * real(0.3);
+    let t15 = t7 * (real(-0.02) * (real(3.0) * t6));
+    // y_r'
+    let y_r_dot = Vector([
+        t8 * (real(2.0) * t14) - t5 * t15,
+        t8 * (real(2.0) * (sin_t1 * real(0.3))) - t9 * t15,
+        t8 * (sin_t3 * real(0.2)) - t10 * t15,
+        t8 * (real(0.26179938779914946) * (cos_t2 * real(0.4))) - t11 * t15,
+        t8 * (real(0.4363323129985824) * t14) - t12 * t15,
+        t8 * (real(1.0471975511965979) * (cos_t3 * real(0.2))) - t13 * t15,
+    ]);
+    // k_1(t)
+    let k1 = real(0.4) * (real(-0.3) * t).exp() + real(0.1);
+    let E1_free_1 = k1 * k1;
+    Clock {
+        y_r,
+        y_r_dot,
+        k1,
+        E1_free_1,
+    }
+}
+
+/// Results of [`control`].
+#[derive(Clone, Copy, Debug)]
+pub struct ControlOutputs<T: Real> {
+    /// `u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]`
+    pub u: Vector<T, 6>,
+    /// `sat(u), each component limited to +-u_max (8)`
+    pub u_sat: Vector<T, 6>,
+    /// `E_1 >= pi/2 - delta`
+    pub violated: T::Mask,
+    /// `y_r(t)`
+    pub y_r: Vector<T, 6>,
+    /// `e_1 = x_1 - y_r - zeta_1`
+    pub e1: Vector<T, 6>,
+    /// `k_1(t)`
+    pub k1: T,
+    /// `alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]`
+    pub alpha1: Vector<T, 6>,
+    /// `D_hat_1 = th_1 + S_1 x_1`
+    pub D_hat1: Vector<T, 6>,
+    /// `e_2 = x_2 - h_1 - zeta_2`
+    pub e2: Vector<T, 6>,
+    /// `d_hat_2 = L_2 w_hat_2`
+    pub D_hat2: Vector<T, 6>,
+    /// All outputs `next.*`.
+    pub next: State<T>,
+}
+
+/// One sample of the control law: control, next states and the signals on the way.
+///
+/// Operations: 1185 additions, 1388 multiplications, 67 divisions, 2 square roots, 17
+/// elementary functions, 49 comparisons and selections.
+#[inline(always)]
+pub fn law<T: Real>(
+    x1: Vector<T, 6>,
+    x2: Vector<T, 6>,
+    state: &State<T>,
+    params: &Params<T>,
+    prepared: &Prepared<T>,
+    clock: &Clock<T>,
+) -> ControlOutputs<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let psi = x1[5];
+    let phi = x1[3];
+    let theta = x1[4];
+    let t1 = Vector([psi, theta, phi]);
+    let [cos_psi, cos_theta, cos_phi] = t1.cos().0;
+    let [sin_psi, sin_theta, sin_phi] = t1.sin().0;
+    let t2 = cos_psi * sin_theta;
+    let t3 = sin_psi * sin_theta;
+    let t4 = -sin_theta;
+    let t5 = cos_theta * sin_phi;
+    let t6 = cos_theta * cos_phi;
+    let t7 = theta.tan();
+    let J = Matrix::rows([
+        [
+            cos_psi * cos_theta,
+            t2 * sin_phi - sin_psi * cos_phi,
+            t2 * cos_phi + sin_psi * sin_phi,
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            sin_psi * cos_theta,
+            t3 * sin_phi + cos_psi * cos_phi,
+            t3 * cos_phi - cos_psi * sin_phi,
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [t4, t5, t6, real(0.0), real(0.0), real(0.0)],
+        [real(0.0), real(0.0), real(0.0), real(1.0), sin_phi * t7, cos_phi * t7],
+        [real(0.0), real(0.0), real(0.0), real(0.0), cos_phi, -sin_phi],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            sin_phi / cos_theta,
+            cos_phi / cos_theta,
+        ],
+    ]);
+    let down_axis = Vector([t4, t5, t6]);
+    let p = x2[3];
+    let q = x2[4];
+    let r = x2[5];
+    let surge = x2[0];
+    let sway = x2[1];
+    let heave = x2[2];
+    let added_momentum = Vector([
+        real(5.5) * surge,
+        real(12.7) * sway,
+        real(14.57) * heave,
+    ]) * params.added_scale;
+    let t8 = Vector([
+        (real(4.03) + real(18.18) * surge.abs()) * surge,
+        (real(6.22) + real(21.66) * sway.abs()) * sway,
+        (real(5.18) + real(36.99) * heave.abs()) * heave,
+    ]);
+    let drag = t8 * params.drag_scale;
+    let t9 = q * heave - r * sway;
+    let t10 = r * surge - p * heave;
+    let t11 = q * real(0.02);
+    let t12 = -(p * real(0.02));
+    let t13 = Vector([-(r * t12), r * t11, p * t12 - q * t11]);
+    let t14 = down_axis * real(-1.9849999999999852)
+        - (Vector([t9, t10, p * sway - q * surge]) + t13) * real(11.5);
+    let t15 = Vector([
+        q * added_momentum[2] - r * added_momentum[1],
+        r * added_momentum[0] - p * added_momentum[2],
+        p * added_momentum[1] - q * added_momentum[0],
+    ]);
+    let force = t14 - t15 - drag;
+    let t16 = Vector([
+        (real(0.07) + real(1.55) * p.abs()) * p,
+        (real(0.07) + real(1.55) * q.abs()) * q,
+        (real(0.07) + real(1.55) * r.abs()) * r,
+    ]);
+    let drag_torque = t16 * params.torque_scale;
+    let t17 = Vector([-(real(0.02) * t10), real(0.02) * t9, real(0.0)]) * real(11.5);
+    let t18 = Vector([
+        sway * added_momentum[2] - heave * added_momentum[1],
+        heave * added_momentum[0] - surge * added_momentum[2],
+        surge * added_momentum[1] - sway * added_momentum[0],
+    ]);
+    let moment = Vector([-(real(0.02) * t5), real(0.02) * t4, real(0.0)])
+        * real(112.81500000000001) - t17 - t18 - drag_torque;
+
+    // -- known dynamics of block 2 (velocity) (11) --
+    // F_2(x_1 .. x_2)
+    let F2 = prepared.inverse_M
+        * Vector([force[0], force[1], force[2], moment[0], moment[1], moment[2]]);
+
+    // -- error variable of block 1 (14) --
+    // e_1 = x_1 - y_r - zeta_1
+    let e1 = x1 - clock.y_r - state.zeta1;
+
+    // -- barrier of block 1 (23) (26) --
+    // s_1 = e_1^T e_1
+    let s1 = e1.sum_squares();
+    let t19 = s1 / clock.E1_free_1;
+    // pi s_1^2 / (2 k_1^4), before the clamp
+    let E1_free = real(FRAC_PI_2) * (t19 * t19);
+    // E_1 >= pi/2 - delta
+    let violated1 = E1_free.ge(real(1.5697963267948967));
+    // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
+    let E1 = E1_free.min(real(1.5697963267948967));
+    // cos E_1
+    let cosE1 = E1.cos();
+    let t20 = cosE1 * cosE1;
+    // c_1 = s_1 e_1^T / cos^2 E_1
+    let c1 = e1 * s1 / t20;
+
+    // -- disturbance observer of block 1 (20) (49) --
+    // D_hat_1 = th_1 + S_1 x_1
+    let D_hat1 = state.th1 + x1;
+
+    // -- norms of block 1 --
+    // ||G_1||^2
+    let G_norm2_1 = J.sum_squares();
+
+    // -- robust feedback of block 1 (31) (63) --
+    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
+    let Lam0_1 = e1
+        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
+        + e1 * real(0.5);
+    // eta_1/2 c^T (36)
+    let Lam1_disturbance = c1 * real(0.5);
+    // eta_2/2 ||G||^2 c^T (37)
+    let Lam1_filter = c1 * (real(0.5) * G_norm2_1);
+    // Lam_1, sum of the terms above
+    let Lam1 = Lam0_1 + Lam1_disturbance + Lam1_filter;
+    // ||c_1||^2
+    let s_c1 = c1.sum_squares();
+
+    // -- virtual control (31) of block 1 --
+    let t21 = state.zeta1 * real(5.0);
+    // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
+    let bracket1 = t21 - clock.y_r_dot + D_hat1 + Lam1;
+    // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
+    let alpha1 = -J.solve(bracket1);
+
+    // -- auxiliary system of block 1 (13) (E1) --
+    // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
+    let zeta1_dot = J * state.zeta2 - t21;
+
+    // -- observer dynamics of block 1 (21) (50) --
+    // th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)
+    let th1_dot = -(D_hat1 + J * x2);
+
+    // -- dynamic surface filter of block 1 (33) --
+    // h_1' = (alpha_1 - h_1) / Fl_1
+    let h1_dot = (alpha1 - state.h1) / real(0.1);
+
+    // -- error variable of block 2 (14) --
+    // e_2 = x_2 - h_1 - zeta_2
+    let e2 = x2 - state.h1 - state.zeta2;
+
+    // -- barrier of block 2 (23) (26) --
+    // s_2 = e_2^T e_2
+    let s2 = e2.sum_squares();
+    // c_2 = s_2 e_2^T / cos^2 E_2
+    let c2 = e2 * s2;
+
+    // -- MTPN of block 2 (4) (16) --
+    // P_2 = P_m(z_2), 28 nodes
+    let P2 = polynomials::basis2(x2);
+    // A_hat_2 = iota_2 W_2^T P_2
+    let A_hat2 = state.W2.transpose_mul(P2);
+
+    // -- disturbance observer of block 2 (20) (49) --
+    let t22 = Vector([
+        real(-8.0) * e2[0],
+        real(5.8) * e2[0],
+        real(-8.0) * e2[1],
+        real(5.8) * e2[1],
+        real(-8.0) * e2[2],
+        real(5.8) * e2[2],
+        real(-8.0) * e2[3],
+        real(5.8) * e2[3],
+        real(-8.0) * e2[4],
+        real(5.8) * e2[4],
+        real(-8.0) * e2[5],
+        real(5.8) * e2[5],
+    ]);
+    // w_hat_2 = th_2 + S_2 e_2
+    let w_hat2 = state.th2 + t22;
+    // d_hat_2 = L_2 w_hat_2
+    let D_hat2 = Vector([
+        w_hat2[1],
+        w_hat2[3],
+        w_hat2[5],
+        w_hat2[7],
+        w_hat2[9],
+        w_hat2[11],
+    ]);
+
+    // -- robust feedback of block 2 (31) (63) --
+    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
+    let Lam0_2 = e2 * real(3.25) + e2 * real(2.0);
+    // ||L||^2/(2 eta_1) c^T (63)
+    let Lam2_disturbance = c2 * real(3.0);
+    // e / (2 cos^2 E) (63)
+    let Lam2_network = e2 * real(0.5);
+    let t23 = e2.tanh();
+    // eps_hat Tanh(e / b) (64)
+    let Lam2_error_bound = t23 * state.eps2;
+    let t24 = G_norm2_1 * s_c1;
+    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    let Lam2_coupling = e2 * (t24 * t24) * real(0.25);
+    let t25 = s2 * s2;
+    let t26 = (t25 + real(1.0)).sqrt();
+    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
+    let Lam2_noise = e2 * (prepared.Psi2_1 * state.sigma2) / t26;
+    let t27 = prepared.Psi2 / (state.phi2 * state.phi2 + t25);
+    // e Psi cos^2 E / (phi^2 + s^2) (64)
+    let Lam2_diffusion = e2 * t27;
+    // Lam_2, sum of the terms above
+    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
+        + Lam2_coupling + Lam2_noise + Lam2_diffusion;
+
+    // -- control (64) of block 2 --
+    let t28 = F2 + A_hat2;
+    let t29 = state.zeta2 * real(10.0);
+    // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
+    let bracket2 = t28 - h1_dot + t29 + D_hat2 + Lam2;
+    let t30 = prepared.inverse_M.solve(bracket2);
+    // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
+    let u = -t30;
+    // sat(u), each component limited to +-u_max (8)
+    let u_sat = u
+        .max(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]))
+        .min(Vector::<T, 6>::from_f64([40.0, 40.0, 40.0, 5.0, 5.0, 5.0]));
+
+    // -- auxiliary system of block 2 (13) (E1) --
+    // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
+    let zeta2_dot = prepared.inverse_M * (u_sat + t30) - t29;
+
+    // -- weight law of block 2 (32) (65) --
+    // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
+    let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
+
+    // -- observer dynamics of block 2 (21) (50) --
+    let t31 = Vector([
+        real(9.0) * w_hat2[1],
+        real(-6.0) * w_hat2[1] - w_hat2[0],
+        real(9.0) * w_hat2[3],
+        real(-6.0) * w_hat2[3] - w_hat2[2],
+        real(9.0) * w_hat2[5],
+        real(-6.0) * w_hat2[5] - w_hat2[4],
+        real(9.0) * w_hat2[7],
+        real(-6.0) * w_hat2[7] - w_hat2[6],
+        real(9.0) * w_hat2[9],
+        real(-6.0) * w_hat2[9] - w_hat2[8],
+        real(9.0) * w_hat2[11],
+        real(-6.0) * w_hat2[11] - w_hat2[10],
+    ]);
+    let t32 = t28 + prepared.inverse_M * u - h1_dot + t29;
+    let t33 = Vector([
+        real(-8.0) * t32[0],
+        real(5.8) * t32[0],
+        real(-8.0) * t32[1],
+        real(5.8) * t32[1],
+        real(-8.0) * t32[2],
+        real(5.8) * t32[2],
+        real(-8.0) * t32[3],
+        real(5.8) * t32[3],
+        real(-8.0) * t32[4],
+        real(5.8) * t32[4],
+        real(-8.0) * t32[5],
+        real(5.8) * t32[5],
+    ]);
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
+    let th2_dot = t31 - t33;
+
+    // -- network error bound of block 2 (66) --
+    // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
+    let eps2_dot = real(0.1) * (s2 * e2.dot(t23) - state.eps2);
+
+    // -- noise bound of block 2 (67) --
+    // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
+    // - lambda_sigma sigma_hat_2)
+    let sigma2_dot = prepared.Psi2_1 * t25 / t26 - real(0.1) * state.sigma2;
+
+    // -- compensation of block 2 (68) --
+    // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
+    let phi2_decay = t27 + real(0.5);
+
+    // -- states of block 1, one sample later --
+    // zeta1(t + dt) = zeta1 + Gamma zeta1'
+    let zeta1_next = state.zeta1 + zeta1_dot * real(0.009754115099857198);
+    // h1(t + dt) = h1 + Gamma h1'
+    let h1_next = state.h1 + h1_dot * real(0.009516258196404044);
+    // th1(t + dt) = th1 + Gamma th1'
+    let th1_next = state.th1 + th1_dot * real(0.009950166250831947);
+
+    // -- states of block 2, one sample later --
+    // zeta2(t + dt) = zeta2 + Gamma zeta2'
+    let zeta2_next = state.zeta2 + zeta2_dot * real(0.009516258196404044);
+    let t34 = Vector([
+        real(0.0099985222988428) * th2_dot[0]
+            + real(0.00044110044503657773) * th2_dot[1],
+        real(-4.9011160559619754e-5) * th2_dot[0]
+            + real(0.009704455335485081) * th2_dot[1],
+        real(0.0099985222988428) * th2_dot[2]
+            + real(0.00044110044503657773) * th2_dot[3],
+        real(-4.9011160559619754e-5) * th2_dot[2]
+            + real(0.009704455335485081) * th2_dot[3],
+        real(0.0099985222988428) * th2_dot[4]
+            + real(0.00044110044503657773) * th2_dot[5],
+        real(-4.9011160559619754e-5) * th2_dot[4]
+            + real(0.009704455335485081) * th2_dot[5],
+        real(0.0099985222988428) * th2_dot[6]
+            + real(0.00044110044503657773) * th2_dot[7],
+        real(-4.9011160559619754e-5) * th2_dot[6]
+            + real(0.009704455335485081) * th2_dot[7],
+        real(0.0099985222988428) * th2_dot[8]
+            + real(0.00044110044503657773) * th2_dot[9],
+        real(-4.9011160559619754e-5) * th2_dot[8]
+            + real(0.009704455335485081) * th2_dot[9],
+        real(0.0099985222988428) * th2_dot[10]
+            + real(0.00044110044503657773) * th2_dot[11],
+        real(-4.9011160559619754e-5) * th2_dot[10]
+            + real(0.009704455335485081) * th2_dot[11],
+    ]);
+    // th2(t + dt) = th2 + Gamma th2'
+    let th2_next = state.th2 + t34;
+    // W2(t + dt) = W2 + Gamma W2'
+    let W2_next = state.W2 + W2_dot * real(0.009995001666250083);
+    // eps2(t + dt) = eps2 + Gamma eps2'
+    let eps2_next = state.eps2 + real(0.009995001666250083) * eps2_dot;
+    // sigma2(t + dt) = sigma2 + Gamma sigma2'
+    let sigma2_next = state.sigma2 + real(0.009995001666250083) * sigma2_dot;
+    // phi_2(t + dt) = max(phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)), phi_min)
+    let phi2_next = T::select(
+            s2.sqrt().ge(real(0.2)),
+            state.phi2 * (-(real(0.01) * phi2_decay)).exp(),
+            state.phi2,
+        )
+        .max(prepared.phi2_min);
+    ControlOutputs {
+        u,
+        u_sat,
+        violated: violated1,
+        y_r: clock.y_r,
+        e1,
+        k1: clock.k1,
+        alpha1,
+        D_hat1,
+        e2,
+        D_hat2,
+        next: State {
+            zeta1: zeta1_next,
+            zeta2: zeta2_next,
+            th1: th1_next,
+            h1: h1_next,
+            W2: W2_next,
+            th2: th2_next,
+            eps2: eps2_next,
+            sigma2: sigma2_next,
+            phi2: phi2_next,
+        },
+    }
+}
+
+/// One sample of the control law: control, next states and the signals on the way.
+///
+/// Operations: 1849 additions, 2201 multiplications, 75 divisions, 3 square roots, 25
+/// elementary functions, 49 comparisons and selections.
+#[inline(always)]
+pub fn control<T: Real>(
+    t: T,
+    x1: Vector<T, 6>,
+    x2: Vector<T, 6>,
+    state: &State<T>,
+    params: &Params<T>,
+) -> ControlOutputs<T> {
+    let prepared = prepare(params);
+    let clock = clock(t);
+    law(x1, x2, state, params, &prepared, &clock)
+}

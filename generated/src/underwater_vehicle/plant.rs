@@ -1,0 +1,776 @@
+// SHA-256 of the text below: 1ba6e12bd4c98624cc3a85fee419636071c772deff718cf825bd5cd97377ea14
+// nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
+// specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
+// plant: 343 additions, 421 multiplications, 10 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
+
+//! `underwater_vehicle`: plant and disturbances.
+#![allow(non_snake_case, reason = "names are those of the equations")]
+#![allow(clippy::too_many_arguments, reason = "as in the equations")]
+#![allow(clippy::approx_constant, reason = "numbers are as specified")]
+#![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
+
+use super::params::Params;
+use nsv_runtime::linear::{Matrix, Vector};
+use nsv_runtime::real::{Part, Real};
+use nsv_runtime::sde::Sde;
+
+/// Number of plant states: `north` (m), `east` (m), `down` (m), `phi` (dimensionless), `theta`
+/// (dimensionless), `psi` (dimensionless), `surge` (m/s), `sway` (m/s), `heave` (m/s), `p`
+/// (1/s), `q` (1/s), `r` (1/s), then 12 states of the exosystems of block 2.
+pub const STATES: usize = 24;
+
+/// Number of noise channels.
+pub const NOISE_CHANNELS: usize = 12;
+
+/// Initial state, SI.
+pub const INITIAL_STATE: [f64; STATES] = [
+    0.1,
+    -0.1,
+    0.1,
+    0.05235987755982989,
+    -0.05235987755982989,
+    0.08726646259971647,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+    0.0,
+];
+
+/// The plant under a control that is held between samples.
+#[derive(Clone, Copy, Debug)]
+pub struct Plant<T> {
+    /// Parameters.
+    pub params: Params<T>,
+    /// Control, held between samples.
+    pub u_sat: Vector<T, 6>,
+}
+
+impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
+    #[inline(always)]
+    fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+        T::outlined(Drift { plant: self, t, x })
+    }
+
+    #[inline(always)]
+    fn diffusion(
+        &self,
+        t: T,
+        x: &Vector<T, STATES>,
+    ) -> Matrix<T, STATES, NOISE_CHANNELS> {
+        T::outlined(Diffusion { plant: self, t, x })
+    }
+
+    #[inline(always)]
+    fn drift_and_noise(
+        &self,
+        t: T,
+        x: &Vector<T, STATES>,
+        dw: &Vector<T, NOISE_CHANNELS>,
+    ) -> (Vector<T, STATES>, Vector<T, STATES>) {
+        T::outlined(Rates { plant: self, t, x, dw })
+    }
+}
+/// Drift.
+struct Drift<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Drift<'_, T> {
+    type Output = Vector<T, STATES>;
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
+    }
+}
+/// Diffusion.
+struct Diffusion<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real> Part for Diffusion<'_, T> {
+    type Output = Matrix<T, STATES, NOISE_CHANNELS>;
+    #[inline(always)]
+    fn run(self) -> Matrix<T, STATES, NOISE_CHANNELS> {
+        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).diffusion
+    }
+}
+/// Drift, and diffusion times noise.
+struct Rates<'a, T> {
+    plant: &'a Plant<T>,
+    t: T,
+    x: &'a Vector<T, STATES>,
+    dw: &'a Vector<T, NOISE_CHANNELS>,
+}
+impl<T: Real> Part for Rates<'_, T> {
+    type Output = (Vector<T, STATES>, Vector<T, STATES>);
+    #[inline(always)]
+    fn run(self) -> (Vector<T, STATES>, Vector<T, STATES>) {
+        let rate = plant(self.t, *self.x, self.plant.u_sat, &self.plant.params);
+        (rate.drift, diffuse(&rate.diffusion, self.dw))
+    }
+}
+
+/// Diffusion times noise, without the entries that are always 0.
+#[inline(always)]
+fn diffuse<T: Real>(
+    diffusion: &Matrix<T, STATES, NOISE_CHANNELS>,
+    noise: &Vector<T, NOISE_CHANNELS>,
+) -> Vector<T, STATES> {
+    Vector([
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        T::zero(),
+        diffusion[(6, 0)] * noise[0] + diffusion[(6, 1)] * noise[1]
+            + diffusion[(6, 2)] * noise[2] + diffusion[(6, 3)] * noise[3]
+            + diffusion[(6, 4)] * noise[4] + diffusion[(6, 5)] * noise[5],
+        diffusion[(7, 0)] * noise[0] + diffusion[(7, 1)] * noise[1]
+            + diffusion[(7, 2)] * noise[2] + diffusion[(7, 3)] * noise[3]
+            + diffusion[(7, 4)] * noise[4] + diffusion[(7, 5)] * noise[5],
+        diffusion[(8, 0)] * noise[0] + diffusion[(8, 1)] * noise[1]
+            + diffusion[(8, 2)] * noise[2] + diffusion[(8, 3)] * noise[3]
+            + diffusion[(8, 4)] * noise[4] + diffusion[(8, 5)] * noise[5],
+        diffusion[(9, 0)] * noise[0] + diffusion[(9, 1)] * noise[1]
+            + diffusion[(9, 2)] * noise[2] + diffusion[(9, 3)] * noise[3]
+            + diffusion[(9, 4)] * noise[4] + diffusion[(9, 5)] * noise[5],
+        diffusion[(10, 0)] * noise[0] + diffusion[(10, 1)] * noise[1]
+            + diffusion[(10, 2)] * noise[2] + diffusion[(10, 3)] * noise[3]
+            + diffusion[(10, 4)] * noise[4] + diffusion[(10, 5)] * noise[5],
+        diffusion[(11, 0)] * noise[0] + diffusion[(11, 1)] * noise[1]
+            + diffusion[(11, 2)] * noise[2] + diffusion[(11, 3)] * noise[3]
+            + diffusion[(11, 4)] * noise[4] + diffusion[(11, 5)] * noise[5],
+        T::zero(),
+        diffusion[(13, 6)] * noise[6],
+        T::zero(),
+        diffusion[(15, 7)] * noise[7],
+        T::zero(),
+        diffusion[(17, 8)] * noise[8],
+        T::zero(),
+        diffusion[(19, 9)] * noise[9],
+        T::zero(),
+        diffusion[(21, 10)] * noise[10],
+        T::zero(),
+        diffusion[(23, 11)] * noise[11],
+    ])
+}
+
+/// Values of [`prepare`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Prepared<T> {
+    /// `inverse_M`.
+    pub inverse_M: Matrix<T, 6, 6>,
+    /// `H_2 Sigma_2`
+    pub HSigma2: Matrix<T, 6, 6>,
+}
+
+/// What depends on the parameters alone: needed once for a run. See [`Prepared`].
+///
+/// Operations: 186 additions, 222 multiplications, 8 divisions, 0 square roots, 0 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let I = real(0.16) + params.added_scale * real(0.12);
+    let m_x = real(11.5) + params.added_scale * real(5.5);
+    let det_xq = m_x * I - real(0.0529);
+    let m_y = real(11.5) + params.added_scale * real(12.7);
+    let det_yp = m_y * I - real(0.0529);
+    let m_z = real(11.5) + params.added_scale * real(14.57);
+    let t1 = real(-0.23) / det_xq;
+    let t2 = real(0.23) / det_yp;
+    let inverse_M = Matrix::rows([
+        [I / det_xq, real(0.0), real(0.0), real(0.0), t1, real(0.0)],
+        [real(0.0), I / det_yp, real(0.0), t2, real(0.0), real(0.0)],
+        [real(0.0), real(0.0), real(1.0) / m_z, real(0.0), real(0.0), real(0.0)],
+        [real(0.0), t2, real(0.0), m_y / det_yp, real(0.0), real(0.0)],
+        [t1, real(0.0), real(0.0), real(0.0), m_x / det_xq, real(0.0)],
+        [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(1.0) / I],
+    ]);
+    let shaking: Matrix<T, 6, 6> = Matrix::from_f64([
+        [0.1, 0.0, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.1, 0.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.1, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.01, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.01, 0.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 0.01],
+    ]);
+
+    // -- true dynamics of block 2 (velocity) (11) --
+    // H_2 Sigma_2
+    let HSigma2 = inverse_M * shaking;
+    Prepared { inverse_M, HSigma2 }
+}
+
+/// Values of [`clock`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clock<T> {
+    /// `d_1(t)`
+    pub d1: Vector<T, 6>,
+}
+
+/// What depends on time and parameters alone: needed once for a sample of all runs with these
+/// parameters. See [`Clock`].
+///
+/// Operations: 2 additions, 5 multiplications, 0 divisions, 0 square roots, 3 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn clock<T: Real>(t: T) -> Clock<T> {
+    let real = T::from_f64;
+
+    // -- true dynamics of block 1 (pose) (11) --
+    let t1 = real(0.2) * t;
+    let t2 = real(0.1) * t;
+    let [sin_t1, sin_t2] = Vector([t1, t2]).sin().0;
+    // d_1(t)
+    let d1 = Vector([
+        real(0.2) + real(0.1) * sin_t1,
+        real(-0.1) + real(0.1) * t1.cos(),
+        real(0.05) * sin_t2,
+        real(0.0),
+        real(0.0),
+        real(0.0),
+    ]);
+    Clock { d1 }
+}
+
+/// Results of [`plant`].
+#[derive(Clone, Copy, Debug)]
+pub struct PlantOutputs<T: Real> {
+    /// `dx/dt without noise`
+    pub drift: Vector<T, 24>,
+    /// `columns: one per Wiener process`
+    pub diffusion: Matrix<T, 24, 12>,
+    /// `d_1(t)`
+    pub d1: Vector<T, 6>,
+    /// `d_2 = L_2 w_2 (12)`
+    pub d2: Vector<T, 6>,
+}
+
+/// Drift and diffusion of the plant and its disturbances.
+///
+/// Operations: 155 additions, 194 multiplications, 2 divisions, 0 square roots, 7 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn dynamics<T: Real>(
+    x: Vector<T, 24>,
+    u_sat: Vector<T, 6>,
+    params: &Params<T>,
+    clock: &Clock<T>,
+    prepared: &Prepared<T>,
+) -> PlantOutputs<T> {
+    let real = T::from_f64;
+
+    // -- plant model --
+    let phi = x[3];
+    let theta = x[4];
+    let psi = x[5];
+    let t1 = Vector([phi, theta, psi]);
+    let [cos_phi, cos_theta, cos_psi] = t1.cos().0;
+    let [sin_phi, sin_theta, sin_psi] = t1.sin().0;
+    let t2 = cos_psi * sin_theta;
+    let t3 = sin_psi * sin_theta;
+    let t4 = -sin_theta;
+    let t5 = cos_theta * sin_phi;
+    let t6 = cos_theta * cos_phi;
+    let t7 = theta.tan();
+    let J = Matrix::rows([
+        [
+            cos_psi * cos_theta,
+            t2 * sin_phi - sin_psi * cos_phi,
+            t2 * cos_phi + sin_psi * sin_phi,
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            sin_psi * cos_theta,
+            t3 * sin_phi + cos_psi * cos_phi,
+            t3 * cos_phi - cos_psi * sin_phi,
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [t4, t5, t6, real(0.0), real(0.0), real(0.0)],
+        [real(0.0), real(0.0), real(0.0), real(1.0), sin_phi * t7, cos_phi * t7],
+        [real(0.0), real(0.0), real(0.0), real(0.0), cos_phi, -sin_phi],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            sin_phi / cos_theta,
+            cos_phi / cos_theta,
+        ],
+    ]);
+    let surge = x[6];
+    let sway = x[7];
+    let heave = x[8];
+    let p = x[9];
+    let q = x[10];
+    let r = x[11];
+    let down_axis = Vector([t4, t5, t6]);
+    let added_momentum = Vector([
+        real(5.5) * surge,
+        real(12.7) * sway,
+        real(14.57) * heave,
+    ]) * params.added_scale;
+    let t8 = Vector([
+        (real(4.03) + real(18.18) * surge.abs()) * surge,
+        (real(6.22) + real(21.66) * sway.abs()) * sway,
+        (real(5.18) + real(36.99) * heave.abs()) * heave,
+    ]);
+    let drag = t8 * params.drag_scale;
+    let t9 = q * heave - r * sway;
+    let t10 = r * surge - p * heave;
+    let t11 = q * real(0.02);
+    let t12 = -(p * real(0.02));
+    let t13 = Vector([-(r * t12), r * t11, p * t12 - q * t11]);
+    let t14 = down_axis * real(-1.9849999999999852)
+        - (Vector([t9, t10, p * sway - q * surge]) + t13) * real(11.5);
+    let t15 = Vector([
+        q * added_momentum[2] - r * added_momentum[1],
+        r * added_momentum[0] - p * added_momentum[2],
+        p * added_momentum[1] - q * added_momentum[0],
+    ]);
+    let force = t14 - t15 - drag;
+    let t16 = Vector([
+        (real(0.07) + real(1.55) * p.abs()) * p,
+        (real(0.07) + real(1.55) * q.abs()) * q,
+        (real(0.07) + real(1.55) * r.abs()) * r,
+    ]);
+    let drag_torque = t16 * params.torque_scale;
+    let t17 = Vector([-(real(0.02) * t10), real(0.02) * t9, real(0.0)]) * real(11.5);
+    let t18 = Vector([
+        sway * added_momentum[2] - heave * added_momentum[1],
+        heave * added_momentum[0] - surge * added_momentum[2],
+        surge * added_momentum[1] - sway * added_momentum[0],
+    ]);
+    let moment = Vector([-(real(0.02) * t5), real(0.02) * t4, real(0.0)])
+        * real(112.81500000000001) - t17 - t18 - drag_torque;
+
+    // -- given --
+    let x2 = Vector([surge, sway, heave, p, q, r]);
+
+    // -- true dynamics of block 1 (pose) (11) --
+    // F_1 + G_1 x_2 + d_1
+    let x1_flow = J * x2 + clock.d1;
+
+    // -- true dynamics of block 2 (velocity) (11) --
+    // F_2 with the plant's parameters
+    let F2_plant = prepared.inverse_M
+        * Vector([force[0], force[1], force[2], moment[0], moment[1], moment[2]]);
+    // d_2 = L_2 w_2 (12)
+    let d2 = Vector([x[13], x[15], x[17], x[19], x[21], x[23]]);
+    // F_2 + G_2 x_3 + d_2
+    let x2_flow = F2_plant + prepared.inverse_M * u_sat + d2;
+
+    // -- packed plant state: x_1 .. x_n, then the exosystems --
+    // dx/dt without noise
+    let drift = Vector([
+        x1_flow[0],
+        x1_flow[1],
+        x1_flow[2],
+        x1_flow[3],
+        x1_flow[4],
+        x1_flow[5],
+        x2_flow[0],
+        x2_flow[1],
+        x2_flow[2],
+        x2_flow[3],
+        x2_flow[4],
+        x2_flow[5],
+        x[13],
+        real(-0.2) * x[13] - x[12],
+        x[15],
+        real(-0.2) * x[15] - x[14],
+        x[17],
+        real(-0.2) * x[17] - x[16],
+        x[19],
+        real(-0.2) * x[19] - x[18],
+        x[21],
+        real(-0.2) * x[21] - x[20],
+        x[23],
+        real(-0.2) * x[23] - x[22],
+    ]);
+    // columns: one per Wiener process
+    let diffusion = Matrix::rows([
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            prepared.HSigma2[(0, 0)],
+            prepared.HSigma2[(0, 1)],
+            prepared.HSigma2[(0, 2)],
+            prepared.HSigma2[(0, 3)],
+            prepared.HSigma2[(0, 4)],
+            prepared.HSigma2[(0, 5)],
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            prepared.HSigma2[(1, 0)],
+            prepared.HSigma2[(1, 1)],
+            prepared.HSigma2[(1, 2)],
+            prepared.HSigma2[(1, 3)],
+            prepared.HSigma2[(1, 4)],
+            prepared.HSigma2[(1, 5)],
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            prepared.HSigma2[(2, 0)],
+            prepared.HSigma2[(2, 1)],
+            prepared.HSigma2[(2, 2)],
+            prepared.HSigma2[(2, 3)],
+            prepared.HSigma2[(2, 4)],
+            prepared.HSigma2[(2, 5)],
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            prepared.HSigma2[(3, 0)],
+            prepared.HSigma2[(3, 1)],
+            prepared.HSigma2[(3, 2)],
+            prepared.HSigma2[(3, 3)],
+            prepared.HSigma2[(3, 4)],
+            prepared.HSigma2[(3, 5)],
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            prepared.HSigma2[(4, 0)],
+            prepared.HSigma2[(4, 1)],
+            prepared.HSigma2[(4, 2)],
+            prepared.HSigma2[(4, 3)],
+            prepared.HSigma2[(4, 4)],
+            prepared.HSigma2[(4, 5)],
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            prepared.HSigma2[(5, 0)],
+            prepared.HSigma2[(5, 1)],
+            prepared.HSigma2[(5, 2)],
+            prepared.HSigma2[(5, 3)],
+            prepared.HSigma2[(5, 4)],
+            prepared.HSigma2[(5, 5)],
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.1),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.1),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.1),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.2),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.2),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.2),
+        ],
+    ]);
+    PlantOutputs {
+        drift,
+        diffusion,
+        d1: clock.d1,
+        d2,
+    }
+}
+
+/// Drift and diffusion of the plant and its disturbances.
+///
+/// Operations: 343 additions, 421 multiplications, 10 divisions, 0 square roots, 10 elementary
+/// functions, 0 comparisons and selections.
+#[inline(always)]
+pub fn plant<T: Real>(
+    t: T,
+    x: Vector<T, 24>,
+    u_sat: Vector<T, 6>,
+    params: &Params<T>,
+) -> PlantOutputs<T> {
+    let prepared = prepare(params);
+    let clock = clock(t);
+    dynamics(x, u_sat, params, &clock, &prepared)
+}

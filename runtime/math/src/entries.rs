@@ -1,0 +1,161 @@
+//! Functions of the entries of an array. A scalar type takes several entries at a time in the vector registers that the program is
+//! compiled for; every entry gets the bits that it would get alone.
+
+use crate::real::Real;
+
+/// A function of one number.
+pub trait Each: Copy {
+    /// Whether a part of a register is better filled up than split into narrower ones: so for a long function.
+    const LONG: bool = false;
+    /// The function; `#[inline(always)]` in every implementation.
+    fn of<T: Real>(self, x: T) -> T;
+}
+
+/// A function of two numbers.
+pub trait Each2: Copy {
+    /// The function; `#[inline(always)]` in every implementation.
+    fn of<T: Real>(self, x: T, y: T) -> T;
+}
+
+/// One entry after the other.
+pub(crate) mod single {
+    use super::{Each, Each2};
+    use crate::real::Real;
+
+    #[inline(always)]
+    pub(crate) fn each<T: Real>(f: impl Each, entries: &mut [T]) {
+        let mut i = 0;
+        while i < entries.len() {
+            entries[i] = f.of(entries[i]);
+            i += 1;
+        }
+    }
+
+    #[inline(always)]
+    pub(crate) fn each2<T: Real>(f: impl Each2, entries: &mut [T], others: &[T]) {
+        let mut i = 0;
+        while i < entries.len() {
+            entries[i] = f.of(entries[i], others[i]);
+            i += 1;
+        }
+    }
+}
+
+/// As many entries at a time as the registers hold that the program may use: first whole registers, the widest ones first, then what is
+/// left over. What is left of a long function is filled up to a register if it is more than half of one.
+#[cfg(target_arch = "x86_64")]
+pub(crate) mod packed {
+    use super::{Each, Each2, single};
+    use crate::real::Real;
+
+    const AVX2: bool = cfg!(target_feature = "avx2");
+    const AVX512: bool = cfg!(all(target_feature = "avx512f", target_feature = "avx512dq"));
+
+    /// A register of `N` numbers `S`.
+    pub(crate) trait Register<S, const N: usize>: Real {
+        /// The register with these entries.
+        fn load(entries: &[S; N]) -> Self;
+        /// Its entries.
+        fn store(self, entries: &mut [S; N]);
+    }
+
+    #[inline(always)]
+    pub(crate) fn each<S, W, M, N, const WIDE: usize, const MIDDLE: usize, const NARROW: usize>(
+        f: impl Each,
+        entries: &mut [S],
+    ) where
+        S: Real,
+        W: Register<S, WIDE>,
+        M: Register<S, MIDDLE>,
+        N: Register<S, NARROW>,
+    {
+        let mut rest = entries;
+        if AVX512 {
+            rest = whole::<S, W, WIDE, _>(f, rest);
+        }
+        if AVX2 {
+            rest = whole::<S, M, MIDDLE, _>(f, rest);
+        }
+        rest = whole::<S, N, NARROW, _>(f, rest);
+        single::each(f, rest);
+    }
+
+    /// Takes whole registers off the front and gives the rest, or nothing if that was taken too.
+    #[inline(always)]
+    fn whole<S: Real, L: Register<S, N>, const N: usize, F: Each>(
+        f: F,
+        entries: &mut [S],
+    ) -> &mut [S] {
+        let (chunks, rest) = entries.as_chunks_mut::<N>();
+        let mut i = 0;
+        while i < chunks.len() {
+            f.of(L::load(&chunks[i])).store(&mut chunks[i]);
+            i += 1;
+        }
+        if F::LONG && 2 * rest.len() > N {
+            let mut results = filled(rest);
+            f.of(L::load(&results)).store(&mut results);
+            copy(&results, rest);
+            return &mut [];
+        }
+        rest
+    }
+
+    #[inline(always)]
+    pub(crate) fn each2<S, W, M, N, const WIDE: usize, const MIDDLE: usize, const NARROW: usize>(
+        f: impl Each2,
+        entries: &mut [S],
+        others: &[S],
+    ) where
+        S: Real,
+        W: Register<S, WIDE>,
+        M: Register<S, MIDDLE>,
+        N: Register<S, NARROW>,
+    {
+        let mut rest = (entries, others);
+        if AVX512 {
+            rest = whole2::<S, W, WIDE>(f, rest.0, rest.1);
+        }
+        if AVX2 {
+            rest = whole2::<S, M, MIDDLE>(f, rest.0, rest.1);
+        }
+        rest = whole2::<S, N, NARROW>(f, rest.0, rest.1);
+        single::each2(f, rest.0, rest.1);
+    }
+
+    /// As [`whole`], of two arrays.
+    #[inline(always)]
+    fn whole2<'a, S: Real, L: Register<S, N>, const N: usize>(
+        f: impl Each2,
+        entries: &'a mut [S],
+        others: &'a [S],
+    ) -> (&'a mut [S], &'a [S]) {
+        let (chunks, rest) = entries.as_chunks_mut::<N>();
+        let (other_chunks, other_rest) = others.as_chunks::<N>();
+        let mut i = 0;
+        while i < chunks.len() {
+            let (x, y) = (L::load(&chunks[i]), L::load(&other_chunks[i]));
+            f.of(x, y).store(&mut chunks[i]);
+            i += 1;
+        }
+        (rest, other_rest)
+    }
+
+    /// The entries and, to fill up the array, the first one again.
+    #[inline(always)]
+    fn filled<S: Copy, const N: usize>(entries: &[S]) -> [S; N] {
+        let mut array = [entries[0]; N];
+        copy(entries, &mut array);
+        array
+    }
+
+    /// Copies as many entries as both have.
+    #[inline(always)]
+    fn copy<S: Copy>(from: &[S], to: &mut [S]) {
+        let mut i = 0;
+        while i < from.len() && i < to.len() {
+            to[i] = from[i];
+            i += 1;
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! Comparisons that have no intrinsic of their own, and choices by mask.
+
+use core::arch::x86_64::*;
+
+/// Comparisons that have no intrinsic of their own, and choices by mask.
+macro_rules! comparisons {
+    ($register:ty, $mask:ty, $compare:ident: $($name:ident $predicate:ident),*) => {$(
+        #[inline(always)]
+        pub(super) unsafe fn $name(a: $register, b: $register) -> $mask {
+            unsafe { $compare::<$predicate>(a, b) }
+        }
+    )*};
+}
+
+comparisons!(__m256d, __m256d, _mm256_cmp_pd: lt_pd256 _CMP_LT_OQ, le_pd256 _CMP_LE_OQ, eq_pd256 _CMP_EQ_OQ, ne_pd256 _CMP_NEQ_UQ);
+comparisons!(__m256, __m256, _mm256_cmp_ps: lt_ps256 _CMP_LT_OQ, le_ps256 _CMP_LE_OQ, eq_ps256 _CMP_EQ_OQ, ne_ps256 _CMP_NEQ_UQ);
+comparisons!(__m512d, __mmask8, _mm512_cmp_pd_mask: lt_pd512 _CMP_LT_OQ, le_pd512 _CMP_LE_OQ, eq_pd512 _CMP_EQ_OQ, ne_pd512 _CMP_NEQ_UQ);
+comparisons!(__m512, __mmask16, _mm512_cmp_ps_mask: lt_ps512 _CMP_LT_OQ, le_ps512 _CMP_LE_OQ, eq_ps512 _CMP_EQ_OQ, ne_ps512 _CMP_NEQ_UQ);
+
+/// `a` where the mask is all ones, else `b`.
+macro_rules! choice {
+    ($name:ident, $register:ty, $mask:ty, |$m:ident, $a:ident, $b:ident| $choice:expr) => {
+        #[inline(always)]
+        pub(super) unsafe fn $name($m: $mask, $a: $register, $b: $register) -> $register {
+            unsafe { $choice }
+        }
+    };
+}
+
+choice!(select_pd128, __m128d, __m128d, |m, a, b| _mm_or_pd(
+    _mm_and_pd(m, a),
+    _mm_andnot_pd(m, b)
+));
+choice!(select_ps128, __m128, __m128, |m, a, b| _mm_or_ps(
+    _mm_and_ps(m, a),
+    _mm_andnot_ps(m, b)
+));
+choice!(select_pd256, __m256d, __m256d, |m, a, b| _mm256_blendv_pd(
+    b, a, m
+));
+choice!(select_ps256, __m256, __m256, |m, a, b| _mm256_blendv_ps(
+    b, a, m
+));
+choice!(select_pd512, __m512d, __mmask8, |m, a, b| {
+    _mm512_mask_blend_pd(m, b, a)
+});
+choice!(select_ps512, __m512, __mmask16, |m, a, b| {
+    _mm512_mask_blend_ps(m, b, a)
+});

@@ -1,0 +1,234 @@
+//! What is done with each entry of an array, and the methods and operators of vectors and matrices that do it.
+
+use crate::entries::{Each, Each2};
+use crate::real::Real;
+
+/// Functions of one number, by its method.
+macro_rules! functions {
+    ($($type:ident = $method:ident, long $long:literal;)*) => {$(
+        #[derive(Clone, Copy)]
+        pub(super) struct $type;
+
+        impl Each for $type {
+            const LONG: bool = $long;
+
+            #[inline(always)]
+            fn of<T: Real>(self, x: T) -> T {
+                x.$method()
+            }
+        }
+    )*};
+}
+
+functions! {
+    Negative = neg, long false;
+    Abs = abs, long false;
+    Sqrt = sqrt, long true;
+    Exp = exp, long true;
+    Ln = ln, long true;
+    Sin = sin, long true;
+    Cos = cos, long true;
+    Tan = tan, long true;
+    Asin = asin, long true;
+    Acos = acos, long true;
+    Atan = atan, long true;
+    Sinh = sinh, long true;
+    Cosh = cosh, long true;
+    Tanh = tanh, long true;
+    Sign = sign, long false;
+}
+
+/// An integer power.
+#[derive(Clone, Copy)]
+pub(super) struct PowerInt(pub(super) u32);
+
+impl Each for PowerInt {
+    #[inline(always)]
+    fn of<T: Real>(self, x: T) -> T {
+        x.powi(self.0)
+    }
+}
+
+/// Functions of two numbers.
+macro_rules! functions2 {
+    ($($type:ident = |$x:ident, $y:ident| $value:expr;)*) => {$(
+        #[derive(Clone, Copy)]
+        pub(super) struct $type;
+
+        impl Each2 for $type {
+            #[inline(always)]
+            fn of<T: Real>(self, $x: T, $y: T) -> T {
+                $value
+            }
+        }
+    )*};
+}
+
+functions2! {
+    Plus = |x, y| x + y;
+    Minus = |x, y| x - y;
+    Mul = |x, y| x * y;
+    Div = |x, y| x / y;
+    Min = |x, y| x.min(y);
+    Max = |x, y| x.max(y);
+    Atan2 = |x, y| x.atan2(y);
+    Pow = |x, y| x.pow(y);
+}
+
+/// `sum + (x - x)`: what is not finite makes it NaN.
+#[derive(Clone, Copy)]
+pub(super) struct Defect;
+
+impl Each2 for Defect {
+    #[inline(always)]
+    #[expect(clippy::eq_op, reason = "x - x is not 0 for every x")]
+    fn of<T: Real>(self, sum: T, x: T) -> T {
+        sum + (x - x)
+    }
+}
+
+/// Methods that apply a function to each entry, or to the entries at each place. The type has `each`, `each2` and `splat`.
+macro_rules! methods {
+    ($($(#[$doc:meta])* $name:ident = $function:ident;)*; $($(#[$doc2:meta])* $name2:ident = $function2:ident;)*) => {
+        $(
+            $(#[$doc])*
+            #[inline(always)]
+            pub fn $name(self) -> Self {
+                self.each(super::elementwise::$function)
+            }
+        )*
+        $(
+            $(#[$doc2])*
+            #[inline(always)]
+            pub fn $name2(self, other: Self) -> Self {
+                self.each2(super::elementwise::$function2, &other)
+            }
+        )*
+    };
+}
+
+/// What vectors and matrices have in common.
+macro_rules! elementwise {
+    () => {
+        super::elementwise::methods! {
+            /// Absolute value of each entry.
+            abs = Abs;
+            /// Square root of each entry.
+            sqrt = Sqrt;
+            /// e^x of each entry.
+            exp = Exp;
+            /// Natural logarithm of each entry.
+            ln = Ln;
+            /// Sine of each entry, rad.
+            sin = Sin;
+            /// Cosine of each entry, rad.
+            cos = Cos;
+            /// Tangent of each entry, rad.
+            tan = Tan;
+            /// Inverse sine of each entry, rad.
+            asin = Asin;
+            /// Inverse cosine of each entry, rad.
+            acos = Acos;
+            /// Inverse tangent of each entry, rad.
+            atan = Atan;
+            /// Hyperbolic sine of each entry.
+            sinh = Sinh;
+            /// Hyperbolic cosine of each entry.
+            cosh = Cosh;
+            /// Hyperbolic tangent of each entry.
+            tanh = Tanh;
+            /// Sign of each entry.
+            sign = Sign;
+            ;
+            /// Elementwise product `a_i b_i`.
+            hadamard = Mul;
+            /// Elementwise quotient `a_i / b_i`.
+            quotient = Div;
+            /// Elementwise minimum.
+            min = Min;
+            /// Elementwise maximum.
+            max = Max;
+            /// Elementwise angle of the point (x = `other`, y = `self`), rad.
+            atan2 = Atan2;
+            /// Elementwise power.
+            pow = Pow;
+        }
+
+        /// `a_i^n` by binary powering.
+        #[inline(always)]
+        pub fn powi(self, n: u32) -> Self {
+            self.each(super::elementwise::PowerInt(n))
+        }
+
+        /// `a_i s`.
+        #[inline(always)]
+        pub fn scale(self, factor: T) -> Self {
+            self.hadamard(Self::splat(factor))
+        }
+
+        /// `a_i + s`.
+        #[inline(always)]
+        pub fn add_scalar(self, term: T) -> Self {
+            self + Self::splat(term)
+        }
+
+        /// Zeros.
+        #[inline(always)]
+        pub fn zero() -> Self {
+            Self::splat(T::zero())
+        }
+    };
+}
+
+/// Operators of vectors and matrices.
+macro_rules! operators {
+    ($type:ty, $(const $size:ident: usize),*) => {
+        impl<T: Real, $(const $size: usize),*> core::ops::Add for $type {
+            type Output = Self;
+
+            #[inline(always)]
+            fn add(self, other: Self) -> Self {
+                self.each2(super::elementwise::Plus, &other)
+            }
+        }
+
+        impl<T: Real, $(const $size: usize),*> core::ops::Sub for $type {
+            type Output = Self;
+
+            #[inline(always)]
+            fn sub(self, other: Self) -> Self {
+                self.each2(super::elementwise::Minus, &other)
+            }
+        }
+
+        impl<T: Real, $(const $size: usize),*> core::ops::Neg for $type {
+            type Output = Self;
+
+            #[inline(always)]
+            fn neg(self) -> Self {
+                self.each(super::elementwise::Negative)
+            }
+        }
+
+        impl<T: Real, $(const $size: usize),*> core::ops::Mul<T> for $type {
+            type Output = Self;
+
+            #[inline(always)]
+            fn mul(self, factor: T) -> Self {
+                self.scale(factor)
+            }
+        }
+
+        impl<T: Real, $(const $size: usize),*> core::ops::Div<T> for $type {
+            type Output = Self;
+
+            /// A division for each entry.
+            #[inline(always)]
+            fn div(self, divisor: T) -> Self {
+                self.quotient(Self::splat(divisor))
+            }
+        }
+    };
+}
+
+pub(super) use {elementwise, methods, operators};

@@ -1,0 +1,72 @@
+//! The committed simulators, compiled once for all tests, in every width of lanes.
+
+use nsv_generated::{
+    flexible_joint, motor_arm, nsv_attitude, pendulum, two_link_arm, underwater_vehicle,
+};
+use nsv_runtime::closed_loop::{ClosedLoop, Options, Runs};
+use nsv_runtime::ensemble::{Campaign, Summary, run};
+
+/// A simulator without its type.
+pub struct Flight {
+    /// Name of the specification.
+    pub name: &'static str,
+    /// Telemetry columns.
+    pub signals: &'static [&'static str],
+    /// Simulates a campaign.
+    pub campaign: fn(&Campaign) -> Summary,
+    /// The telemetry of a run's first samples.
+    pub telemetry: fn(&Options, usize) -> Vec<Vec<f64>>,
+}
+
+/// `specs/flexible_joint.yaml`.
+pub static FLEXIBLE_JOINT: Flight = flight::<flexible_joint::Simulator>();
+/// `specs/motor_arm.yaml`.
+pub static MOTOR_ARM: Flight = flight::<motor_arm::Simulator>();
+/// `specs/nsv_attitude.yaml`.
+pub static NSV_ATTITUDE: Flight = flight::<nsv_attitude::Simulator>();
+/// `specs/pendulum.yaml`.
+pub static PENDULUM: Flight = flight::<pendulum::Simulator>();
+/// `specs/two_link_arm.yaml`.
+pub static TWO_LINK_ARM: Flight = flight::<two_link_arm::Simulator>();
+/// `specs/underwater_vehicle.yaml`.
+pub static UNDERWATER_VEHICLE: Flight = flight::<underwater_vehicle::Simulator>();
+
+/// All of them.
+pub static ALL: [&Flight; 6] = [
+    &FLEXIBLE_JOINT,
+    &MOTOR_ARM,
+    &NSV_ATTITUDE,
+    &PENDULUM,
+    &TWO_LINK_ARM,
+    &UNDERWATER_VEHICLE,
+];
+
+impl Flight {
+    /// The column of a signal.
+    pub fn column(&self, signal: &str) -> usize {
+        let found = self.signals.iter().position(|known| *known == signal);
+        found.unwrap_or_else(|| panic!("{signal} is a signal of {}", self.name))
+    }
+}
+
+const fn flight<L: ClosedLoop>() -> Flight {
+    Flight {
+        name: L::NAME,
+        signals: L::SIGNALS,
+        campaign: |campaign| run::<L>(campaign, |_| {}),
+        telemetry: telemetry::<L>,
+    }
+}
+
+fn telemetry<L: ClosedLoop>(options: &Options, samples: usize) -> Vec<Vec<f64>> {
+    let mut runs = L::Runs::<f64>::new(options);
+    let rows = (0..samples).map(|_| {
+        let mut row = vec![0.0; L::SIGNALS.len()];
+        runs.observe();
+        runs.control();
+        runs.telemetry(&mut row);
+        runs.advance();
+        row
+    });
+    rows.collect()
+}
