@@ -69,19 +69,19 @@ pub fn sin_cos_over<T: Real>(e: T) -> T {
 /// First derivative of [`sin_cos_over`]: `E P(t)`, t = E^2 - 5/2; beyond pi/2, `s1 + s1` of the recursion.
 #[inline(always)]
 pub fn sin_cos_over_d1<T: Real>(e: T) -> T {
-    within_limit(e, e * about(2.5, &FIRST, e), |e| 2.0 * recursion(e)[0])
+    within_limit(e, e * about(2.5, &FIRST, e), |[e]| 2.0 * recursion(e)[0])
 }
 
 /// Second derivative of [`sin_cos_over`]: `P(t)`, t = E^2 - 5/4; beyond pi/2, `4 s2` of the recursion.
 #[inline(always)]
 pub fn sin_cos_over_d2<T: Real>(e: T) -> T {
-    within_limit(e, about(1.25, &SECOND, e), |e| 4.0 * recursion(e)[1])
+    within_limit(e, about(1.25, &SECOND, e), |[e]| 4.0 * recursion(e)[1])
 }
 
 /// Third derivative of [`sin_cos_over`]: `E P(t)`, t = E^2 - 5/2; beyond pi/2, `8 s3` of the recursion.
 #[inline(always)]
 pub fn sin_cos_over_d3<T: Real>(e: T) -> T {
-    within_limit(e, e * about(2.5, &THIRD, e), |e| 8.0 * recursion(e)[2])
+    within_limit(e, e * about(2.5, &THIRD, e), |[e]| 8.0 * recursion(e)[2])
 }
 
 /// `tan E / E`, 1 at 0.
@@ -92,8 +92,8 @@ pub fn tan_over<T: Real>(e: T) -> T {
 
 /// `inside`, or where `|E|` is above the limit `beyond`.
 #[inline(always)]
-fn within_limit<T: Real>(e: T, inside: T, beyond: fn(f64) -> f64) -> T {
-    replaced(e.abs().gt(T::from_f64(LIMIT)), inside, e, beyond)
+fn within_limit<T: Real>(e: T, inside: T, beyond: fn([f64; 1]) -> f64) -> T {
+    replaced(e.abs().gt(T::from_f64(LIMIT)), inside, [e], beyond)
 }
 
 /// `P(t)` with `t = E E - middle`: `(c_0 + w (c_2 + w (c_4 + ..))) + t (c_1 + w (c_3 + ..))` with `w = t t`, each sum from its last coefficient.

@@ -191,7 +191,7 @@ fn driver(module: &str, program: &Program, inputs: &Values) -> String {
             Type::Real(Shape::Scalar) => format!("print(out.{name});"),
             Type::Real(Shape::Vector(_)) => format!("out.{name}.0.into_iter().for_each(print);"),
             Type::Real(Shape::Matrix(..)) => {
-                format!("out.{name}.0.into_iter().flatten().for_each(print);")
+                format!("out.{name}.to_rows().into_iter().flatten().for_each(print);")
             }
         });
     let outputs: String = outputs.collect();

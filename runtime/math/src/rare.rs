@@ -5,42 +5,47 @@ use crate::real::{Mask, Real};
 /// More lanes than any type has.
 const MOST_LANES: usize = 16;
 
-/// `f` of the argument in the lanes of `rare`, `usual` in the others. No lane's value depends on another lane. The usual path costs one
+/// `f` of the arguments in the lanes of `rare`, `usual` in the others. No lane's value depends on another lane. The usual path costs one
 /// branch.
 #[inline(always)]
-pub fn replaced<T: Real>(rare: T::Mask, usual: T, x: T, f: fn(f64) -> f64) -> T {
+pub fn replaced<T: Real, const N: usize>(
+    rare: T::Mask,
+    usual: T,
+    arguments: [T; N],
+    f: fn([f64; N]) -> f64,
+) -> T {
     if !rare.any() {
         return usual;
     }
     if T::LANES == 1 {
-        return T::from_f64(replace_one(x.to_f64(), f));
+        return T::from_f64(replace_one(arguments.map(T::to_f64), f));
     }
-    let (mut arguments, mut values) = ([0.0; MOST_LANES], [0.0; MOST_LANES]);
+    let (mut lanes, mut values) = ([[0.0; N]; MOST_LANES], [0.0; MOST_LANES]);
     for lane in 0..T::LANES {
-        arguments[lane] = x.lane(lane);
+        lanes[lane] = arguments.map(|argument| argument.lane(lane));
         values[lane] = usual.lane(lane);
     }
-    replace(
-        rare.to_bits(),
-        &arguments[..T::LANES],
-        &mut values[..T::LANES],
-        f,
-    );
+    replace(rare.to_bits(), &lanes[..T::LANES], &mut values, f);
     T::from_lanes(|lane| values[lane])
 }
 
 #[cold]
 #[inline(never)]
-fn replace_one(x: f64, f: fn(f64) -> f64) -> f64 {
-    f(x)
+fn replace_one<const N: usize>(arguments: [f64; N], f: fn([f64; N]) -> f64) -> f64 {
+    f(arguments)
 }
 
 #[cold]
 #[inline(never)]
-fn replace(rare: u32, arguments: &[f64], values: &mut [f64], f: fn(f64) -> f64) {
-    for (lane, (&x, value)) in arguments.iter().zip(values).enumerate() {
+fn replace<const N: usize>(
+    rare: u32,
+    lanes: &[[f64; N]],
+    values: &mut [f64],
+    f: fn([f64; N]) -> f64,
+) {
+    for (lane, (&arguments, value)) in lanes.iter().zip(values).enumerate() {
         if rare >> lane & 1 == 1 {
-            *value = f(x);
+            *value = f(arguments);
         }
     }
 }

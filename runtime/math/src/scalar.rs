@@ -99,93 +99,31 @@ macro_rules! bits {
 bits!(u64);
 bits!(u32);
 
-/// The elementary functions of a type, by the algorithms in `$module`.
+/// The elementary functions of a type with the constants of a precision.
 macro_rules! elementary {
-    ($module:path) => {
-        #[inline(always)]
-        fn exp(self) -> Self {
-            use $module as algorithm;
-            algorithm::exp(self)
-        }
-
-        #[inline(always)]
-        fn ln(self) -> Self {
-            use $module as algorithm;
-            algorithm::ln(self)
-        }
-
-        #[inline(always)]
-        fn sin(self) -> Self {
-            use $module as algorithm;
-            algorithm::sin(self)
-        }
-
-        #[inline(always)]
-        fn cos(self) -> Self {
-            use $module as algorithm;
-            algorithm::cos(self)
-        }
-
-        #[inline(always)]
-        fn tan(self) -> Self {
-            use $module as algorithm;
-            algorithm::tan(self)
-        }
-
-        #[inline(always)]
-        fn asin(self) -> Self {
-            use $module as algorithm;
-            algorithm::asin(self)
-        }
-
-        #[inline(always)]
-        fn acos(self) -> Self {
-            use $module as algorithm;
-            algorithm::acos(self)
-        }
-
-        #[inline(always)]
-        fn atan(self) -> Self {
-            use $module as algorithm;
-            algorithm::atan(self)
-        }
-
-        #[inline(always)]
-        fn sinh(self) -> Self {
-            use $module as algorithm;
-            algorithm::sinh(self)
-        }
-
-        #[inline(always)]
-        fn cosh(self) -> Self {
-            use $module as algorithm;
-            algorithm::cosh(self)
-        }
-
-        #[inline(always)]
-        fn tanh(self) -> Self {
-            use $module as algorithm;
-            algorithm::tanh(self)
-        }
-
-        #[inline(always)]
-        fn atan2(self, other: Self) -> Self {
-            use $module as algorithm;
-            algorithm::atan2(self, other)
-        }
-
-        #[inline(always)]
-        fn pow(self, exponent: Self) -> Self {
-            use $module as algorithm;
-            algorithm::pow(self, exponent)
-        }
+    ($format:ident) => {
+        crate::scalar::elementary!($format: exp ln sin cos tan asin acos atan sinh cosh tanh; atan2 pow);
+    };
+    ($format:ident: $($function:ident)*; $($function2:ident)*) => {
+        $(
+            #[inline(always)]
+            fn $function(self) -> Self {
+                crate::elementary::$function::<crate::elementary::$format, Self>(self)
+            }
+        )*
+        $(
+            #[inline(always)]
+            fn $function2(self, other: Self) -> Self {
+                crate::elementary::$function2::<crate::elementary::$format, Self>(self, other)
+            }
+        )*
     };
 }
 pub(crate) use elementary;
 
 /// Implements [`Real`] for a scalar.
 macro_rules! scalar {
-    ($float:ident, $bits:ty, $algorithms:path, $sqrt:path,
+    ($float:ident, $bits:ty, $format:ident, $sqrt:path,
      $wide:ident[$w:literal], $middle:ident[$m:literal], $narrow:ident[$n:literal]) => {
         impl Real for $float {
             type Mask = bool;
@@ -295,29 +233,13 @@ macro_rules! scalar {
                 $sqrt(self)
             }
 
-            elementary!($algorithms);
+            elementary!($format);
         }
     };
 }
 
-scalar!(
-    f64,
-    u64,
-    crate::elementary::double,
-    sqrt_f64,
-    F64x8[8],
-    F64x4[4],
-    F64x2[2]
-);
-scalar!(
-    f32,
-    u32,
-    crate::elementary::single,
-    sqrt_f32,
-    F32x16[16],
-    F32x8[8],
-    F32x4[4]
-);
+scalar!(f64, u64, Double, sqrt_f64, F64x8[8], F64x4[4], F64x2[2]);
+scalar!(f32, u32, Single, sqrt_f32, F32x16[16], F32x8[8], F32x4[4]);
 
 #[cfg(target_arch = "x86_64")]
 use crate::lanes::x86::{sqrt_f32, sqrt_f64};

@@ -1,9 +1,29 @@
-//! Elementary functions, one module for each precision.
+//! Elementary functions.
 //!
-//! A function is one sequence of additions, products, at most one quotient or root, comparisons and choices, which is the same for every
-//! argument; nothing is fused or reassociated, so it gives the same bits in a scalar and in every lane. Only angles beyond 10^5 rad
-//! and logarithms of subnormal numbers leave it: [`crate::rare`] replaces their lanes one by one.
+//! A function is one sequence of additions, products, at most one quotient and one root, comparisons and choices, which is the same for
+//! every argument; nothing is fused or reassociated, so it gives the same bits in a scalar and in every lane. Only what a controller hardly
+//! meets leaves it (angles beyond 1600 rad in single, 10^5 rad in double precision, logarithms of subnormal numbers, powers of negative
+//! ones): [`crate::rare`] replaces such lanes one by one. The text is written once for both precisions, whose constants are [`double`] and
+//! [`single`].
 
-pub(crate) mod double;
+mod double;
+mod exponential;
+mod format;
+mod hyperbolic;
+mod inverse;
+mod large_angle;
+mod logarithm;
 mod polynomial;
-pub(crate) mod single;
+mod power;
+mod sign;
+mod single;
+mod trigonometric;
+
+pub(crate) use double::Double;
+pub(crate) use exponential::exp;
+pub(crate) use hyperbolic::{cosh, sinh, tanh};
+pub(crate) use inverse::{acos, asin, atan, atan2};
+pub(crate) use logarithm::ln;
+pub(crate) use power::pow;
+pub(crate) use single::Single;
+pub(crate) use trigonometric::{cos, sin, tan};

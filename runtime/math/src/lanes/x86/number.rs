@@ -26,7 +26,7 @@ macro_rules! operator {
 
 /// Vectors of numbers.
 macro_rules! lanes {
-    ($lanes:ident($register:ty), $mask:ident, $bits:ident, [$element:ty; $count:literal], $feature:literal, $algorithms:path,
+    ($lanes:ident($register:ty), $mask:ident, $bits:ident, [$element:ty; $count:literal], $feature:literal, $format:ident,
      $add:ident, $sub:ident, $mul:ident, $div:ident, $sqrt:ident, $splat:ident, $load:ident, $store:ident,
      $xor:ident, $andnot:ident, $lt:ident, $le:ident, $eq:ident, $ne:ident, $select:ident, $to_bits:ident, $from_bits:ident) => {
         #[derive(Clone, Copy, Debug)]
@@ -160,7 +160,7 @@ macro_rules! lanes {
                 Self(unsafe { $sqrt(self.0) })
             }
 
-            elementary!($algorithms);
+            elementary!($format);
         }
     };
 }
@@ -171,7 +171,7 @@ lanes!(
     B64x2,
     [f64; 2],
     "sse2",
-    crate::elementary::double,
+    Double,
     _mm_add_pd,
     _mm_sub_pd,
     _mm_mul_pd,
@@ -196,7 +196,7 @@ lanes!(
     B64x4,
     [f64; 4],
     "avx2",
-    crate::elementary::double,
+    Double,
     _mm256_add_pd,
     _mm256_sub_pd,
     _mm256_mul_pd,
@@ -221,7 +221,7 @@ lanes!(
     B64x8,
     [f64; 8],
     "avx512f,avx512dq",
-    crate::elementary::double,
+    Double,
     _mm512_add_pd,
     _mm512_sub_pd,
     _mm512_mul_pd,
@@ -246,7 +246,7 @@ lanes!(
     B32x4,
     [f32; 4],
     "sse2",
-    crate::elementary::single,
+    Single,
     _mm_add_ps,
     _mm_sub_ps,
     _mm_mul_ps,
@@ -271,7 +271,7 @@ lanes!(
     B32x8,
     [f32; 8],
     "avx2",
-    crate::elementary::single,
+    Single,
     _mm256_add_ps,
     _mm256_sub_ps,
     _mm256_mul_ps,
@@ -296,7 +296,7 @@ lanes!(
     B32x16,
     [f32; 16],
     "avx512f,avx512dq",
-    crate::elementary::single,
+    Single,
     _mm512_add_ps,
     _mm512_sub_ps,
     _mm512_mul_ps,

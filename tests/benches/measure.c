@@ -1,0 +1,78 @@
+/* The one loop that times every peer: built as a shared library, called in a fresh process per measurement (measure.py).
+ *
+ * Ticks are those of the time stamp counter. A chain of dependent products, three core cycles each, tells how many core cycles a tick is.
+ */
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <x86intrin.h>
+
+typedef void (*step_function)(const void *in, void *out);
+
+static inline uint64_t ticks_before(void) {
+    _mm_lfence();
+    uint64_t now = __rdtsc();
+    _mm_lfence();
+    return now;
+}
+
+static inline uint64_t ticks_after(void) {
+    unsigned processor;
+    uint64_t now = __rdtscp(&processor);
+    _mm_lfence();
+    return now;
+}
+
+/* The counter, for loops that are not in C. */
+uint64_t ticks(void) { return ticks_after(); }
+
+/* Core cycles per tick. */
+double cycles_per_tick(void) {
+    enum { PRODUCTS = 400000, LATENCY = 3 };
+    double best = 0.0;
+    for (int trial = 0; trial < 9; trial++) {
+        uint64_t x = 3, start = ticks_before();
+        for (int i = 0; i < PRODUCTS / 4; i++) __asm__ volatile("imul %0,%0\n imul %0,%0\n imul %0,%0\n imul %0,%0" : "+r"(x));
+        double ratio = PRODUCTS * LATENCY / (double)(ticks_after() - start);
+        best = ratio > best ? ratio : best;
+    }
+    return best;
+}
+
+/* Ticks per call of each of `batches` batches, in which the inputs are used in turn. `in` holds `count` inputs of `in_size` bytes. */
+void measure_warm(step_function step, const char *in, size_t in_size, int count, char *out, int calls, int batches, double *ticks) {
+    for (int i = 0; i < calls; i++) step(in + in_size * (i % count), out);
+    for (int batch = 0; batch < batches; batch++) {
+        uint64_t start = ticks_before();
+        for (int i = 0, k = 0; i < calls; i++, k = k + 1 == count ? 0 : k + 1) step(in + in_size * k, out);
+        ticks[batch] = (double)(ticks_after() - start) / calls;
+    }
+}
+
+enum { LINE = 64, CODE = 1 << 18, DATA = 4 << 20 };
+typedef void (*code)(void);
+
+/* Runs through more code and data than the first two levels of cache hold, so that the step comes from the last one. */
+static void evict(const char *returns, volatile char *data) {
+    for (size_t at = 0; at < CODE; at += LINE) ((code)(uintptr_t)(returns + at))();
+    for (size_t at = 0; at < DATA; at += LINE) data[at]++;
+    for (size_t at = 0; at < CODE; at += LINE) ((code)(uintptr_t)(returns + at))();
+}
+
+/* Ticks of single calls, each after an eviction; the cost of reading the counter is taken off. */
+void measure_cold(step_function step, const char *in, size_t in_size, int count, char *out, int calls, double *ticks) {
+    char *returns = mmap(0, CODE, PROT_READ | PROT_WRITE | PROT_EXEC, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    volatile char *data = calloc(DATA, 1);
+    memset(returns, 0xc3, CODE);
+    for (int i = 0; i < calls; i++) {
+        evict(returns, data);
+        uint64_t start = ticks_before();
+        uint64_t empty = ticks_after() - start;
+        start = ticks_before();
+        step(in + in_size * (i % count), out);
+        ticks[i] = (double)(ticks_after() - start) - (double)empty;
+    }
+    munmap(returns, CODE);
+    free((void *)data);
+}
