@@ -6,6 +6,7 @@ pub mod explain;
 pub mod hoist;
 pub mod stage;
 
+mod angles;
 mod arrays;
 mod dead_code;
 mod divisors;
@@ -13,6 +14,7 @@ mod elementary;
 mod families;
 mod fold;
 mod identities;
+mod linear;
 mod polynomials;
 mod powers;
 mod reciprocals;
@@ -45,7 +47,7 @@ pub struct Pass {
 }
 
 /// All passes, in the order of a round.
-pub static PASSES: [Pass; 12] = [
+pub static PASSES: [Pass; 14] = [
     Pass {
         name: "fold",
         kind: Kind::Exact,
@@ -65,6 +67,18 @@ pub static PASSES: [Pass; 12] = [
         name: "structural_zeros",
         kind: Kind::Reassociating("equal for finite values, up to the sign of a zero"),
         run: structural_zeros::run,
+    },
+    Pass {
+        name: "angles",
+        kind: Kind::Reassociating("a tangent is off by at most 3 ulp instead of 1"),
+        run: angles::run,
+    },
+    Pass {
+        name: "linear",
+        kind: Kind::Reassociating(
+            "a sum of n terms c x is off by at most (n + 4) 2^-53 sum |c x|, with the factors of every term as they were",
+        ),
+        run: linear::run,
     },
     Pass {
         name: "arrays",
@@ -99,14 +113,14 @@ pub static PASSES: [Pass; 12] = [
         run: reciprocals::run,
     },
     Pass {
-        name: "elementary",
-        kind: Kind::Exact,
-        run: elementary::run,
-    },
-    Pass {
         name: "dead_code",
         kind: Kind::Exact,
         run: dead_code::run,
+    },
+    Pass {
+        name: "elementary",
+        kind: Kind::Exact,
+        run: elementary::run,
     },
 ];
 
