@@ -1,4 +1,4 @@
-//! Divisions by numbers become products with their reciprocals. Part of lowering: a quotient is off by at most 1.5 ulp instead of 0.5, and a
+//! Divisions by numbers become products with their reciprocals. Also part of lowering: a quotient is off by at most 1.5 ulp instead of 0.5, and a
 //! division takes as long as ten products.
 
 use crate::ir::{Op, Operator, Program};
