@@ -63,7 +63,8 @@ class Step:
 
 def measure_code(loop: ctypes.CDLL, step: Step) -> dict[str, float]:
     """Ticks of warm and cold calls."""
-    arguments = [step.function, POINTER(step.given.ctypes.data), ctypes.c_size_t(step.size), len(step.inputs), POINTER(step.out.ctypes.data)]
+    given, out = (POINTER(array.ctypes.data) for array in (step.given, step.out))
+    arguments = [step.function, given, ctypes.c_size_t(step.size), len(step.inputs), out]
     warm, cold = np.zeros(BATCHES), np.zeros(COLD)
     loop.measure_warm(*arguments, CALLS, BATCHES, POINTER(warm.ctypes.data))
     loop.measure_cold(*arguments, COLD, POINTER(cold.ctypes.data))

@@ -43,7 +43,8 @@ def law(work: Workload):
     """The step as a Python function of the flat input."""
     lines = python_source(work.graph, work.results)
     text = f"def law(x):\n y = [0.0] * {len(work.results)}\n " + "\n ".join(lines) + "\n return y\n"
-    names = {name: getattr(math, name) for name in dir(math)} | {"abs": abs, "sign": UNARY["sign"], "min": BINARY["min"], "max": BINARY["max"]}
+    names = {name: getattr(math, name) for name in dir(math)} | {"abs": abs, "sign": UNARY["sign"]}
+    names |= {name: BINARY[name] for name in ("min", "max")}
     exec(text, names)
     return names["law"]
 

@@ -89,8 +89,8 @@ def markdown(result: dict[str, Any]) -> str:
         lines += [
             "## Ensembles of closed loops with noise, f64, one core",
             "",
-            "Millions of steps (controller and plant) per second of the process's own time. Each peer draws its own normal noise. Differences",
-            "are those of runs without noise from the law in Python; with noise, means and deviations agree within chance.",
+            "Millions of steps (controller and plant) per second of the process's own time. Each peer draws its own normal noise.",
+            "Differences are those of runs without noise from the law in Python; with noise, means and deviations agree within chance.",
             "",
         ]
         for spec, found in result["ensemble"].items():
@@ -127,7 +127,7 @@ def plot(result: dict[str, Any], path: Path) -> None:
     columns = min(3, len(panels))
     rows = -(-len(panels) // columns)
     figure, axes = pyplot.subplots(rows, columns, figsize=(5 * columns, 3.4 * rows), squeeze=False, layout="constrained")
-    for axis, (title, peers, key, sign) in zip(axes.flat, panels):
+    for axis, (title, peers, key, sign) in zip(axes.flat, panels, strict=False):
         base = peers[BASELINE][key]["median"]
         bars = sorted((name, (base / figures[key]["median"]) ** sign) for name, figures in peers.items())
         bars.sort(key=lambda bar: bar[1])

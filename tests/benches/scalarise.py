@@ -201,7 +201,7 @@ class Scalariser:
         for k in range(n):
             for i in range(k + 1, n):
                 factor = self.div(rows[i][k], rows[k][k])
-                rows[i] = [self.sub(x, self.mul(factor, y)) if j > k else x for j, (x, y) in enumerate(zip(rows[i], rows[k]))]
+                rows[i] = [self.sub(x, self.mul(factor, y)) if j > k else x for j, (x, y) in enumerate(zip(rows[i], rows[k], strict=True))]
         x: Array = [0] * n
         for i in reversed(range(n)):
             rest = reduce(self.sub, (self.mul(rows[i][j], x[j]) for j in range(i + 1, n)), rows[i][n])

@@ -9,6 +9,7 @@ pub mod stage;
 mod angles;
 mod arrays;
 mod dead_code;
+mod divisors;
 mod elementary;
 mod families;
 mod fold;
@@ -136,8 +137,8 @@ pub enum Arithmetic {
 /// find nearly all.
 const ROUNDS: usize = 6;
 
-/// The program without what zeros, ones and absent entries of its literals make of it on paper: `0 x = 0`, `x + 0 = x`. Part of lowering:
-/// results are those of the program for all finite values, up to the sign of a zero.
+/// The program with what is known of its literals done as on paper: `0 x = 0`, `x + 0 = x`, `x / c = (1/c) x`. Part of lowering: results are
+/// those of the program for all finite values, up to the sign of a zero and a rounding for each such quotient.
 pub fn simplify(mut program: Program) -> Program {
     for _ in 0..ROUNDS {
         let before = program.clone();
@@ -145,6 +146,7 @@ pub fn simplify(mut program: Program) -> Program {
             fold::run,
             identities::run,
             structural_zeros::run,
+            divisors::run,
             arrays::run,
             dead_code::run_for_names,
         ];

@@ -31,7 +31,7 @@ impl<L: ClosedLoop> Kernel for Loop<L> {
             dispersion: false,
         });
         for _ in 0..self.samples {
-            runs.control(false);
+            runs.control();
             runs.advance();
         }
         black_box(&runs).is_finite().all()
