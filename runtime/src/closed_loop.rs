@@ -48,7 +48,8 @@ pub trait Runs<T: Real> {
     /// Moves the plant over one sample time.
     fn advance(&mut self);
 
-    /// Writes one value for each of [`ClosedLoop::SIGNALS`].
+    /// Writes one value for each of [`ClosedLoop::SIGNALS`]. `V` and `LV` take more operations than all the rest, so they are computed for
+    /// scalars, and NaN in lanes.
     fn telemetry(&self, row: &mut [T]);
 
     /// `||e_1|| / k_1`; NaN without a constraint on the output.

@@ -279,7 +279,19 @@ impl Simulator<'_> {
         });
         let lyapunov = mentioned("lyapunov").then(|| {
             let (name, arguments) = (self.lyapunov.name(), self.arguments(self.lyapunov));
-            quote!(let lyapunov = lyapunov::#name(#(#arguments),*);)
+            let results = self.lyapunov.results_type();
+            let fields = self.lyapunov.program.outputs.iter();
+            let fields = fields.map(|(output, _)| {
+                let field = self.lyapunov.output_fields().get(output).clone();
+                quote!(#field: T::from_f64(f64::NAN))
+            });
+            quote! {
+                let lyapunov = if T::IS_SCALAR {
+                    lyapunov::#name(#(#arguments),*)
+                } else {
+                    lyapunov::#results { #(#fields),* }
+                };
+            }
         });
         quote! {
             #[inline(always)]

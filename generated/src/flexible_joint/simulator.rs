@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 14827660ab18739b7cd8b0355f7d25365fe1650a6784177b0b0243fd4bdbfa00
+// SHA-256 of the text below: 29f8dc07c713811d27faa9947ca6a2f9d3ad73ac0232f18c69f6264970572c89
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
@@ -210,17 +210,24 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let x3 = self.x3();
         let x4 = self.x4();
         let rate = plant::plant(t, self.x, law.u_sat, &self.truth);
-        let lyapunov = lyapunov::lyapunov(
-            t,
-            x1,
-            x2,
-            x3,
-            x4,
-            self.w4(),
-            &self.state,
-            self.controller.params(),
-            &self.truth,
-        );
+        let lyapunov = if T::IS_SCALAR {
+            lyapunov::lyapunov(
+                t,
+                x1,
+                x2,
+                x3,
+                x4,
+                self.w4(),
+                &self.state,
+                self.controller.params(),
+                &self.truth,
+            )
+        } else {
+            lyapunov::LyapunovOutputs {
+                V: T::from_f64(f64::NAN),
+                LV: T::from_f64(f64::NAN),
+            }
+        };
         let values = [
             t,
             x1[0],

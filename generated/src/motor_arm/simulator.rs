@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 592de60f8a6d49afdb4ddcf0468e6ccfdc8e5f532deda0e0159ac89db26e8825
+// SHA-256 of the text below: b19d9d392c1ec4d1ba616ac37aa1112e6ec6a169be7d9fcdf4352be7de76d1e7
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 
@@ -198,16 +198,23 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let x2 = self.x2();
         let x3 = self.x3();
         let rate = plant::plant(t, self.x, law.u_sat, &self.truth);
-        let lyapunov = lyapunov::lyapunov(
-            t,
-            x1,
-            x2,
-            x3,
-            self.w2(),
-            &self.state,
-            self.controller.params(),
-            &self.truth,
-        );
+        let lyapunov = if T::IS_SCALAR {
+            lyapunov::lyapunov(
+                t,
+                x1,
+                x2,
+                x3,
+                self.w2(),
+                &self.state,
+                self.controller.params(),
+                &self.truth,
+            )
+        } else {
+            lyapunov::LyapunovOutputs {
+                V: T::from_f64(f64::NAN),
+                LV: T::from_f64(f64::NAN),
+            }
+        };
         let values = [
             t,
             x1[0],

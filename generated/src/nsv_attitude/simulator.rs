@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 8aa1d69fecc449432785f0156d1ac6d35bc5c94b25995f3a058e4b23175777a4
+// SHA-256 of the text below: c61603c184c899350fe95688804da65d3190cf74b1cb1a7c1ef22f3f42a52758
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 
@@ -215,15 +215,22 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let x1 = self.x1();
         let x2 = self.x2();
         let rate = plant::plant(t, self.x, law.u_sat, &self.truth);
-        let lyapunov = lyapunov::lyapunov(
-            t,
-            x1,
-            x2,
-            self.w2(),
-            &self.state,
-            self.controller.params(),
-            &self.truth,
-        );
+        let lyapunov = if T::IS_SCALAR {
+            lyapunov::lyapunov(
+                t,
+                x1,
+                x2,
+                self.w2(),
+                &self.state,
+                self.controller.params(),
+                &self.truth,
+            )
+        } else {
+            lyapunov::LyapunovOutputs {
+                V: T::from_f64(f64::NAN),
+                LV: T::from_f64(f64::NAN),
+            }
+        };
         let values = [
             t,
             x1[0],

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: ccb484c50795076c2cb41e4df4bc486531551c88ff0cbb16da1bae3466e458f1
+// SHA-256 of the text below: 671488c9431fc12a76a2222ccab8437df93436c75a6b89dbff26fdd556e2fc83
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 
@@ -163,14 +163,21 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let x1 = self.x1();
         let x2 = self.x2();
         let rate = plant::plant(t, self.x, law.u_sat, &self.truth);
-        let lyapunov = lyapunov::lyapunov(
-            t,
-            x1,
-            x2,
-            &self.state,
-            self.controller.params(),
-            &self.truth,
-        );
+        let lyapunov = if T::IS_SCALAR {
+            lyapunov::lyapunov(
+                t,
+                x1,
+                x2,
+                &self.state,
+                self.controller.params(),
+                &self.truth,
+            )
+        } else {
+            lyapunov::LyapunovOutputs {
+                V: T::from_f64(f64::NAN),
+                LV: T::from_f64(f64::NAN),
+            }
+        };
         let values = [
             t,
             x1[0],

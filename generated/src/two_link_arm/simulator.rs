@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 2012d1d3589f400df2169ae0f2724fde90921e682507dc2ea359fb2926934424
+// SHA-256 of the text below: f58d9b3c13f716bad8ed61fc9c45e60d948543326e8d19d4ca0387c9f3ccf0a3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 
@@ -184,15 +184,22 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let x1 = self.x1();
         let x2 = self.x2();
         let rate = plant::plant(t, self.x, law.u_sat, &self.truth);
-        let lyapunov = lyapunov::lyapunov(
-            t,
-            x1,
-            x2,
-            self.w2(),
-            &self.state,
-            self.controller.params(),
-            &self.truth,
-        );
+        let lyapunov = if T::IS_SCALAR {
+            lyapunov::lyapunov(
+                t,
+                x1,
+                x2,
+                self.w2(),
+                &self.state,
+                self.controller.params(),
+                &self.truth,
+            )
+        } else {
+            lyapunov::LyapunovOutputs {
+                V: T::from_f64(f64::NAN),
+                LV: T::from_f64(f64::NAN),
+            }
+        };
         let values = [
             t,
             x1[0],

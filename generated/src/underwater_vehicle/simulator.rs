@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 578a5c4b78df4962bc1b61b8312ee962f96572ab0b30b903b9ba42bed2370fe2
+// SHA-256 of the text below: 3a5bd440b17fc9542e6de267dd2672d1ad1db76d8477fc40252111bf888555f8
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
@@ -281,15 +281,22 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let x1 = self.x1();
         let x2 = self.x2();
         let rate = plant::plant(t, self.x, law.u_sat, &self.truth);
-        let lyapunov = lyapunov::lyapunov(
-            t,
-            x1,
-            x2,
-            self.w2(),
-            &self.state,
-            self.controller.params(),
-            &self.truth,
-        );
+        let lyapunov = if T::IS_SCALAR {
+            lyapunov::lyapunov(
+                t,
+                x1,
+                x2,
+                self.w2(),
+                &self.state,
+                self.controller.params(),
+                &self.truth,
+            )
+        } else {
+            lyapunov::LyapunovOutputs {
+                V: T::from_f64(f64::NAN),
+                LV: T::from_f64(f64::NAN),
+            }
+        };
         let values = [
             t,
             x1[0],

@@ -85,6 +85,8 @@ pub trait Real:
 
     /// Number of lanes; 1 for a scalar.
     const LANES: usize;
+    /// Whether it is a scalar.
+    const IS_SCALAR: bool = Self::LANES == 1;
     /// Binary digits of the significand: 53 in double precision, 24 in single.
     const MANTISSA_DIGITS: u32;
 
