@@ -1,5 +1,5 @@
-//! Embeds the sources of the runtime library and of its numeric types, and the locked version of their one dependency, so that `nsv simulate` can build generated code
-//! wherever a Rust toolchain is.
+//! Embeds the sources of the runtime library and of its numeric types, so that `nsv simulate` can build generated code wherever a Rust
+//! toolchain is.
 
 use std::error::Error;
 use std::fmt::Write as _;
@@ -8,8 +8,7 @@ use std::{env, fs};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?).join("..");
-    let (runtime, lock) = (root.join("runtime"), root.join("Cargo.lock"));
-    println!("cargo::rerun-if-changed={}", lock.display());
+    let runtime = root.join("runtime");
     let mut files = Vec::new();
     for folder in ["src", "math/src"] {
         let sources = runtime.join(folder);
@@ -31,11 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             fs::canonicalize(&file)?
         )?;
     }
-    let libm = locked(&fs::read_to_string(lock)?, "libm").ok_or("libm is not in Cargo.lock")?;
-    writeln!(
-        text,
-        "];\n\n/// The entry of libm in the workspace's Cargo.lock.\npub(super) const LIBM: &str = {libm:?};"
-    )?;
+    text.push_str("];\n");
     fs::write(
         PathBuf::from(env::var("OUT_DIR")?).join("embedded.rs"),
         text,
@@ -53,11 +48,4 @@ fn collect(folder: &Path, files: &mut Vec<PathBuf>) -> Result<(), Box<dyn Error>
         }
     }
     Ok(())
-}
-
-fn locked(lock: &str, name: &str) -> Option<String> {
-    let heading = format!("name = \"{name}\"");
-    lock.split("[[package]]")
-        .find(|entry| entry.lines().any(|line| line == heading))
-        .map(|entry| format!("[[package]]\n{}\n", entry.trim()))
 }

@@ -77,10 +77,14 @@ impl Band {
         }
     }
 
-    /// Adds the values of a run, time after time the grid's signals; fewer if it diverged.
-    pub(crate) fn push(&mut self, run: &[f64]) {
-        for (cell, &value) in self.cells.iter_mut().zip(run) {
-            cell.push(value);
+    /// Adds the values of runs, time after time the grid's signals; fewer if a run diverged.
+    pub(crate) fn push(&mut self, runs: &[&[f64]]) {
+        // Cells take far more memory than values: each is visited once.
+        for (index, cell) in self.cells.iter_mut().enumerate() {
+            cell.values.reserve(runs.len());
+            for &value in runs.iter().filter_map(|run| run.get(index)) {
+                cell.push(value);
+            }
         }
     }
 

@@ -94,8 +94,14 @@ fn elementwise_operations_are_one_operation_per_entry() {
 fn small_systems_follow_the_written_cofactors() {
     let (a, b) = (matrix::<2, 2>(9), vector::<2>(10));
     let det = a[(0, 0)] * a[(1, 1)] - a[(0, 1)] * a[(1, 0)];
-    assert_eq!(a.solve(b)[0], (a[(1, 1)] * b[0] - a[(0, 1)] * b[1]) / det);
-    assert_eq!(a.solve(b)[1], (a[(0, 0)] * b[1] - a[(1, 0)] * b[0]) / det);
+    assert_eq!(
+        a.solve(b)[0],
+        (a[(1, 1)] * b[0] - a[(0, 1)] * b[1]) * (1.0 / det)
+    );
+    assert_eq!(
+        a.solve(b)[1],
+        (a[(0, 0)] * b[1] - a[(1, 0)] * b[0]) * (1.0 / det)
+    );
 
     let (a, b) = (matrix::<3, 3>(11), vector::<3>(12));
     let [[a00, a01, a02], [a10, a11, a12], [a20, a21, a22]] = a.to_rows();
@@ -121,7 +127,7 @@ fn small_systems_follow_the_written_cofactors() {
     for i in 0..3 {
         assert_eq!(
             x[i],
-            ((adjugate[i][0] * b[0] + adjugate[i][1] * b[1]) + adjugate[i][2] * b[2]) / det
+            ((adjugate[i][0] * b[0] + adjugate[i][1] * b[1]) + adjugate[i][2] * b[2]) * (1.0 / det)
         );
     }
     assert_eq!(Matrix::rows([[4.0]]).solve(Vector([1.0])), Vector([0.25]));

@@ -8,7 +8,7 @@ use nsv_codegen::interrupt::Scratch;
 use super::child;
 use super::failure::{Exit, Failure};
 use super::output;
-use super::runner::{Cache, Package, Toolchain};
+use super::runner::{Cache, Toolchain};
 
 /// Say what is installed, what is missing, and how to mend it
 #[derive(clap::Args)]
@@ -145,32 +145,14 @@ fn linker(toolchain: &Toolchain, folder: &Path) -> Finding {
     }
 }
 
-/// Resolves a runner's package offline, which needs libm's sources.
 fn cargo(toolchain: &Toolchain, folder: &Path) -> Finding {
-    let version = child::answer(toolchain.cargo(folder).arg("--version"));
-    let Some(version) = version else {
-        let found = format!("cannot run `{}`", toolchain.cargo_program());
-        return Finding {
-            state: State::Missing,
-            what: "cargo",
-            found,
-            remedy: Some(super::runner::INSTALL.to_owned()),
-        };
-    };
-    let package = Package::new(&[("mod.rs".to_owned(), String::new())].into());
-    let mut command = toolchain.cargo(folder);
-    command.args(["metadata", "--offline", "--locked", "--format-version", "1"]);
-    match package
-        .write(folder)
-        .ok()
-        .and_then(|()| child::answer(&mut command))
-    {
-        Some(_) => good("cargo", version.trim()),
+    match child::answer(toolchain.cargo(folder).arg("--version")) {
+        Some(version) => good("cargo", version.trim()),
         None => Finding {
             state: State::Missing,
             what: "cargo",
-            found: format!("{} has no copy of the package libm", version.trim()),
-            remedy: Some("run `cargo fetch` once in the nsv workspace while online".to_owned()),
+            found: format!("cannot run `{}`", toolchain.cargo_program()),
+            remedy: Some(super::runner::INSTALL.to_owned()),
         },
     }
 }

@@ -3,7 +3,7 @@
 use nsv_spec::model::Block;
 
 use super::law::Law;
-use super::symbol::{Symbol, diagonal, name, number};
+use super::symbol::{Symbol, name, number, reciprocal};
 use crate::ir::{Function, Shape};
 
 impl Law<'_> {
@@ -39,7 +39,7 @@ impl Law<'_> {
         let (e, s) = (quantity("e"), quantity("s"));
         if let Some(bound) = &block.error_bound {
             self.group(format!("network error bound of block {i} (66)"));
-            let shape = (e.clone() / diagonal(&bound.b)).apply(Function::Tanh);
+            let shape = (reciprocal(&bound.b) * e.clone()).apply(Function::Tanh);
             let drive = self.over_cos2(i, s.clone()) * e.dot(shape);
             let rate = number(bound.rate) * (drive - quantity("eps"));
             let text = format!(
@@ -51,11 +51,10 @@ impl Law<'_> {
             return;
         };
         self.group(format!("noise bound of block {i} (67)"));
-        let root = (s.clone().pow(2) + number(bound.varsigma).pow(2)).apply(Function::Sqrt);
         let drive = self.over_cos2(
             i,
             quantity("H_norm2_") * quantity("Ybar_norm") * s.clone().pow(2),
-        ) / root;
+        ) * quantity("s_scale");
         let rate = number(bound.tau) * (drive - number(bound.lambda) * quantity("sigma"));
         let text = format!(
             "sigma_hat_{i}' = taubar_{i} (||H_{i}||^2 ||Ybar_{i}|| s_{i}^2 / (cos^2 E_{i} sqrt(s_{i}^2 + varsigma_{i}^2)) - lambda_sigma sigma_hat_{i})"

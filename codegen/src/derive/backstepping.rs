@@ -1,10 +1,10 @@
 //! Error variables (14), virtual controls (31) and control (64): one formula for every block.
 
-use nsv_spec::model::{Block, Disturbance, VirtualDerivative};
+use nsv_spec::model::{Block, Disturbance, NoiseBound, VirtualDerivative};
 
 use super::law::Law;
 use super::observer::assemble;
-use super::symbol::{Symbol, diagonal, name, number, vector};
+use super::symbol::{Symbol, name, number, reciprocal, vector};
 use crate::ir::{Function, Shape};
 
 impl Law<'_> {
@@ -122,9 +122,9 @@ impl Law<'_> {
             add(self, "filter", "eta_2/2 ||G||^2 c^T  (37)", term);
         }
         if let Some(bound) = &block.error_bound {
-            let half = self.over_cos2(i, e.clone() / number(2.0));
+            let half = self.over_cos2(i, number(0.5)) * e.clone();
             add(self, "network", "e / (2 cos^2 E)  (63)", half);
-            let shape = (e.clone() / diagonal(&bound.b)).apply(Function::Tanh);
+            let shape = (reciprocal(&bound.b) * e.clone()).apply(Function::Tanh);
             add(
                 self,
                 "error_bound",
@@ -148,9 +148,8 @@ impl Law<'_> {
             );
         }
         if let (Some(_), Some(bound)) = (&block.noise, &block.noise_bound) {
-            let root = (s.clone().pow(2) + number(bound.varsigma).pow(2)).apply(Function::Sqrt);
-            let sigma =
-                quantity("H_norm2_") * quantity("Ybar_norm") * quantity("sigma") * e.clone() / root;
+            let gain = quantity("H_norm2_") * quantity("Ybar_norm") * quantity("sigma");
+            let sigma = gain * self.define_error_scale(i, bound) * e.clone();
             add(
                 self,
                 "noise",
@@ -178,6 +177,16 @@ impl Law<'_> {
                 name(format!("c{i}")).dot(name(format!("c{i}"))),
             );
         }
+    }
+
+    /// 1 / sqrt(s_i^2 + varsigma_i^2).
+    fn define_error_scale(&mut self, i: usize, bound: &NoiseBound) -> Symbol {
+        let s2 = name(format!("s{i}")).pow(2) + number(bound.varsigma).pow(2);
+        self.define(
+            format!("s_scale{i}"),
+            format!("1 / sqrt(s_{i}^2 + varsigma_{i}^2)"),
+            number(1.0) / s2.apply(Function::Sqrt),
+        )
     }
 
     /// alpha_i (31), or u (64) in the last block, by solving with G_i.
@@ -235,7 +244,7 @@ impl Law<'_> {
             .expect("invariant: a filtered block has filter constants");
         self.group(format!("dynamic surface filter of block {i} (33)"));
         let h = name(format!("h{i}"));
-        let rate = (name(format!("alpha{i}")) - h) / diagonal(constants);
+        let rate = reciprocal(constants) * (name(format!("alpha{i}")) - h);
         self.define(
             format!("h{i}_dot"),
             format!("h_{i}' = (alpha_{i} - h_{i}) / Fl_{i}"),

@@ -11,7 +11,7 @@ use crate::derive::symbol::Term;
 use crate::ir::{Function, Kernel};
 
 impl Law<'_> {
-    /// s_i, E_i, cos E_i, c_i of a block with its error e_i defined.
+    /// s_i, E_i, cos E_i, 1/cos^2 E_i, c_i of a block with its error e_i defined.
     pub(super) fn define_barrier(&mut self, i: usize) {
         self.group(format!("barrier of block {i} (23) (26)"));
         let e = name(format!("e{i}"));
@@ -40,10 +40,15 @@ impl Law<'_> {
                 format!("E_{i} = pi s_{i}^2 / (2 k_{i}^4), at most pi/2 - delta"),
                 clamped,
             );
-            self.define(
+            let cos = self.define(
                 format!("cosE{i}"),
                 format!("cos E_{i}"),
                 clamped.apply(Function::Cos),
+            );
+            self.define(
+                format!("sec2E{i}"),
+                format!("1 / cos^2 E_{i}"),
+                number(1.0) / cos.pow(2),
             );
         } else {
             self.define(
@@ -52,7 +57,7 @@ impl Law<'_> {
                 number(0.0),
             );
         }
-        let c = self.over_cos2(i, s * e);
+        let c = self.over_cos2(i, s) * e;
         self.define(
             format!("c{i}"),
             format!("c_{i} = s_{i} e_{i}^T / cos^2 E_{i}"),
@@ -90,10 +95,12 @@ impl Law<'_> {
     /// ||Ybar_i|| of (58), corrected (E3): Ybar = a e e^T + b I with a s = 8 E sin E / cos^3 E and b = 3 / cos^2 E
     /// (the factor 8 E = 4 pi s^2 / k^4 is not clamped).
     pub(super) fn define_hessian_norm(&mut self, i: usize) {
-        let (big, cos) = (name(format!("E{i}")), name(format!("cosE{i}")));
+        let quantity = |base: &str| name(format!("{base}{i}"));
         let constraint = self.model.blocks[i - 1].constraint;
         let rank_one = constraint.map(|_| {
-            number(8.0) * name(format!("E{i}_free")) * big.apply(Function::Sin) / cos.pow(3)
+            let sine = quantity("E").apply(Function::Sin);
+            let over_cos3 = quantity("cosE") * quantity("sec2E").pow(2);
+            number(8.0) * name(format!("E{i}_free")) * sine * over_cos3
         });
         let identity = self.over_cos2(i, number(3.0));
         let largest = match rank_one {
@@ -116,7 +123,7 @@ impl Law<'_> {
     /// A quantity divided by cos^2 E_i; unchanged without a constraint, where E_i = 0.
     pub(super) fn over_cos2(&self, i: usize, value: Symbol) -> Symbol {
         match self.model.blocks[i - 1].constraint {
-            Some(_) => value / name(format!("cosE{i}")).pow(2),
+            Some(_) => value * name(format!("sec2E{i}")),
             None => value,
         }
     }

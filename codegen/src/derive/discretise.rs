@@ -4,11 +4,11 @@
 //! sample time makes the leak unstable. Explicit Euler is the same line with Gamma = dt. phi (68) advances by the exponential of its
 //! own decay and is held at its floor (E10, E11).
 
-use nsv_spec::model::{Disturbance, Integration, Matrix, NoiseBound, PhiFloor};
+use nsv_spec::model::{Disturbance, Integration, Matrix, Network, NoiseBound, PhiFloor};
 
 use super::law::Law;
 use super::observer::{assemble, closed_observer};
-use super::symbol::{Symbol, name, number};
+use super::symbol::{Symbol, name, number, vector};
 use crate::ir::Function;
 
 impl Law<'_> {
@@ -31,7 +31,7 @@ impl Law<'_> {
                 self.advance(format!("th{i}"), &leak);
             }
             if let Some(network) = &block.network {
-                self.advance_scalar(format!("W{i}"), network.gamma * network.lambda);
+                self.advance_weights(i, network);
             }
             if let Some(bound) = &block.error_bound {
                 self.advance_scalar(format!("eps{i}"), bound.rate);
@@ -62,13 +62,38 @@ impl Law<'_> {
 
     /// z+ = z + Gamma z' with a scalar leak.
     fn advance_scalar(&mut self, state: String, leak: f64) {
+        let rate = name(format!("{state}_dot"));
+        self.define_next(&state, number(self.scalar_step(leak)) * rate);
+    }
+
+    /// W+ = W + Gamma W', with the leak taken together: a product, a product and a sum for each weight.
+    fn advance_weights(&mut self, i: usize, network: &Network) {
+        let leak = network.gamma * network.lambda;
+        let step = self.scalar_step(leak);
+        let drive: Vec<f64> = network
+            .iota
+            .iter()
+            .map(|iota| step * network.gamma * iota)
+            .collect();
+        let (p, c, w) = (
+            name(format!("P{i}")),
+            name(format!("c{i}")),
+            name(format!("W{i}")),
+        );
+        let next = number(1.0 - step * leak) * w + p.outer(vector(&drive) * c);
+        let text = format!(
+            "W_{i}(t + dt) = (1 - Gamma Gamma_{i} lambda_{i}) W_{i} + Gamma Gamma_{i} P_{i} c_{i} I_{i}"
+        );
+        self.define(format!("W{i}_next"), text, next);
+    }
+
+    /// Gamma of a scalar leak.
+    fn scalar_step(&self, leak: f64) -> f64 {
         let dt = self.model.controller.sample_time;
-        let step = match self.model.controller.integration {
+        match self.model.controller.integration {
             Integration::Euler => dt,
             Integration::Exponential => exponential_step(&diagonal_matrix(&[leak]), dt).data[0],
-        };
-        let rate = name(format!("{state}_dot"));
-        self.define_next(&state, number(step) * rate);
+        }
     }
 
     fn define_next(&mut self, state: &str, increment: Symbol) {
@@ -195,7 +220,7 @@ mod tests {
             let exact = if a == 0.0 {
                 dt
             } else {
-                -libm::expm1(-a * dt) / a
+                -f64::exp_m1(-a * dt) / a
             };
             assert!(
                 (gamma - exact).abs() <= 1e-14 * exact.abs(),
@@ -214,7 +239,7 @@ mod tests {
             data: vec![0.0, w, -w, 0.0],
         };
         let gamma = exponential_step(&a, dt).data;
-        let (sin, cos) = (libm::sin(w * dt), libm::cos(w * dt));
+        let (sin, cos) = (w * dt).sin_cos();
         let exact = [sin / w, -(1.0 - cos) / w, (1.0 - cos) / w, sin / w];
         for (gamma, exact) in gamma.iter().zip(exact) {
             assert!((gamma - exact).abs() < 1e-14, "{gamma} {exact}");

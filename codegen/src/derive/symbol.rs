@@ -119,6 +119,11 @@ pub fn diagonal(values: &[f64]) -> Symbol {
     Term::Diagonal(values.to_vec()).into()
 }
 
+/// The inverse of a diagonal gain.
+pub fn reciprocal(values: &[f64]) -> Symbol {
+    Term::Diagonal(values.iter().map(|value| 1.0 / value).collect()).into()
+}
+
 /// The value that all entries of a diagonal gain share.
 pub fn uniform(values: &[f64]) -> Option<f64> {
     let (first, rest) = values.split_first()?;

@@ -248,7 +248,7 @@ impl Controller<'_> {
             }
         });
         let name = initial.name();
-        let docs = docs(&["Initialises the controller where the mask is true."]);
+        let docs = docs(&["Initialises the states where the mask is true and they are finite."]);
         quote! {
             #docs
             struct Begin<'a, T: Real> {
@@ -264,7 +264,8 @@ impl Controller<'_> {
                 #[inline(always)]
                 fn run(self) {
                     let start = #name(#(#arguments),*);
-                    self.controller.state = State::select(self.mask, &start, &self.controller.state);
+                    let mask = self.mask.and(start.is_finite());
+                    self.controller.state = State::select(mask, &start, &self.controller.state);
                 }
             }
         }

@@ -1,12 +1,13 @@
 //! One value as a Rust expression, parenthesised where the precedence of Rust's operators asks for it and nowhere else.
 
+use std::collections::BTreeMap;
+
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::quote;
 
 use crate::emit::family::FamilyNames;
 use crate::emit::methods::{comparison_name, function_name, kernel_name, operator_name};
 use crate::emit::names::ident;
-use crate::emit::pack::Packs;
 use crate::emit::types::{constant, index};
 use crate::ir::{Function, Op, Operator, Program, Shape, Type, ValueId};
 
@@ -61,7 +62,7 @@ pub(crate) struct Names<'a> {
     /// Variable of each bound value.
     pub(crate) variables: Vec<Option<Ident>>,
     /// Variables of values that are entries of a pack.
-    pub(crate) packs: Packs,
+    pub(crate) packs: BTreeMap<ValueId, Vec<TokenStream>>,
     /// Function of each polynomial, by position.
     pub(crate) polynomials: Vec<TokenStream>,
     /// Each family, by position.
@@ -163,8 +164,7 @@ impl Names<'_> {
             return quote!(#values.#field);
         }
         if let Some(entries) = self.packs.get(&array) {
-            let entry = &entries[row];
-            return quote!(#entry);
+            return entries[row].clone();
         }
         let matrix = matches!(self.program.shape(array), Shape::Matrix(..));
         let (array, row, column) = (self.at(array, Level::Postfix), index(row), index(column));

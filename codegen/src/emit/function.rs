@@ -9,7 +9,7 @@ use quote::{format_ident, quote};
 use crate::emit::comment::{Comments, code, docs};
 use crate::emit::expression::Names;
 use crate::emit::names::{Fields, Scope, camel, ident, snake};
-use crate::emit::pack;
+use crate::emit::pack::packs;
 use crate::emit::plan::Plan;
 use crate::emit::polynomial::Library;
 use crate::emit::quantity;
@@ -213,7 +213,7 @@ impl Function<'_> {
         for (id, variable) in labelled {
             variables[id.0 as usize] = Some(variable);
         }
-        let packed = pack::packed(program, plan);
+        let packed = packs(program, plan);
         let mut next = 0;
         let temporaries = plan.steps.iter().flat_map(|step| &step.temporaries);
         for &id in temporaries.filter(|id| !packed.contains_key(id)) {
@@ -226,7 +226,10 @@ impl Function<'_> {
             Op::Input(position) => Some(program.inputs[position].name.clone()),
             _ => variables[id.0 as usize].as_ref().map(Ident::to_string),
         };
-        let packs = pack::named(program, &packed, name, &mut scope);
+        let packs = packed
+            .iter()
+            .map(|(id, pack)| (*id, pack.variables(name, &mut scope)));
+        let packs = packs.collect();
         let (polynomials, families, bases) = (
             self.tables.polynomial_paths(program),
             self.tables.family_names(program),

@@ -100,7 +100,7 @@ pub enum Op {
     Outer(ValueId, ValueId),
     /// Sum of the squares of all entries: along each row left to right, then of the rows' sums.
     SumSquares(ValueId),
-    /// A^-1 b for a square matrix and a vector: adjugate over determinant for up to three rows, else elimination with partial pivoting.
+    /// A^-1 b for a square matrix and a vector: adjugate times the reciprocal of the determinant for up to three rows, else elimination with partial pivoting.
     Solve(ValueId, ValueId),
     /// Unit right singular vector of the largest singular value (cyclic Jacobi on A^T A, a fixed number of sweeps).
     SingularVector(ValueId),

@@ -1,7 +1,7 @@
 //! Calls of one elementary function that do not depend on each other become one call on an array of their arguments, which the emitted
 //! code evaluates with vector instructions. Exact: the bits of a function's value do not depend on what stands beside its argument.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::dependence::{Dependence, dependences};
 use crate::ir::mnemonic::{FUNCTIONS, word};
@@ -14,11 +14,12 @@ type Key<'p> = (Dependence, usize, Option<&'p str>, &'static str);
 /// Longest path of operations to an argument close to the inputs.
 const CLOSE: usize = 3;
 
-/// Calls that go together, in order.
+/// Calls that go together, and their arguments in order.
 #[derive(Default)]
 struct Pack {
     function: Option<Function>,
     calls: Vec<ValueId>,
+    arguments: Vec<ValueId>,
 }
 
 /// Gathers calls.
@@ -96,19 +97,34 @@ fn packs(program: &Program) -> Vec<Pack> {
             pack.calls.push(id);
         }
     }
-    packs.retain(|_, pack| pack.calls.len() > 1);
-    let argument = |call: ValueId| program.instruction(call).op.operands()[0];
-    let mut times: BTreeMap<ValueId, usize> = BTreeMap::new();
-    for &call in packs.values().flat_map(|pack| &pack.calls) {
-        *times.entry(argument(call)).or_default() += 1;
+    let argument = |call: &ValueId| program.instruction(*call).op.operands()[0];
+    // Sine, cosine and tangent of one array share its reduction, so each takes the arguments of all three.
+    let mut angles: BTreeMap<(Dependence, usize, Option<&str>), BTreeSet<ValueId>> =
+        BTreeMap::new();
+    for (&(dependence, calls, group, _), pack) in packs.iter().filter(|(_, pack)| pack.is_angular())
+    {
+        let shared = angles.entry((dependence, calls, group)).or_default();
+        shared.extend(pack.calls.iter().map(argument));
     }
-    let mut packs: Vec<Pack> = packs.into_values().collect();
-    for pack in &mut packs {
-        // Arguments of several functions first: equal vectors of arguments share their reduction.
-        pack.calls
-            .sort_by_key(|&call| (std::cmp::Reverse(times[&argument(call)]), argument(call)));
+    for (&(dependence, calls, group, _), pack) in &mut packs {
+        let own = || pack.calls.iter().map(argument).collect::<BTreeSet<_>>();
+        let arguments = match pack.is_angular() {
+            true => angles[&(dependence, calls, group)].clone(),
+            false => own(),
+        };
+        pack.arguments = arguments.into_iter().collect();
     }
-    packs
+    packs.retain(|_, pack| pack.arguments.len() > 1);
+    packs.into_values().collect()
+}
+
+impl Pack {
+    fn is_angular(&self) -> bool {
+        matches!(
+            self.function,
+            Some(Function::Sin | Function::Cos | Function::Tan)
+        )
+    }
 }
 
 /// The group of the first named value that uses each value.
@@ -146,15 +162,13 @@ impl Mover<'_> {
             }
             let before = pending.len();
             let pack = self.pack_of[id.0 as usize].map(|pack| &self.packs[pack]);
-            let calls = pack.map_or(std::slice::from_ref(&id), |pack| &pack.calls);
-            for call in calls {
-                let operands = self.source.instruction(*call).op.operands();
-                pending.extend(
-                    operands
-                        .into_iter()
-                        .filter(|operand| self.moved[operand.0 as usize].is_none()),
-                );
-            }
+            let arguments = pack.map(|pack| pack.arguments.clone());
+            let operands = arguments.unwrap_or_else(|| self.source.instruction(id).op.operands());
+            pending.extend(
+                operands
+                    .into_iter()
+                    .filter(|operand| self.moved[operand.0 as usize].is_none()),
+            );
             if pending.len() == before {
                 match pack {
                     Some(pack) => self.append_pack(pack),
@@ -172,13 +186,15 @@ impl Mover<'_> {
 
     /// [f(a), f(b), ..] == f([a, b, ..]) (exact)
     fn append_pack(&mut self, pack: &Pack) {
-        let argument = |call: &ValueId| self.at(self.source.instruction(*call).op.operands()[0]);
-        let arguments: Vec<ValueId> = pack.calls.iter().map(argument).collect();
+        let arguments: Vec<ValueId> = pack.arguments.iter().map(|&id| self.at(id)).collect();
         let shape = Shape::Vector(arguments.len());
         let arguments = self.program.array(shape, arguments);
         let function = pack.function.expect("invariant: a pack has a function");
         let values = self.program.push(Op::Apply(function, arguments));
-        for (row, &call) in pack.calls.iter().enumerate() {
+        for &call in &pack.calls {
+            let argument = self.source.instruction(call).op.operands()[0];
+            let row = pack.arguments.iter().position(|&known| known == argument);
+            let row = row.expect("invariant: a pack has the arguments of its calls");
             let op = Op::Element(values, row, 0);
             let instruction = self.source.instruction(call).clone();
             self.push(call, Instruction { op, ..instruction });

@@ -6,12 +6,15 @@ pub mod explain;
 pub mod hoist;
 pub mod stage;
 
+mod angles;
 mod arrays;
 mod dead_code;
+mod divisors;
 mod elementary;
 mod families;
 mod fold;
 mod identities;
+mod linear;
 mod polynomials;
 mod powers;
 mod reciprocals;
@@ -44,7 +47,7 @@ pub struct Pass {
 }
 
 /// All passes, in the order of a round.
-pub static PASSES: [Pass; 12] = [
+pub static PASSES: [Pass; 14] = [
     Pass {
         name: "fold",
         kind: Kind::Exact,
@@ -64,6 +67,18 @@ pub static PASSES: [Pass; 12] = [
         name: "structural_zeros",
         kind: Kind::Reassociating("equal for finite values, up to the sign of a zero"),
         run: structural_zeros::run,
+    },
+    Pass {
+        name: "angles",
+        kind: Kind::Reassociating("a tangent is off by at most 3 ulp instead of 1"),
+        run: angles::run,
+    },
+    Pass {
+        name: "linear",
+        kind: Kind::Reassociating(
+            "a sum of n terms c x is off by at most (n + 4) 2^-53 sum |c x|, with the factors of every term as they were",
+        ),
+        run: linear::run,
     },
     Pass {
         name: "arrays",
@@ -98,14 +113,14 @@ pub static PASSES: [Pass; 12] = [
         run: reciprocals::run,
     },
     Pass {
-        name: "elementary",
-        kind: Kind::Exact,
-        run: elementary::run,
-    },
-    Pass {
         name: "dead_code",
         kind: Kind::Exact,
         run: dead_code::run,
+    },
+    Pass {
+        name: "elementary",
+        kind: Kind::Exact,
+        run: elementary::run,
     },
 ];
 
@@ -122,8 +137,8 @@ pub enum Arithmetic {
 /// find nearly all.
 const ROUNDS: usize = 6;
 
-/// The program without what zeros, ones and absent entries of its literals make of it on paper: `0 x = 0`, `x + 0 = x`. Part of lowering:
-/// results are those of the program for all finite values, up to the sign of a zero.
+/// The program with what is known of its literals done as on paper: `0 x = 0`, `x + 0 = x`, `x / c = (1/c) x`. Part of lowering: results are
+/// those of the program for all finite values, up to the sign of a zero and a rounding for each such quotient.
 pub fn simplify(mut program: Program) -> Program {
     for _ in 0..ROUNDS {
         let before = program.clone();
@@ -131,6 +146,7 @@ pub fn simplify(mut program: Program) -> Program {
             fold::run,
             identities::run,
             structural_zeros::run,
+            divisors::run,
             arrays::run,
             dead_code::run_for_names,
         ];

@@ -1,4 +1,4 @@
-//! Divisions by one divisor share its reciprocal.
+//! Divisions by one divisor share its reciprocal; that of a literal is known.
 
 use crate::ir::build::size;
 use crate::ir::{Op, Operator, Program, Shape};
@@ -28,6 +28,15 @@ pub(super) fn run(program: Program) -> Program {
         let Op::Binary(Operator::Div, a, b) = instruction.op else {
             return None;
         };
+        // x / c == x * (1 / c) for a literal c (two roundings instead of one)
+        if let Some(divisors) = literal(program, b) {
+            let reciprocals: Vec<f64> = divisors.iter().map(|d| d.recip()).collect();
+            let shape = program.shape(b);
+            return reciprocals.iter().all(|r| r.is_normal()).then(|| {
+                let reciprocals = program.constant(shape, reciprocals);
+                program.binary(Operator::Mul, a, reciprocals)
+            });
+        }
         let is_reciprocal = literal(program, a).is_some_and(|data| data == [1.0]);
         if entries < 2 || is_reciprocal || program.shape(b) != Shape::Scalar {
             return None;

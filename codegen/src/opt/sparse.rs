@@ -49,7 +49,8 @@ fn sum(program: &mut Program, terms: Vec<(f64, ValueId)>) -> ValueId {
     total.unwrap_or_else(|| program.scalar(0.0))
 }
 
-/// A^-1 b for a diagonal matrix: b_i / a_ii (one rounding instead of the four of the adjugate or the elimination).
+/// A^-1 b for a diagonal matrix: b_i (1 / a_ii), by the reciprocal itself if that is known (one or two roundings instead of the four of
+/// the adjugate or the elimination).
 fn solve_diagonal(program: &mut Program, entries: &[ValueId], b: ValueId) -> Option<ValueId> {
     let n = size(program.shape(b));
     let is_zero = |id: ValueId| literal(program, id).is_some_and(|data| data == [0.0]);
@@ -57,7 +58,14 @@ fn solve_diagonal(program: &mut Program, entries: &[ValueId], b: ValueId) -> Opt
     if n < 2 || !off_diagonal.map(|at| entries[at]).all(is_zero) {
         return None;
     }
-    let diagonal = entries.iter().step_by(n + 1).copied().collect();
+    let diagonal: Vec<ValueId> = entries.iter().step_by(n + 1).copied().collect();
+    let numbers = diagonal
+        .iter()
+        .map(|&id| literal(program, id).map(|data| 1.0 / data[0]));
+    if let Some(reciprocals) = numbers.collect::<Option<Vec<f64>>>() {
+        let reciprocals = program.constant(Shape::Vector(n), reciprocals);
+        return Some(program.binary(Operator::Mul, b, reciprocals));
+    }
     let diagonal = program.array(Shape::Vector(n), diagonal);
     Some(program.binary(Operator::Div, b, diagonal))
 }
@@ -91,10 +99,12 @@ pub(super) fn solve(program: &mut Program, a: ValueId, b: ValueId) -> Option<Val
         _ => dot(program, &first_row, &first_column),
     };
     let right: Vec<ValueId> = (0..n).map(|i| program.push(Op::Element(b, i, 0))).collect();
+    let one = program.scalar(1.0);
+    let scale = program.binary(Operator::Div, one, determinant);
     let mut items = Vec::with_capacity(n);
     for row in adjugate.chunks(n) {
         let numerator = dot(program, row, &right);
-        items.push(program.binary(Operator::Div, numerator, determinant));
+        items.push(program.binary(Operator::Mul, numerator, scale));
     }
     Some(program.array(Shape::Vector(n), items))
 }

@@ -109,7 +109,7 @@ fn exact_passes_keep_every_bit() {
 #[test]
 fn every_pass_changes_some_random_program() {
     for pass in &PASSES {
-        let changes = (0..40).any(|seed| {
+        let changes = (0..1000).any(|seed| {
             let program = random::program(seed, 200);
             (pass.run)(program.clone()) != program
         });
@@ -329,6 +329,23 @@ fn elementary() {
                 %9: real = cos %7\n%10: real = add %0, %0\n%11: real = cos %10\n%12: real = sin %10\n%13: real = cos %3\n\
                 output a = %6\noutput b = %8\noutput c = %9\noutput d = %11\noutput e = %12\noutput f = %13";
     check("elementary", text);
+}
+
+#[test]
+fn angles() {
+    let text = "input x: real\ninput y: real\n%0: real = input x\n%1: real = input y\n%2: real = sin %0\n%3: real = tan %0\n%4: real = tan %1\n\
+                output a = %2\noutput b = %3\noutput c = %4";
+    check("angles", text);
+}
+
+#[test]
+fn linear() {
+    let text = "input w: vec3\ninput p: vec3\ninput s: real\n%0: vec3 = input w\n%1: vec3 = input p\n%2: real = input s\n%3: real = const 0.1\n\
+                %4: real = const 0.002\n%5: vec3 = mul %0, %3\n%6: vec3 = sub %1, %5\n%7: vec3 = mul %6, %4\n%8: vec3 = add %0, %7\n\
+                %9: mat3x3 = outer %0, %1\n%10: mat3x3 = mul %9, %4\n%11: vec3 = mul %1, %2\n%12: vec3 = mul %11, %3\n\
+                %13: real = mul %2, %3\n%14: real = mul %13, %4\n%15: real = sub %14, %2\noutput a = %8\noutput b = %10\n\
+                output c = %12\noutput d = %15";
+    check("linear", text);
 }
 
 #[test]

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 8beb6f26b91d4649a3b70c8b0a60344482f2a9ff9f6b4830dc2e15fe734df292
+// SHA-256 of the text below: 16061b710c24add325ff680fbdaa3e80fa0c3cc52f5b3bf32c40146d8e838d6e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
-// initial: 25 additions, 52 multiplications, 12 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
-// control: 101 additions, 130 multiplications, 15 divisions, 0 square roots, 8 elementary functions, 6 comparisons and selections
+// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
+// initial: 25 additions, 58 multiplications, 7 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
+// control: 95 additions, 133 multiplications, 8 divisions, 0 square roots, 8 elementary functions, 6 comparisons and selections
 
 //! `flexible_joint`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -52,7 +52,7 @@ pub struct State<T> {
     pub h1: Vector<T, 1>,
     /// Network weights W_hat (65), one row per monomial and one column per channel: link_rate (v1).
     ///
-    /// `W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
+    /// `W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2`
     ///
     /// Rows: `one, z1, v1, z12, z1_v1, v12`.
     pub W2: Matrix<T, 6, 1>,
@@ -295,7 +295,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the controller where the mask is true.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -317,13 +317,14 @@ impl<T: Real> Part for Begin<'_, T> {
             self.x4,
             &self.controller.params,
         );
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 25 additions, 52 multiplications, 12 divisions, 0 square roots, 8 elementary
+/// Operations: 25 additions, 58 multiplications, 7 divisions, 0 square roots, 8 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -345,9 +346,11 @@ pub fn initial<T: Real>(
 
     // -- known dynamics of block 2 (link_rate) (11) --
     // F_2(x_1 .. x_2)
-    let F2 = Vector([-(params.weight * q1.sin() + params.stiffness * q1) / real(0.031)]);
+    let F2 = Vector([
+        -(params.weight * q1.sin() + params.stiffness * q1) * real(32.25806451612903),
+    ]);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix::rows([[params.stiffness / real(0.031)]]);
+    let G2 = Matrix::rows([[params.stiffness * real(32.25806451612903)]]);
 
     // -- reference and constraints --
     let t1 = real(1.0471975511965979) * t.sin();
@@ -387,9 +390,10 @@ pub fn initial<T: Real>(
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t7 = cosE1 * cosE1;
+    // 1 / cos^2 E_1
+    let sec2E1 = real(1.0) / (cosE1 * cosE1);
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t7;
+    let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -406,17 +410,17 @@ pub fn initial<T: Real>(
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = Lam1 - y_r_dot;
-    let t8 = G1.solve(bracket1);
+    let t7 = G1.solve(bracket1);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t8;
+    let alpha1 = -t7;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (t8 - t8) / real(0.01);
+    let h1_dot = (t7 - t7) * real(100.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t8;
+    let e2 = x2 + t7;
 
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
@@ -449,17 +453,17 @@ pub fn initial<T: Real>(
     // -- virtual control (31) of block 2 --
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
     let bracket2 = F2 - h1_dot + D_hat2 + Lam2;
-    let t9 = G2.solve(bracket2);
+    let t8 = G2.solve(bracket2);
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let alpha2 = -t9;
+    let alpha2 = -t8;
 
     // -- dynamic surface filter of block 2 (33) --
     // h_2' = (alpha_2 - h_2) / Fl_2
-    let h2_dot = (t9 - t9) / real(0.002);
+    let h2_dot = (t8 - t8) * real(500.0);
 
     // -- error variable of block 3 (14) --
     // e_3 = x_3 - h_2 - zeta_3
-    let e3 = x3 + t9;
+    let e3 = x3 + t8;
 
     // -- barrier of block 3 (23) (26) --
     // s_3 = e_3^T e_3
@@ -472,22 +476,22 @@ pub fn initial<T: Real>(
     let Lam0_3 = e3 * real(55.0) + e3 * real(45.0);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam3_filter = c3 * real(0.5);
-    let t10 = G_norm2_2 * s_c2;
+    let t9 = G_norm2_2 * s_c2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam3_coupling = e3 * (t10 * t10) / real(400000000.0);
+    let Lam3_coupling = e3 * (t9 * t9) * real(2.5e-9);
     // Lam_3, sum of the terms above
     let Lam3 = Lam0_3 + Lam3_filter + Lam3_coupling;
 
     // -- virtual control (31) of block 3 --
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
     let bracket3 = Lam3 - h2_dot;
-    let t11 = G1.solve(bracket3);
+    let t10 = G1.solve(bracket3);
     // alpha_3 = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
-    let alpha3 = -t11;
+    let alpha3 = -t10;
 
     // -- error variable of block 4 (14) --
     // e_4 = x_4 - h_3 - zeta_4
-    let e4 = x4 + t11;
+    let e4 = x4 + t10;
 
     // -- disturbance observer of block 4 (20) (49) --
     // S_4, observer gain
@@ -522,7 +526,7 @@ pub struct Prepared<T> {
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 0 additions, 2 multiplications, 1 divisions, 0 square roots, 0 elementary
+/// Operations: 0 additions, 3 multiplications, 0 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -530,7 +534,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
     // -- known dynamics of block 2 (link_rate) (11) --
     // G_2(x_1 .. x_2)
-    let G2 = Matrix::rows([[params.stiffness / real(0.031)]]);
+    let G2 = Matrix::rows([[params.stiffness * real(32.25806451612903)]]);
 
     // -- norms of block 2 --
     // ||G_2||^2
@@ -625,7 +629,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 98 additions, 114 multiplications, 14 divisions, 0 square roots, 4 elementary
+/// Operations: 92 additions, 116 multiplications, 8 divisions, 0 square roots, 4 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -653,11 +657,13 @@ pub fn law<T: Real>(
     // -- known dynamics of block 2 (link_rate) (11) --
     let t1 = q1.sin();
     // F_2(x_1 .. x_2)
-    let F2 = Vector([-(params.weight * t1 + params.stiffness * q1) / real(0.031)]);
+    let F2 = Vector([
+        -(params.weight * t1 + params.stiffness * q1) * real(32.25806451612903),
+    ]);
 
     // -- known dynamics of block 4 (motor_rate) (11) --
     // F_4(x_1 .. x_4)
-    let F4 = Vector([-(real(0.007) * v2 + params.stiffness * (q2 - q1)) / real(0.004)]);
+    let F4 = Vector([-(real(0.007) * v2 + params.stiffness * (q2 - q1)) * real(250.0)]);
     // G_4(x_1 .. x_4)
     let G4: Matrix<T, 1, 1> = Matrix::from_f64([[250.0]]);
 
@@ -677,9 +683,10 @@ pub fn law<T: Real>(
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t3 = cosE1 * cosE1;
+    // 1 / cos^2 E_1
+    let sec2E1 = real(1.0) / (cosE1 * cosE1);
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t3;
+    let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -694,19 +701,19 @@ pub fn law<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t4 = state.zeta1 * real(20.0);
+    let t3 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t4 - clock.y_r_dot + Lam1;
+    let bracket1 = t3 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -G1.solve(bracket1);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t4;
+    let zeta1_dot = state.zeta2 - t3;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (alpha1 - state.h1) / real(0.01);
+    let h1_dot = (alpha1 - state.h1) * real(100.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
@@ -745,28 +752,24 @@ pub fn law<T: Real>(
     let s_c2 = c2.sum_squares();
 
     // -- virtual control (31) of block 2 --
-    let t5 = F2 + A_hat2;
-    let t6 = state.zeta2 * real(50.0);
+    let t4 = F2 + A_hat2;
+    let t5 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t5 - h1_dot + t6 + D_hat2 + Lam2;
+    let bracket2 = t4 - h1_dot + t5 + D_hat2 + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -prepared.G2.solve(bracket2);
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
-    let zeta2_dot = prepared.G2 * state.zeta3 - t6;
-
-    // -- weight law of block 2 (32) (65) --
-    // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
-    let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
+    let zeta2_dot = prepared.G2 * state.zeta3 - t5;
 
     // -- observer dynamics of block 2 (21) (50) --
     // th_2' = -S_2 (D_hat_2 + F_2 + G_2 x_3 + A_hat_2)
-    let th2_dot = -((D_hat2 + t5 + prepared.G2 * x3) * real(40.0));
+    let th2_dot = -((D_hat2 + t4 + prepared.G2 * x3) * real(40.0));
 
     // -- dynamic surface filter of block 2 (33) --
     // h_2' = (alpha_2 - h_2) / Fl_2
-    let h2_dot = (alpha2 - state.h2) / real(0.002);
+    let h2_dot = (alpha2 - state.h2) * real(500.0);
 
     // -- error variable of block 3 (14) --
     // e_3 = x_3 - h_2 - zeta_3
@@ -783,28 +786,28 @@ pub fn law<T: Real>(
     let Lam0_3 = e3 * real(55.0) + e3 * real(45.0);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam3_filter = c3 * real(0.5);
-    let t7 = prepared.G_norm2_2 * s_c2;
+    let t6 = prepared.G_norm2_2 * s_c2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam3_coupling = e3 * (t7 * t7) / real(400000000.0);
+    let Lam3_coupling = e3 * (t6 * t6) * real(2.5e-9);
     // Lam_3, sum of the terms above
     let Lam3 = Lam0_3 + Lam3_filter + Lam3_coupling;
     // ||c_3||^2
     let s_c3 = c3.sum_squares();
 
     // -- virtual control (31) of block 3 --
-    let t8 = state.zeta3 * real(100.0);
+    let t7 = state.zeta3 * real(100.0);
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
-    let bracket3 = t8 - h2_dot + Lam3;
+    let bracket3 = t7 - h2_dot + Lam3;
     // alpha_3 = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
     let alpha3 = -G1.solve(bracket3);
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 zeta_4
-    let zeta3_dot = state.zeta4 - t8;
+    let zeta3_dot = state.zeta4 - t7;
 
     // -- dynamic surface filter of block 3 (33) --
     // h_3' = (alpha_3 - h_3) / Fl_3
-    let h3_dot = (alpha3 - state.h3) / real(0.001);
+    let h3_dot = (alpha3 - state.h3) * real(1000.0);
 
     // -- error variable of block 4 (14) --
     // e_4 = x_4 - h_3 - zeta_4
@@ -835,18 +838,18 @@ pub fn law<T: Real>(
     let Lam4 = Lam0_4 + c4 + Lam4_coupling;
 
     // -- control (64) of block 4 --
-    let t9 = state.zeta4 * real(200.0);
+    let t8 = state.zeta4 * real(200.0);
     // F_4 + A_hat_4 - h_3' + C_4 zeta_4 + D_hat_4 + Lam_4
-    let bracket4 = F4 - h3_dot + t9 + D_hat4 + Lam4;
-    let t10 = G4.solve(bracket4);
+    let bracket4 = F4 - h3_dot + t8 + D_hat4 + Lam4;
+    let t9 = G4.solve(bracket4);
     // u = -G_4^-1 [ F_4 + A_hat_4 - h_3' + C_4 zeta_4 + D_hat_4 + Lam_4 ]
-    let u = -t10;
+    let u = -t9;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-3.0))).min(Vector::splat(real(3.0)));
 
     // -- auxiliary system of block 4 (13) (E1) --
     // zeta_4' = -C_4 zeta_4 + G_4 (sat(u) - u)
-    let zeta4_dot = (u_sat + t10) * real(250.0) - t9;
+    let zeta4_dot = (u_sat + t9) * real(250.0) - t8;
 
     // -- observer dynamics of block 4 (21) (50) --
     // M_4 - S_4 L_4
@@ -856,7 +859,7 @@ pub fn law<T: Real>(
         [-60.0, -80.0, 0.0],
     ]);
     // th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 v_4 - h_3' + C_4 zeta_4 + A_hat_4)
-    let th4_dot = w4_closed * w_hat4 - S4 * (F4 + u * real(250.0) - h3_dot + t9);
+    let th4_dot = w4_closed * w_hat4 - S4 * (F4 + u * real(250.0) - h3_dot + t8);
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'
@@ -871,8 +874,9 @@ pub fn law<T: Real>(
     let h2_next = state.h2 + h2_dot * real(0.00044239843385719023);
     // th2(t + dt) = th2 + Gamma th2'
     let th2_next = state.th2 + th2_dot * real(0.0004950331673311175);
-    // W2(t + dt) = W2 + Gamma W2'
-    let W2_next = state.W2 + W2_dot * real(0.0004999875002083307);
+    // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
+    let W2_next = state.W2 * real(0.9999500012499791)
+        + P2.outer(c2 * real(0.0004999875002083307));
 
     // -- states of block 3, one sample later --
     // zeta3(t + dt) = zeta3 + Gamma zeta3'
@@ -923,7 +927,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 101 additions, 130 multiplications, 15 divisions, 0 square roots, 8 elementary
+/// Operations: 95 additions, 133 multiplications, 8 divisions, 0 square roots, 8 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 6ed786ea5ba9e4015217fd79a175bd387a3dc5d4197bdf761b03d50233f1a784
+// SHA-256 of the text below: b17a7f3364a01faac298917b3803af3b5ee1e11e21a9b84274b457f59d0fa236
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
-// lyapunov: 251 additions, 304 multiplications, 37 divisions, 0 square roots, 13 elementary functions, 11 comparisons and selections
+// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
+// lyapunov: 251 additions, 325 multiplications, 16 divisions, 0 square roots, 13 elementary functions, 11 comparisons and selections
 
 //! `flexible_joint`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -12,7 +12,7 @@
 use super::controller::State;
 use super::params::Params;
 use super::polynomials;
-use core::f64::consts::{FRAC_PI_2, TAU};
+use core::f64::consts::FRAC_PI_2;
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::Real;
@@ -29,7 +29,7 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 251 additions, 304 multiplications, 37 divisions, 0 square roots, 13 elementary
+/// Operations: 251 additions, 325 multiplications, 16 divisions, 0 square roots, 13 elementary
 /// functions, 11 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
@@ -58,15 +58,17 @@ pub fn lyapunov<T: Real>(
     // -- known dynamics of block 2 (link_rate) (11) --
     let t1 = q1.sin();
     // F_2(x_1 .. x_2)
-    let F2 = Vector([-(params.weight * t1 + params.stiffness * q1) / real(0.031)]);
+    let F2 = Vector([
+        -(params.weight * t1 + params.stiffness * q1) * real(32.25806451612903),
+    ]);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix::rows([[params.stiffness / real(0.031)]]);
+    let G2 = Matrix::rows([[params.stiffness * real(32.25806451612903)]]);
 
     // -- known dynamics of block 4 (motor_rate) (11) --
     let t2 = real(0.007) * v2;
     let t3 = q2 - q1;
     // F_4(x_1 .. x_4)
-    let F4 = Vector([-(t2 + params.stiffness * t3) / real(0.004)]);
+    let F4 = Vector([-(t2 + params.stiffness * t3) * real(250.0)]);
     // G_4(x_1 .. x_4)
     let G4: Matrix<T, 1, 1> = Matrix::from_f64([[250.0]]);
 
@@ -108,14 +110,17 @@ pub fn lyapunov<T: Real>(
     // cos E_1
     let cosE1 = E1.cos();
     let t16 = cosE1 * cosE1;
+    // 1 / cos^2 E_1
+    let sec2E1 = real(1.0) / t16;
+    let t17 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t16;
+    let c1 = e1 * t17;
 
     // -- robust feedback of block 1 (31) (63) --
-    let t17 = kernel::sin_cos_over(E1);
-    let t18 = real(1.5697963267948967) / E1_free;
+    let t18 = kernel::sin_cos_over(E1);
+    let t19 = real(1.5697963267948967) / E1_free;
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0) * (t17 * real(1.0).min(t18)) + e1 * real(4.0);
+    let Lam0_1 = e1 * real(5.0) * (t18 * real(1.0).min(t19)) + e1 * real(4.0);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
     // Lam_1, sum of the terms above
@@ -124,20 +129,20 @@ pub fn lyapunov<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t19 = state.zeta1 * real(20.0);
+    let t20 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t19 - y_r_dot + Lam1;
-    let t20 = G1.solve(bracket1);
+    let bracket1 = t20 - y_r_dot + Lam1;
+    let t21 = G1.solve(bracket1);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t20;
+    let alpha1 = -t21;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t19;
+    let zeta1_dot = state.zeta2 - t20;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (alpha1 - state.h1) / real(0.01);
+    let h1_dot = (alpha1 - state.h1) * real(100.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
@@ -154,9 +159,9 @@ pub fn lyapunov<T: Real>(
     let z2 = Vector([t1, v1]);
     // P_2 = P_m(z_2), 6 nodes
     let P2 = polynomials::basis2(z2);
-    let t21 = state.W2.transpose();
+    let t22 = state.W2.transpose();
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = t21 * P2;
+    let A_hat2 = t22 * P2;
 
     // -- disturbance observer of block 2 (20) (49) --
     // D_hat_2 = th_2 + S_2 x_2
@@ -171,29 +176,29 @@ pub fn lyapunov<T: Real>(
     let Lam0_2 = e2 * real(18.5) + e2 * real(16.0);
     // eta_1/2 c^T (36)
     let Lam2_disturbance = c2 * real(0.5);
-    let t22 = real(5e-5) * G_norm2_2;
+    let t23 = real(5e-5) * G_norm2_2;
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam2_filter = c2 * t22;
-    let t23 = s_c1 * s_c1;
+    let Lam2_filter = c2 * t23;
+    let t24 = s_c1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * t23 * real(0.25);
+    let Lam2_coupling = e2 * t24 * real(0.25);
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_coupling;
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
 
     // -- virtual control (31) of block 2 --
-    let t24 = F2 + A_hat2;
-    let t25 = state.zeta2 * real(50.0);
+    let t25 = F2 + A_hat2;
+    let t26 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t24 - h1_dot + t25 + D_hat2 + Lam2;
-    let t26 = G2.solve(bracket2);
+    let bracket2 = t25 - h1_dot + t26 + D_hat2 + Lam2;
+    let t27 = G2.solve(bracket2);
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let alpha2 = -t26;
+    let alpha2 = -t27;
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
-    let zeta2_dot = G2 * state.zeta3 - t25;
+    let zeta2_dot = G2 * state.zeta3 - t26;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
@@ -201,7 +206,7 @@ pub fn lyapunov<T: Real>(
 
     // -- dynamic surface filter of block 2 (33) --
     // h_2' = (alpha_2 - h_2) / Fl_2
-    let h2_dot = (alpha2 - state.h2) / real(0.002);
+    let h2_dot = (alpha2 - state.h2) * real(500.0);
 
     // -- error variable of block 3 (14) --
     // e_3 = x_3 - h_2 - zeta_3
@@ -218,30 +223,30 @@ pub fn lyapunov<T: Real>(
     let Lam0_3 = e3 * real(55.0) + e3 * real(45.0);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam3_filter = c3 * real(0.5);
-    let t27 = G_norm2_2 * s_c2;
-    let t28 = t27 * t27;
+    let t28 = G_norm2_2 * s_c2;
+    let t29 = t28 * t28;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam3_coupling = e3 * t28 / real(400000000.0);
+    let Lam3_coupling = e3 * t29 * real(2.5e-9);
     // Lam_3, sum of the terms above
     let Lam3 = Lam0_3 + Lam3_filter + Lam3_coupling;
     // ||c_3||^2
     let s_c3 = c3.sum_squares();
 
     // -- virtual control (31) of block 3 --
-    let t29 = state.zeta3 * real(100.0);
+    let t30 = state.zeta3 * real(100.0);
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
-    let bracket3 = t29 - h2_dot + Lam3;
-    let t30 = G1.solve(bracket3);
+    let bracket3 = t30 - h2_dot + Lam3;
+    let t31 = G1.solve(bracket3);
     // alpha_3 = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
-    let alpha3 = -t30;
+    let alpha3 = -t31;
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 zeta_4
-    let zeta3_dot = state.zeta4 - t29;
+    let zeta3_dot = state.zeta4 - t30;
 
     // -- dynamic surface filter of block 3 (33) --
     // h_3' = (alpha_3 - h_3) / Fl_3
-    let h3_dot = (alpha3 - state.h3) / real(0.001);
+    let h3_dot = (alpha3 - state.h3) * real(1000.0);
 
     // -- error variable of block 4 (14) --
     // e_4 = x_4 - h_3 - zeta_4
@@ -272,18 +277,18 @@ pub fn lyapunov<T: Real>(
     let Lam4 = Lam0_4 + c4 + Lam4_coupling;
 
     // -- control (64) of block 4 --
-    let t31 = state.zeta4 * real(200.0);
+    let t32 = state.zeta4 * real(200.0);
     // F_4 + A_hat_4 - h_3' + C_4 zeta_4 + D_hat_4 + Lam_4
-    let bracket4 = F4 - h3_dot + t31 + D_hat4 + Lam4;
-    let t32 = G4.solve(bracket4);
+    let bracket4 = F4 - h3_dot + t32 + D_hat4 + Lam4;
+    let t33 = G4.solve(bracket4);
     // u = -G_4^-1 [ F_4 + A_hat_4 - h_3' + C_4 zeta_4 + D_hat_4 + Lam_4 ]
-    let u = -t32;
+    let u = -t33;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-3.0))).min(Vector::splat(real(3.0)));
 
     // -- auxiliary system of block 4 (13) (E1) --
     // zeta_4' = -C_4 zeta_4 + G_4 (sat(u) - u)
-    let zeta4_dot = (u_sat + t32) * real(250.0) - t31;
+    let zeta4_dot = (u_sat + t33) * real(250.0) - t32;
 
     // -- observer dynamics of block 4 (21) (50) --
     // M_4 - S_4 L_4
@@ -293,21 +298,23 @@ pub fn lyapunov<T: Real>(
         [-60.0, -80.0, 0.0],
     ]);
     // th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 v_4 - h_3' + C_4 zeta_4 + A_hat_4)
-    let th4_dot = w4_closed * w_hat4 - S4 * (F4 + u * real(250.0) - h3_dot + t31);
+    let th4_dot = w4_closed * w_hat4 - S4 * (F4 + u * real(250.0) - h3_dot + t32);
 
     // -- true dynamics of block 2 (link_rate) (11) --
     // F_2 with the plant's parameters
-    let F2_plant = Vector([-(plant.weight * t1 + plant.stiffness * q1) / real(0.031)]);
+    let F2_plant = Vector([
+        -(plant.weight * t1 + plant.stiffness * q1) * real(32.25806451612903),
+    ]);
     // G_2 with the plant's parameters
-    let G2_plant = Matrix::rows([[plant.stiffness / real(0.031)]]);
+    let G2_plant = Matrix::rows([[plant.stiffness * real(32.25806451612903)]]);
     // d_2(t)
-    let d2 = Vector([real(0.1) * (real(1.0) + sin_t4) / real(0.031)]);
+    let d2 = Vector([real(0.1) * (real(1.0) + sin_t4) * real(32.25806451612903)]);
     // F_2 + G_2 x_3 + d_2
     let x2_flow = F2_plant + G2_plant * x3 + d2;
 
     // -- true dynamics of block 4 (motor_rate) (11) --
     // F_4 with the plant's parameters
-    let F4_plant = Vector([-(t2 + plant.stiffness * t3) / real(0.004)]);
+    let F4_plant = Vector([-(t2 + plant.stiffness * t3) * real(250.0)]);
     // d_4 = L_4 w_4 (12)
     let d4 = L4 * w4;
     // w_4' = M_4 w_4 (12)
@@ -316,26 +323,26 @@ pub fn lyapunov<T: Real>(
     let x4_flow = F4_plant + u_sat * real(250.0) + d4;
 
     // -- Lyapunov function of block 1 (23) (52) --
-    let t33 = t14 * t14 / real(TAU);
-    let t34 = E1.tan();
+    let t34 = t14 * t14 * real(0.15915494309189535);
+    let t35 = E1.tan();
     // k_1^4/(2 pi) tan E_1
-    let V_T1 = t33 * t34;
+    let V_T1 = t34 * t35;
     // 1/2 ||zeta_1||^2
     let V_zeta1 = state.zeta1.sum_squares() * real(0.5);
     // chi_1 = h_1 - alpha_1 (34)
-    let chi1 = state.h1 + t20;
+    let chi1 = state.h1 + t21;
     // 1/2 ||chi_1||^2
     let V_chi1 = chi1.sum_squares() * real(0.5);
 
     // -- Lyapunov function of block 2 (23) (52) --
     // k_2^4/(2 pi) tan E_2
     let V_T2 = s2 * s2 * real(0.25);
-    let t35 = t21 * state.W2;
+    let t36 = t22 * state.W2;
     // tr(W_2^T W_2)/(2 Gamma_2)
-    let V_W2 = t35[(0, 0)] * real(0.5);
-    let t36 = G2_plant - G2;
+    let V_W2 = t36[(0, 0)] * real(0.5);
+    let t37 = G2_plant - G2;
     // D_2 = d_2 + model error of block 2
-    let D2 = d2 + (F2_plant - F2) + t36 * x3;
+    let D2 = d2 + (F2_plant - F2) + t37 * x3;
     // D_2 - D_hat_2
     let D_error2 = D2 - D_hat2;
     // 1/2 ||theta_2 - th_2||^2
@@ -343,7 +350,7 @@ pub fn lyapunov<T: Real>(
     // 1/2 ||zeta_2||^2
     let V_zeta2 = state.zeta2.sum_squares() * real(0.5);
     // chi_2 = h_2 - alpha_2 (34)
-    let chi2 = state.h2 + t26;
+    let chi2 = state.h2 + t27;
     // 1/2 ||chi_2||^2
     let V_chi2 = chi2.sum_squares() * real(0.5);
 
@@ -353,7 +360,7 @@ pub fn lyapunov<T: Real>(
     // 1/2 ||zeta_3||^2
     let V_zeta3 = state.zeta3.sum_squares() * real(0.5);
     // chi_3 = h_3 - alpha_3 (34)
-    let chi3 = state.h3 + t30;
+    let chi3 = state.h3 + t31;
     // 1/2 ||chi_3||^2
     let V_chi3 = chi3.sum_squares() * real(0.5);
 
@@ -368,19 +375,19 @@ pub fn lyapunov<T: Real>(
     let V_zeta4 = state.zeta4.sum_squares() * real(0.5);
 
     // -- Lyapunov function (52) --
-    let t37 = V_T1 + V_zeta1 + V_chi1 + V_T2 + V_W2 + V_D2 + V_zeta2 + V_chi2 + V_T3;
+    let t38 = V_T1 + V_zeta1 + V_chi1 + V_T2 + V_W2 + V_D2 + V_zeta2 + V_chi2 + V_T3;
     // V, sum of the parts above
-    let V = t37 + V_zeta3 + V_chi3 + V_T4 + V_D4 + V_zeta4;
+    let V = t38 + V_zeta3 + V_chi3 + V_T4 + V_D4 + V_zeta4;
 
     // -- Ito generator (2) --
     // e1' along the flow
     let e1_flow = x2 - y_r_dot - zeta1_dot;
-    let t38 = e1_flow.dot(e1);
+    let t39 = e1_flow.dot(e1);
     // s1' along the flow
-    let s1_flow = t38 + t38;
-    let t39 = (t15 + t15) * (s1_flow / t14 - t15 / t14 * ((k1 + k1) * k1_dot));
+    let s1_flow = t39 + t39;
+    let t40 = (t15 + t15) * (s1_flow / t14 - t15 / t14 * ((k1 + k1) * k1_dot));
     // E1_free' along the flow
-    let E1_free_flow = real(FRAC_PI_2) * t39;
+    let E1_free_flow = real(FRAC_PI_2) * t40;
     // E1' along the flow
     let E1_flow = T::select(
         E1_free.lt(real(1.5697963267948967)),
@@ -388,29 +395,30 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t34 * (real(4.0) * (t14 * k1) * k1_dot / real(TAU))
-        + t33 * (E1_flow / t16);
-    let t40 = zeta1_dot.dot(state.zeta1);
+    let V_T1_flow = t35 * (real(4.0) * (t14 * k1) * k1_dot * real(0.15915494309189535))
+        + t34 * (E1_flow / t16);
+    let t41 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
-    let V_zeta1_flow = (t40 + t40) * real(0.5);
-    let t41 = t10 * t12;
-    let t42 = t41 + t6 * (t11 * t12 + t8 * (real(-0.1) * (real(3.0) * (t + t))));
+    let V_zeta1_flow = (t41 + t41) * real(0.5);
+    let t42 = t10 * t12;
+    let t43 = t42 + t6 * (t11 * t12 + t8 * (real(-0.1) * (real(3.0) * (t + t))));
     // y_r''
-    let y_r_dot2 = Vector([t9 * (real(1.0471975511965979) * -sin_t) - t41 - t42]);
-    let t43 = real(1.0).lt(t18);
-    let t44 = T::select(t43, real(1.0), t18);
-    let t45 = t44 * (kernel::sin_cos_over_d1(E1) * E1_flow)
-        + T::select(t43, real(0.0), -(t17 * (t18 / E1_free * E1_free_flow)));
+    let y_r_dot2 = Vector([t9 * (real(1.0471975511965979) * -sin_t) - t42 - t43]);
+    let t44 = real(1.0).lt(t19);
+    let t45 = T::select(t44, real(1.0), t19);
+    let t46 = t45 * (kernel::sin_cos_over_d1(E1) * E1_flow)
+        + T::select(t44, real(0.0), -(t18 * (t19 / E1_free * E1_free_flow)));
     // Lam0_1' along the flow
     let Lam0_1_flow = Vector([
-        real(5.0) * e1[0] * t45 + t17 * t44 * (real(5.0) * e1_flow[0])
+        real(5.0) * e1[0] * t46 + t18 * t45 * (real(5.0) * e1_flow[0])
             + real(4.0) * e1_flow[0],
     ]);
     // cosE1' along the flow
     let cosE1_flow = -(E1.sin() * E1_flow);
-    let t46 = s1 * e1[0] / t16 / t16 * ((cosE1 + cosE1) * cosE1_flow);
+    // sec2E1' along the flow
+    let sec2E1_flow = -(sec2E1 / t16 * ((cosE1 + cosE1) * cosE1_flow));
     // c1' along the flow
-    let c1_flow = Vector([(e1[0] * s1_flow + s1 * e1_flow[0]) / t16 - t46]);
+    let c1_flow = e1 * (s1_flow * sec2E1 + s1 * sec2E1_flow) + e1_flow * t17;
     // Lam1_filter' along the flow
     let Lam1_filter_flow = c1_flow * real(0.5);
     // Lam1' along the flow
@@ -434,24 +442,24 @@ pub fn lyapunov<T: Real>(
     // V_T2' along the flow
     let V_T2_flow = (t50 + t50) * real(0.25);
     let t51 = W2_dot.transpose();
-    let t52 = t51 * state.W2 + t21 * W2_dot;
+    let t52 = t51 * state.W2 + t22 * W2_dot;
     // V_W2' along the flow
     let V_W2_flow = t52[(0, 0)] * real(0.5);
     // d2'
-    let d2_dot = Vector([real(0.1) * (cos_t4 * real(3.0)) / real(0.031)]);
+    let d2_dot = Vector([real(0.1) * (cos_t4 * real(3.0)) * real(32.25806451612903)]);
     let t53 = q1.cos() * x2[0];
     // F2_plant' along the flow
     let F2_plant_flow = Vector([
-        -((plant.weight * t53 + plant.stiffness * x2[0]) / real(0.031)),
+        -((plant.weight * t53 + plant.stiffness * x2[0]) * real(32.25806451612903)),
     ]);
     // F2' along the flow
     let F2_flow = Vector([
-        -((params.weight * t53 + params.stiffness * x2[0]) / real(0.031)),
+        -((params.weight * t53 + params.stiffness * x2[0]) * real(32.25806451612903)),
     ]);
     // D2' along the flow
-    let D2_flow = d2_dot + (F2_plant_flow - F2_flow) + t36 * x4;
+    let D2_flow = d2_dot + (F2_plant_flow - F2_flow) + t37 * x4;
     // D_hat2' along the flow
-    let D_hat2_flow = x2_flow * real(40.0) - (D_hat2 + t24 + G2 * x3) * real(40.0);
+    let D_hat2_flow = x2_flow * real(40.0) - (D_hat2 + t25 + G2 * x3) * real(40.0);
     // D_error2' along the flow
     let D_error2_flow = D2_flow - D_hat2_flow;
     let t54 = D_error2_flow.dot(D_error2);
@@ -465,9 +473,9 @@ pub fn lyapunov<T: Real>(
     // P2' along the flow
     let P2_flow = polynomials::basis2_rate(z2, z2_flow);
     // A_hat2' along the flow
-    let A_hat2_flow = t51 * P2 + t21 * P2_flow;
+    let A_hat2_flow = t51 * P2 + t22 * P2_flow;
     // h1_dot' along the flow
-    let h1_dot_flow = (alpha1_flow - h1_dot) / real(0.01);
+    let h1_dot_flow = (alpha1_flow - h1_dot) * real(100.0);
     // Lam0_2' along the flow
     let Lam0_2_flow = e2_flow * real(18.5) + e2_flow * real(16.0);
     // c2' along the flow
@@ -475,13 +483,13 @@ pub fn lyapunov<T: Real>(
     // Lam2_disturbance' along the flow
     let Lam2_disturbance_flow = c2_flow * real(0.5);
     // Lam2_filter' along the flow
-    let Lam2_filter_flow = c2_flow * t22;
+    let Lam2_filter_flow = c2_flow * t23;
     let t56 = c1_flow.dot(c1);
     // s_c1' along the flow
     let s_c1_flow = t56 + t56;
     // Lam2_coupling' along the flow
     let Lam2_coupling_flow = Vector([
-        (e2[0] * ((s_c1 + s_c1) * s_c1_flow) + t23 * e2_flow[0]) * real(0.25),
+        (e2[0] * ((s_c1 + s_c1) * s_c1_flow) + t24 * e2_flow[0]) * real(0.25),
     ]);
     // Lam2' along the flow
     let Lam2_flow = Lam0_2_flow + Lam2_disturbance_flow + Lam2_filter_flow
@@ -509,7 +517,7 @@ pub fn lyapunov<T: Real>(
     // V_zeta3' along the flow
     let V_zeta3_flow = (t61 + t61) * real(0.5);
     // h2_dot' along the flow
-    let h2_dot_flow = (alpha2_flow - h2_dot) / real(0.002);
+    let h2_dot_flow = (alpha2_flow - h2_dot) * real(500.0);
     // Lam0_3' along the flow
     let Lam0_3_flow = e3_flow * real(55.0) + e3_flow * real(45.0);
     // c3' along the flow
@@ -521,8 +529,8 @@ pub fn lyapunov<T: Real>(
     let s_c2_flow = t62 + t62;
     // Lam3_coupling' along the flow
     let Lam3_coupling_flow = Vector([
-        (e3[0] * ((t27 + t27) * (G_norm2_2 * s_c2_flow)) + t28 * e3_flow[0])
-            / real(400000000.0),
+        (e3[0] * ((t28 + t28) * (G_norm2_2 * s_c2_flow)) + t29 * e3_flow[0])
+            * real(2.5e-9),
     ]);
     // Lam3' along the flow
     let Lam3_flow = Lam0_3_flow + Lam3_filter_flow + Lam3_coupling_flow;

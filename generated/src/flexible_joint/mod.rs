@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 73531fa172560862ed3ddecc15786ef071e013049b1e3da6515484164f8ab4cb
+// SHA-256 of the text below: fe341a573f00537673d611a95cb8931e9ba409c66d605c231f2222e7354541d1
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
+// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
 //! Robot link with an elastic joint
 
@@ -16,7 +16,7 @@ pub use params::Params;
 pub use simulator::Simulator;
 
 /// SHA-256 of the specification.
-pub const SPEC_HASH: &str = "5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f";
+pub const SPEC_HASH: &str = "4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25";
 
 /// Version of the generator.
 pub const GENERATOR: &str = "0.1.0";

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 8d82fcaa939769c6975e79d08ce7a185cd9e8f2037a3639621339a46a195e843
+// SHA-256 of the text below: 6704c4901801152483657c83f63d215d5bd827c435cb0889adbe1d22ce304180
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
+// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
 //! `flexible_joint`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: e009486d4025c9716128084eee07a50587c353fa83844a10bc5b7ab3bc396bc1
+// SHA-256 of the text below: 5aec944c65b55e2728a75ec284bc3e631a8a730315a54d3cb012d57b3152d973
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
-// plant: 10 additions, 13 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
+// plant: 10 additions, 17 multiplications, 0 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `flexible_joint`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -67,7 +67,7 @@ pub struct Prepared<T> {
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 0 additions, 0 multiplications, 1 divisions, 0 square roots, 0 elementary
+/// Operations: 0 additions, 1 multiplications, 0 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -75,7 +75,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
     // -- true dynamics of block 2 (link_rate) (11) --
     // G_2 with the plant's parameters
-    let G2_plant = Matrix::rows([[params.stiffness / real(0.031)]]);
+    let G2_plant = Matrix::rows([[params.stiffness * real(32.25806451612903)]]);
     Prepared { G2_plant }
 }
 
@@ -89,7 +89,7 @@ pub struct Clock<T> {
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 1 additions, 2 multiplications, 1 divisions, 0 square roots, 1 elementary
+/// Operations: 1 additions, 3 multiplications, 0 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
@@ -97,7 +97,9 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
 
     // -- true dynamics of block 2 (link_rate) (11) --
     // d_2(t)
-    let d2 = Vector([real(0.1) * (real(1.0) + (real(3.0) * t).sin()) / real(0.031)]);
+    let d2 = Vector([
+        real(0.1) * (real(1.0) + (real(3.0) * t).sin()) * real(32.25806451612903),
+    ]);
     Clock { d2 }
 }
 
@@ -114,7 +116,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 9 additions, 11 multiplications, 2 divisions, 0 square roots, 1 elementary
+/// Operations: 9 additions, 13 multiplications, 0 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -138,7 +140,7 @@ pub fn dynamics<T: Real>(
     // -- true dynamics of block 2 (link_rate) (11) --
     // F_2 with the plant's parameters
     let F2_plant = Vector([
-        -(params.weight * q1.sin() + params.stiffness * q1) / real(0.031),
+        -(params.weight * q1.sin() + params.stiffness * q1) * real(32.25806451612903),
     ]);
 
     // -- given --
@@ -152,7 +154,7 @@ pub fn dynamics<T: Real>(
     // -- true dynamics of block 4 (motor_rate) (11) --
     // F_4 with the plant's parameters
     let F4_plant = Vector([
-        -(real(0.007) * v2 + params.stiffness * (q2 - q1)) / real(0.004),
+        -(real(0.007) * v2 + params.stiffness * (q2 - q1)) * real(250.0),
     ]);
     // d_4 = L_4 w_4 (12)
     let d4 = L4 * w4;
@@ -179,7 +181,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 10 additions, 13 multiplications, 4 divisions, 0 square roots, 2 elementary
+/// Operations: 10 additions, 17 multiplications, 0 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 38b01c67e58e6ec27e89418fd0b40b1a400c2d7f16f8c293f36c60e79bb669c6
+// SHA-256 of the text below: 9dad77609ee48d285c9e5caa1d10e605204b3562eb2489938d2ca375219da2b3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
+// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
 //! `flexible_joint`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: cdda3fbc7dd475c0ce9e2a975a740870c4018853a72369c1e369b4662fe74161
+// SHA-256 of the text below: 14827660ab18739b7cd8b0355f7d25365fe1650a6784177b0b0243fd4bdbfa00
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b3fe84c46bdc7cb80e48e918824f187a9526dc5249f0e1431e753f4c1fbe57f
+// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
 //! `flexible_joint`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

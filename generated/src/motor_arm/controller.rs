@@ -1,8 +1,8 @@
-// SHA-256 of the text below: ff3132e6b147c7202728fed5e0c19b90ae3b6d6321ceb067c6db01cbd893da3c
+// SHA-256 of the text below: c7581fc32f008f7fd95096b6dcc18ee7347edf9941c6574afa9f387e3e7a3bec
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// initial: 26 additions, 57 multiplications, 12 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
-// control: 86 additions, 127 multiplications, 17 divisions, 3 square roots, 10 elementary functions, 9 comparisons and selections
+// initial: 26 additions, 60 multiplications, 10 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
+// control: 80 additions, 129 multiplications, 12 divisions, 3 square roots, 10 elementary functions, 9 comparisons and selections
 
 //! `motor_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -48,7 +48,7 @@ pub struct State<T> {
     pub h1: Vector<T, 1>,
     /// Network weights W_hat (65), one row per monomial and one column per channel: speed (rate).
     ///
-    /// `W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
+    /// `W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2`
     ///
     /// Rows: `one, z1, rate, z12, z1_rate, rate2`.
     pub W2: Matrix<T, 6, 1>,
@@ -286,7 +286,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the controller where the mask is true.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -300,13 +300,14 @@ impl<T: Real> Part for Begin<'_, T> {
     #[inline(always)]
     fn run(self) {
         let start = initial(self.t, self.x1, self.x2, self.x3, &self.controller.params);
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 26 additions, 57 multiplications, 12 divisions, 0 square roots, 8 elementary
+/// Operations: 26 additions, 60 multiplications, 10 divisions, 0 square roots, 8 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -327,7 +328,7 @@ pub fn initial<T: Real>(
     let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
     let angle = x1[0];
     let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
-        + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
+        + real(2.0) * params.load_mass * real(0.000529) * real(0.2);
 
     // -- known dynamics of block 2 (speed) (11) --
     // F_2(x_1 .. x_2)
@@ -375,9 +376,10 @@ pub fn initial<T: Real>(
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t6 = cosE1 * cosE1;
+    // 1 / cos^2 E_1
+    let sec2E1 = real(1.0) / (cosE1 * cosE1);
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t6;
+    let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -394,17 +396,17 @@ pub fn initial<T: Real>(
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = Lam1 - y_r_dot;
-    let t7 = G1.solve(bracket1);
+    let t6 = G1.solve(bracket1);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t7;
+    let alpha1 = -t6;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (t7 - t7) / real(0.02);
+    let h1_dot = (t6 - t6) * real(50.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t7;
+    let e2 = x2 + t6;
 
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
@@ -413,12 +415,12 @@ pub fn initial<T: Real>(
     let c2 = e2 * s2;
 
     // -- given --
-    let t8 = e2 * real(10.0);
-    let th2 = -t8;
+    let t7 = e2 * real(10.0);
+    let th2 = -t7;
 
     // -- disturbance observer of block 2 (20) (49) --
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = t8 - t8;
+    let w_hat2 = t7 - t7;
 
     // -- norms of block 2 --
     // ||G_2||^2
@@ -435,9 +437,9 @@ pub fn initial<T: Real>(
     let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t9 = H_norm2_2 * Ybar_norm2;
+    let t8 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t9 * t9 * real(0.5) + real(0.5) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
+    let Psi2 = t8 * t8 * real(0.5) + real(0.5) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -499,7 +501,7 @@ pub struct Prepared<T> {
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 5 additions, 16 multiplications, 3 divisions, 1 square roots, 0 elementary
+/// Operations: 5 additions, 17 multiplications, 2 divisions, 1 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -508,7 +510,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     // -- plant model --
     let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
     let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
-        + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
+        + real(2.0) * params.load_mass * real(0.000529) * real(0.2);
 
     // -- known dynamics of block 2 (speed) (11) --
     // G_2(x_1 .. x_2)
@@ -631,7 +633,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 78 additions, 97 multiplications, 14 divisions, 2 square roots, 6 elementary
+/// Operations: 72 additions, 98 multiplications, 10 divisions, 2 square roots, 6 elementary
 /// functions, 9 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -660,7 +662,7 @@ pub fn law<T: Real>(
 
     // -- known dynamics of block 3 (current) (11) --
     // F_3(x_1 .. x_3)
-    let F3 = Vector([-(real(5.0) * amps + real(0.9) * rate) / real(0.025)]);
+    let F3 = Vector([-(real(5.0) * amps + real(0.9) * rate) * real(40.0)]);
     // G_3(x_1 .. x_3)
     let G3: Matrix<T, 1, 1> = Matrix::from_f64([[40.0]]);
 
@@ -680,9 +682,10 @@ pub fn law<T: Real>(
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t3 = cosE1 * cosE1;
+    // 1 / cos^2 E_1
+    let sec2E1 = real(1.0) / (cosE1 * cosE1);
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t3;
+    let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -697,19 +700,19 @@ pub fn law<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t4 = state.zeta1 * real(20.0);
+    let t3 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t4 - clock.y_r_dot + Lam1;
+    let bracket1 = t3 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -G1.solve(bracket1);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t4;
+    let zeta1_dot = state.zeta2 - t3;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (alpha1 - state.h1) / real(0.02);
+    let h1_dot = (alpha1 - state.h1) * real(50.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
@@ -742,18 +745,19 @@ pub fn law<T: Real>(
     let Lam2_filter = c2 * prepared.Lam2_filter_1;
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t5 = e2.tanh();
+    let t4 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t5 * state.eps2;
+    let Lam2_error_bound = t4 * state.eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
     let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
-    let t6 = s2 * s2;
-    let t7 = (t6 + real(1.0)).sqrt();
+    let t5 = s2 * s2;
+    // 1 / sqrt(s_2^2 + varsigma_2^2)
+    let s_scale2 = real(1.0) / (t5 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (prepared.Psi2_1 * state.sigma2) / t7;
-    let t8 = prepared.Psi2 / (state.phi2 * state.phi2 + t6);
+    let Lam2_noise = e2 * (prepared.Psi2_1 * state.sigma2 * s_scale2);
+    let t6 = prepared.Psi2 / (state.phi2 * state.phi2 + t5);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t8;
+    let Lam2_diffusion = e2 * t6;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
@@ -761,42 +765,38 @@ pub fn law<T: Real>(
     let s_c2 = c2.sum_squares();
 
     // -- virtual control (31) of block 2 --
-    let t9 = F2 + A_hat2;
-    let t10 = state.zeta2 * real(50.0);
+    let t7 = F2 + A_hat2;
+    let t8 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t9 - h1_dot + t10 + w_hat2 + Lam2;
+    let bracket2 = t7 - h1_dot + t8 + w_hat2 + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -prepared.G2.solve(bracket2);
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
-    let zeta2_dot = prepared.G2 * state.zeta3 - t10;
-
-    // -- weight law of block 2 (32) (65) --
-    // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
-    let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
+    let zeta2_dot = prepared.G2 * state.zeta3 - t8;
 
     // -- observer dynamics of block 2 (21) (50) --
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
     let th2_dot = w_hat2 * real(-12.0)
-        - (t9 + prepared.G2 * (x3 - state.zeta3) - h1_dot + t10) * real(10.0);
+        - (t7 + prepared.G2 * (x3 - state.zeta3) - h1_dot + t8) * real(10.0);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 * e2.dot(t5) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 * e2.dot(t4) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = prepared.Psi2_1 * t6 / t7 - real(0.1) * state.sigma2;
+    let sigma2_dot = prepared.Psi2_1 * t5 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t8 + real(0.5);
+    let phi2_decay = t6 + real(0.5);
 
     // -- dynamic surface filter of block 2 (33) --
     // h_2' = (alpha_2 - h_2) / Fl_2
-    let h2_dot = (alpha2 - state.h2) / real(0.005);
+    let h2_dot = (alpha2 - state.h2) * real(200.0);
 
     // -- error variable of block 3 (14) --
     // e_3 = x_3 - h_2 - zeta_3
@@ -817,25 +817,25 @@ pub fn law<T: Real>(
     let Lam0_3 = e3 * real(125.0) + e3 * real(100.0);
     // eta_1/2 c^T (36)
     let Lam3_disturbance = c3 * real(0.5);
-    let t11 = prepared.G_norm2_2 * s_c2;
+    let t9 = prepared.G_norm2_2 * s_c2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam3_coupling = e3 * (t11 * t11) * real(0.015625);
+    let Lam3_coupling = e3 * (t9 * t9) * real(0.015625);
     // Lam_3, sum of the terms above
     let Lam3 = Lam0_3 + Lam3_disturbance + Lam3_coupling;
 
     // -- control (64) of block 3 --
-    let t12 = state.zeta3 * real(100.0);
+    let t10 = state.zeta3 * real(100.0);
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
-    let bracket3 = F3 - h2_dot + t12 + D_hat3 + Lam3;
-    let t13 = G3.solve(bracket3);
+    let bracket3 = F3 - h2_dot + t10 + D_hat3 + Lam3;
+    let t11 = G3.solve(bracket3);
     // u = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
-    let u = -t13;
+    let u = -t11;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-40.0))).min(Vector::splat(real(40.0)));
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
-    let zeta3_dot = (u_sat + t13) * real(40.0) - t12;
+    let zeta3_dot = (u_sat + t11) * real(40.0) - t10;
 
     // -- observer dynamics of block 3 (21) (50) --
     // th_3' = -S_3 (D_hat_3 + F_3 + G_3 x_4 + A_hat_3)
@@ -854,8 +854,9 @@ pub fn law<T: Real>(
     let h2_next = state.h2 + h2_dot * real(0.0009063462346100907);
     // th2(t + dt) = th2 + Gamma th2'
     let th2_next = state.th2 + th2_dot * real(0.000994023928172455);
-    // W2(t + dt) = W2 + Gamma W2'
-    let W2_next = state.W2 + W2_dot * real(0.000999950001666625);
+    // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
+    let W2_next = state.W2 * real(0.9999000049998333)
+        + P2.outer(c2 * real(0.000999950001666625));
     // eps2(t + dt) = eps2 + Gamma eps2'
     let eps2_next = state.eps2 + real(0.000999950001666625) * eps2_dot;
     // sigma2(t + dt) = sigma2 + Gamma sigma2'
@@ -904,7 +905,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 86 additions, 127 multiplications, 17 divisions, 3 square roots, 10 elementary
+/// Operations: 80 additions, 129 multiplications, 12 divisions, 3 square roots, 10 elementary
 /// functions, 9 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 3ec31bec2329dfe96d785c869c92759345a8cd6b12f84bb01e72f41d9d06dd8d
+// SHA-256 of the text below: d0024a7456dcbdb7ebce07bd94174c40a2e9e912fe2c1aba5ff71e69aeeb4eed
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// plant: 9 additions, 14 multiplications, 6 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 9 additions, 17 multiplications, 3 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `motor_arm`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -129,7 +129,7 @@ pub struct Prepared<T> {
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 3 additions, 5 multiplications, 3 divisions, 0 square roots, 0 elementary
+/// Operations: 3 additions, 6 multiplications, 2 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -138,7 +138,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     // -- plant model --
     let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
     let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
-        + real(2.0) * params.load_mass * real(0.000529) / real(5.0);
+        + real(2.0) * params.load_mass * real(0.000529) * real(0.2);
 
     // -- true dynamics of block 2 (speed) (11) --
     // G_2 with the plant's parameters
@@ -170,7 +170,7 @@ pub struct Clock<T> {
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 0 additions, 2 multiplications, 1 divisions, 0 square roots, 1 elementary
+/// Operations: 0 additions, 3 multiplications, 0 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
@@ -178,7 +178,7 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
 
     // -- true dynamics of block 3 (current) (11) --
     // d_3(t)
-    let d3 = Vector([real(0.5) * (real(20.0) * t).sin() / real(0.025)]);
+    let d3 = Vector([real(0.5) * (real(20.0) * t).sin() * real(40.0)]);
     Clock { d3 }
 }
 
@@ -197,7 +197,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 6 additions, 7 multiplications, 2 divisions, 0 square roots, 1 elementary
+/// Operations: 6 additions, 8 multiplications, 1 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -231,7 +231,7 @@ pub fn dynamics<T: Real>(
 
     // -- true dynamics of block 3 (current) (11) --
     // F_3 with the plant's parameters
-    let F3_plant = Vector([-(real(5.0) * amps + real(0.9) * rate) / real(0.025)]);
+    let F3_plant = Vector([-(real(5.0) * amps + real(0.9) * rate) * real(40.0)]);
     // F_3 + G_3 x_4 + d_3
     let x3_flow = F3_plant + u_sat * real(40.0) + clock.d3;
 
@@ -248,7 +248,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 9 additions, 14 multiplications, 6 divisions, 0 square roots, 2 elementary
+/// Operations: 9 additions, 17 multiplications, 3 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(

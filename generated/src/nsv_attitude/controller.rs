@@ -1,8 +1,8 @@
-// SHA-256 of the text below: a7ebf35fcbcf85bae46c905f274e43b30ef5aeeac5cdd73a6e3e320736619797
+// SHA-256 of the text below: 54d05e3a5a4db51878c7cc8220c3fa194816b2927e51bb38b89552c7d565a01d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// initial: 74 additions, 109 multiplications, 15 divisions, 0 square roots, 18 elementary functions, 6 comparisons and selections
-// control: 667 additions, 912 multiplications, 56 divisions, 4 square roots, 26 elementary functions, 21 comparisons and selections
+// initial: 74 additions, 116 multiplications, 8 divisions, 0 square roots, 21 elementary functions, 6 comparisons and selections
+// control: 553 additions, 839 multiplications, 14 divisions, 4 square roots, 29 elementary functions, 21 comparisons and selections
 
 //! `nsv_attitude`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -42,7 +42,7 @@ pub struct State<T> {
     /// Network weights W_hat (65), one row per monomial and one column per channel: attitude
     /// (alpha, beta, mu).
     ///
-    /// `W_1' = Gamma_1 (P_1 c_1 I_1 - lambda_1 W_1)`
+    /// `W_1(t + dt) = (1 - Gamma Gamma_1 lambda_1) W_1 + Gamma Gamma_1 P_1 c_1 I_1`
     ///
     /// Rows: `one, alpha, beta, mu, alpha2, alpha_beta, alpha_mu, beta2, beta_mu, mu2, alpha3,
     /// alpha2_beta, alpha2_mu, alpha_beta2, alpha_mu2, beta3, beta2_mu, beta_mu2, mu3`.
@@ -59,7 +59,7 @@ pub struct State<T> {
     /// Network weights W_hat (65), one row per monomial and one column per channel: rates (p, q,
     /// r).
     ///
-    /// `W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
+    /// `W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2`
     ///
     /// Rows: `one, p, q, r, p2, p_q, p_r, q2, q_r, r2, p3, p2_q, p2_r, p_q2, p_r2, q3, q2_r, q_r2,
     /// r3`.
@@ -271,7 +271,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the controller where the mask is true.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -284,13 +284,14 @@ impl<T: Real> Part for Begin<'_, T> {
     #[inline(always)]
     fn run(self) {
         let start = initial(self.t, self.x1, self.x2, &self.controller.params);
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 74 additions, 109 multiplications, 15 divisions, 0 square roots, 18 elementary
+/// Operations: 74 additions, 116 multiplications, 8 divisions, 0 square roots, 21 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -303,28 +304,29 @@ pub fn initial<T: Real>(
 
     // -- plant model --
     let alpha = x1[0];
-    let alpha_deg = alpha / real(0.017453292519943295);
+    let alpha_deg = alpha * real(57.29577951308232);
     let at_alpha_deg = polynomials::at_alpha_deg(alpha_deg);
     let lift = real(97170193.3485195) * params.CL_scale
         * (at_alpha_deg.CL_alpha + at_alpha_deg.CL_LE + at_alpha_deg.CL_RE);
-    let mu = x1[2];
     let beta = x1[1];
+    let mu = x1[2];
     let side = real(97170193.3485195) * params.CY_scale
         * (at_alpha_deg.CY_beta * beta + at_alpha_deg.CY_LE + at_alpha_deg.CY_RE
             + at_alpha_deg.CY_RUD);
 
     // -- known dynamics of block 1 (attitude) (11) --
-    let [sin_alpha, sin_mu] = Vector([alpha, mu]).sin().0;
-    let [cos_alpha, cos_mu, cos_beta] = Vector([alpha, mu, beta]).cos().0;
-    let t1 = real(1332506.5352200002) * cos_mu;
-    let t2 = beta.tan();
+    let t1 = Vector([alpha, mu, beta]);
+    let [sin_alpha, sin_mu, _] = t1.sin().0;
+    let [cos_alpha, cos_mu, cos_beta] = t1.cos().0;
+    let t2 = real(1332506.5352200002) * cos_mu;
+    let [_, _, tan_beta] = t1.tan().0;
     // F_1(x_1 .. x_1)
     let F1 = Vector([
-        (t1 - lift) / (real(410460000.0) * cos_beta),
-        (side + real(1332506.5352200002) * sin_mu) / real(410460000.0),
-        (lift * t2 - t1 * t2) / real(410460000.0),
+        (t2 - lift) / (real(410460000.0) * cos_beta),
+        (side + real(1332506.5352200002) * sin_mu) * real(2.4362909905959168e-9),
+        (lift * tan_beta - t2 * tan_beta) * real(2.4362909905959168e-9),
     ]);
-    let t3 = -t2;
+    let t3 = -tan_beta;
     let t4 = t3 * cos_alpha;
     let t5 = t3 * sin_alpha;
     let t6 = -cos_alpha;
@@ -394,9 +396,10 @@ pub fn initial<T: Real>(
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t16 = cosE1 * cosE1;
+    // 1 / cos^2 E_1
+    let sec2E1 = real(1.0) / (cosE1 * cosE1);
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t16;
+    let c1 = e1 * (s1 * sec2E1);
 
     // -- disturbance observer of block 1 (20) (49) --
     // D_hat_1 = th_1 + S_1 x_1
@@ -421,11 +424,12 @@ pub fn initial<T: Real>(
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = F1 - y_r_dot + D_hat1 + Lam1;
-    let t17 = t6 * t7 - sin_alpha * t8;
-    let t18 = (-t8 * bracket1[1] + t6 * bracket1[2]) / t17;
-    let t19 = t17 * bracket1[0] + (t8 * t4 - t7 * t5) * bracket1[1];
-    let t20 = (t19 + (t5 * sin_alpha - t4 * t6) * bracket1[2]) / t17;
-    let t21 = (t7 * bracket1[1] + -sin_alpha * bracket1[2]) / t17;
+    let t16 = t6 * t7 - sin_alpha * t8;
+    let t17 = real(1.0) / t16;
+    let t18 = (-t8 * bracket1[1] + t6 * bracket1[2]) * t17;
+    let t19 = t16 * bracket1[0] + (t8 * t4 - t7 * t5) * bracket1[1];
+    let t20 = (t19 + (t5 * sin_alpha - t4 * t6) * bracket1[2]) * t17;
+    let t21 = (t7 * bracket1[1] + -sin_alpha * bracket1[2]) * t17;
     let t22 = Vector([t18, t20, t21]);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -t22;
@@ -601,7 +605,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 662 additions, 881 multiplications, 56 divisions, 4 square roots, 17 elementary
+/// Operations: 548 additions, 808 multiplications, 14 divisions, 4 square roots, 20 elementary
 /// functions, 18 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -615,12 +619,12 @@ pub fn law<T: Real>(
 
     // -- plant model --
     let alpha = x1[0];
-    let alpha_deg = alpha / real(0.017453292519943295);
+    let alpha_deg = alpha * real(57.29577951308232);
     let at_alpha_deg_2 = polynomials::at_alpha_deg_2(alpha_deg);
     let lift = prepared.lift_1
         * (at_alpha_deg_2.CL_alpha + at_alpha_deg_2.CL_LE + at_alpha_deg_2.CL_RE);
-    let mu = x1[2];
     let beta = x1[1];
+    let mu = x1[2];
     let side = prepared.side_1
         * (at_alpha_deg_2.CY_beta * beta + at_alpha_deg_2.CY_LE + at_alpha_deg_2.CY_RE
             + at_alpha_deg_2.CY_RUD);
@@ -628,17 +632,19 @@ pub fn law<T: Real>(
     let r = x2[2];
     let p = x2[0];
     let t1 = at_alpha_deg_2.Cl_beta * beta + at_alpha_deg_2.Cl_LE + at_alpha_deg_2.Cl_RE
-        + at_alpha_deg_2.Cl_RUD + at_alpha_deg_2.Cl_p * p * real(18.288) / real(6000.0);
+        + at_alpha_deg_2.Cl_RUD
+        + at_alpha_deg_2.Cl_p * p * real(18.288) * real(0.00016666666666666666);
     let roll = prepared.roll_1
-        * (t1 + at_alpha_deg_2.Cl_r * r * real(18.288) / real(6000.0));
+        * (t1 + at_alpha_deg_2.Cl_r * r * real(18.288) * real(0.00016666666666666666));
     let pitch = prepared.pitch_1
         * (at_alpha_deg_2.Cm_alpha + at_alpha_deg_2.Cm_LE + at_alpha_deg_2.Cm_RE
             + at_alpha_deg_2.Cm_RUD
-            + at_alpha_deg_2.Cm_q * q * real(24.384) / real(6000.0));
+            + at_alpha_deg_2.Cm_q * q * real(24.384) * real(0.00016666666666666666));
     let t2 = at_alpha_deg_2.Cn_beta * beta + at_alpha_deg_2.Cn_LE + at_alpha_deg_2.Cn_RE
-        + at_alpha_deg_2.Cn_RUD + at_alpha_deg_2.Cn_p * p * real(18.288) / real(6000.0);
+        + at_alpha_deg_2.Cn_RUD
+        + at_alpha_deg_2.Cn_p * p * real(18.288) * real(0.00016666666666666666);
     let yaw = prepared.yaw_1
-        * (t2 + at_alpha_deg_2.Cn_r * r * real(18.288) / real(6000.0));
+        * (t2 + at_alpha_deg_2.Cn_r * r * real(18.288) * real(0.00016666666666666666));
     let dCl = Vector([
         at_alpha_deg_2.Cl_LE_d3,
         at_alpha_deg_2.Cl_RE_d3,
@@ -655,17 +661,18 @@ pub fn law<T: Real>(
     let yaw_delta = dCn * prepared.yaw_delta_1 * real(97170193.3485195);
 
     // -- known dynamics of block 1 (attitude) (11) --
-    let [sin_alpha, sin_mu] = Vector([alpha, mu]).sin().0;
-    let [cos_alpha, cos_mu, cos_beta] = Vector([alpha, mu, beta]).cos().0;
-    let t3 = real(1332506.5352200002) * cos_mu;
-    let t4 = beta.tan();
+    let t3 = Vector([alpha, mu, beta]);
+    let [sin_alpha, sin_mu, _] = t3.sin().0;
+    let [cos_alpha, cos_mu, cos_beta] = t3.cos().0;
+    let t4 = real(1332506.5352200002) * cos_mu;
+    let [_, _, tan_beta] = t3.tan().0;
     // F_1(x_1 .. x_1)
     let F1 = Vector([
-        (t3 - lift) / (real(410460000.0) * cos_beta),
-        (side + real(1332506.5352200002) * sin_mu) / real(410460000.0),
-        (lift * t4 - t3 * t4) / real(410460000.0),
+        (t4 - lift) / (real(410460000.0) * cos_beta),
+        (side + real(1332506.5352200002) * sin_mu) * real(2.4362909905959168e-9),
+        (lift * tan_beta - t4 * tan_beta) * real(2.4362909905959168e-9),
     ]);
-    let t5 = -t4;
+    let t5 = -tan_beta;
     let t6 = t5 * cos_alpha;
     let t7 = t5 * sin_alpha;
     let t8 = -cos_alpha;
@@ -681,19 +688,19 @@ pub fn law<T: Real>(
     // -- known dynamics of block 2 (rates) (11) --
     // F_2(x_1 .. x_2)
     let F2 = Vector([
-        roll / real(1355818.0),
-        (real(12202362.0) * p * r + pitch) / real(13558180.0),
-        (real(-12202362.0) * p * q + yaw) / real(13558180.0),
+        roll * real(7.375621211696555e-7),
+        (real(12202362.0) * p * r + pitch) * real(7.375621211696555e-8),
+        (real(-12202362.0) * p * q + yaw) * real(7.375621211696555e-8),
     ]);
-    let t11 = roll_delta[0] / real(1355818.0);
-    let t12 = roll_delta[1] / real(1355818.0);
-    let t13 = roll_delta[2] / real(1355818.0);
-    let t14 = pitch_delta[0] / real(13558180.0);
-    let t15 = pitch_delta[1] / real(13558180.0);
-    let t16 = pitch_delta[2] / real(13558180.0);
-    let t17 = yaw_delta[0] / real(13558180.0);
-    let t18 = yaw_delta[1] / real(13558180.0);
-    let t19 = yaw_delta[2] / real(13558180.0);
+    let t11 = roll_delta[0] * real(7.375621211696555e-7);
+    let t12 = roll_delta[1] * real(7.375621211696555e-7);
+    let t13 = roll_delta[2] * real(7.375621211696555e-7);
+    let t14 = pitch_delta[0] * real(7.375621211696555e-8);
+    let t15 = pitch_delta[1] * real(7.375621211696555e-8);
+    let t16 = pitch_delta[2] * real(7.375621211696555e-8);
+    let t17 = yaw_delta[0] * real(7.375621211696555e-8);
+    let t18 = yaw_delta[1] * real(7.375621211696555e-8);
+    let t19 = yaw_delta[2] * real(7.375621211696555e-8);
     // H_2(x_1 .. x_2)
     let H2 = Matrix::rows([[t11, t12, t13], [t14, t15, t16], [t17, t18, t19]]);
 
@@ -713,9 +720,10 @@ pub fn law<T: Real>(
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t21 = cosE1 * cosE1;
+    // 1 / cos^2 E_1
+    let sec2E1 = real(1.0) / (cosE1 * cosE1);
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t21;
+    let c1 = e1 * (s1 * sec2E1);
 
     // -- MTPN of block 1 (4) (16) --
     // P_1 = P_m(z_1), 19 nodes
@@ -746,33 +754,30 @@ pub fn law<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t22 = F1 + A_hat1;
-    let t23 = state.zeta1 * real(20.0);
+    let t21 = F1 + A_hat1;
+    let t22 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t22 - clock.y_r_dot + t23 + D_hat1 + Lam1;
-    let t24 = t8 * t9 - sin_alpha * t10;
-    let t25 = (-t10 * bracket1[1] + t8 * bracket1[2]) / t24;
-    let t26 = t24 * bracket1[0] + (t10 * t6 - t9 * t7) * bracket1[1];
-    let t27 = (t26 + (t7 * sin_alpha - t6 * t8) * bracket1[2]) / t24;
-    let t28 = (t9 * bracket1[1] + -sin_alpha * bracket1[2]) / t24;
+    let bracket1 = t21 - clock.y_r_dot + t22 + D_hat1 + Lam1;
+    let t23 = t8 * t9 - sin_alpha * t10;
+    let t24 = real(1.0) / t23;
+    let t25 = (-t10 * bracket1[1] + t8 * bracket1[2]) * t24;
+    let t26 = t23 * bracket1[0] + (t10 * t6 - t9 * t7) * bracket1[1];
+    let t27 = (t26 + (t7 * sin_alpha - t6 * t8) * bracket1[2]) * t24;
+    let t28 = (t9 * bracket1[1] + -sin_alpha * bracket1[2]) * t24;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -Vector([t25, t27, t28]);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t23;
-
-    // -- weight law of block 1 (32) (65) --
-    // W_1' = Gamma_1 (P_1 c_1 I_1 - lambda_1 W_1)
-    let W1_dot = P1.outer(c1 * real(0.1)) - state.W1 * real(0.1);
+    let zeta1_dot = G1 * state.zeta2 - t22;
 
     // -- observer dynamics of block 1 (21) (50) --
     // th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)
-    let th1_dot = -((D_hat1 + t22 + G1 * x2) * real(10.0));
+    let th1_dot = -((D_hat1 + t21 + G1 * x2) * real(10.0));
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (alpha1 - state.h1) / real(0.1);
+    let h1_dot = (alpha1 - state.h1) * real(10.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
@@ -791,8 +796,11 @@ pub fn law<T: Real>(
     // cos E_2
     let cosE2 = E2.cos();
     let t30 = cosE2 * cosE2;
+    // 1 / cos^2 E_2
+    let sec2E2 = real(1.0) / t30;
+    let t31 = s2 * sec2E2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * s2 / t30;
+    let c2 = e2 * t31;
 
     // -- MTPN of block 2 (4) (16) --
     // P_2 = P_m(z_2), 19 nodes
@@ -801,7 +809,7 @@ pub fn law<T: Real>(
     let A_hat2 = state.W2.transpose_mul(P2) * real(0.1);
 
     // -- disturbance observer of block 2 (20) (49) --
-    let t31 = Vector([
+    let t32 = Vector([
         real(-1.5) * e2[0],
         real(1.5) * e2[0],
         real(1.5) * e2[1],
@@ -810,7 +818,7 @@ pub fn law<T: Real>(
         real(4.0) * e2[2],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t31;
+    let w_hat2 = state.th2 + t32;
     // d_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([
         real(2.0) * w_hat2[1],
@@ -821,10 +829,10 @@ pub fn law<T: Real>(
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
-    let t32 = real(3.0) / t30;
-    let t33 = real(8.0) * E2_free * E2.sin() / (t30 * cosE2) + t32;
+    let t33 = real(3.0) * sec2E2;
+    let t34 = real(8.0) * E2_free * E2.sin() * (cosE2 * (sec2E2 * sec2E2)) + t33;
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = (t33 * t33 + real(2.0) * (t32 * t32)).sqrt();
+    let Ybar_norm2 = (t34 * t34 + real(2.0) * (t33 * t33)).sqrt();
     // S_2 H_2
     let SH2 = Matrix::rows([
         [real(-1.5) * t11, real(-1.5) * t12, real(-1.5) * t13],
@@ -836,9 +844,9 @@ pub fn law<T: Real>(
     ]);
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t34 = H_norm2_2 * Ybar_norm2;
+    let t35 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t34 * t34 * real(0.5) + real(12.0)
+    let Psi2 = t35 * t35 * real(0.5) + real(12.0)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
@@ -848,54 +856,51 @@ pub fn law<T: Real>(
         + e2 * real(2.0);
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(75.0);
-    let t35 = e2 * real(0.5);
     // e / (2 cos^2 E) (63)
-    let Lam2_network = t35 / t30;
-    let t36 = t35.tanh();
+    let Lam2_network = e2 * (real(0.5) * sec2E2);
+    let t36 = (e2 * real(0.5)).tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t36 * state.eps2;
     let t37 = G_norm2_1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
     let Lam2_coupling = e2 * (t37 * t37) * real(0.25) * t30;
     let t38 = s2 * s2;
-    let t39 = (t38 + real(1.0)).sqrt();
+    // 1 / sqrt(s_2^2 + varsigma_2^2)
+    let s_scale2 = real(1.0) / (t38 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t34 * state.sigma2) / t39;
-    let t40 = Psi2 / (state.phi2 * state.phi2 + t38);
+    let Lam2_noise = e2 * (t35 * state.sigma2 * s_scale2);
+    let t39 = Psi2 / (state.phi2 * state.phi2 + t38);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t40 * t30;
+    let Lam2_diffusion = e2 * t39 * t30;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
 
     // -- control (64) of block 2 --
-    let t41 = F2 + A_hat2;
-    let t42 = state.zeta2 * real(50.0);
+    let t40 = F2 + A_hat2;
+    let t41 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t41 - h1_dot + t42 + D_hat2 + Lam2;
-    let t43: Vector<T, 3> = Vector::from_f64([
-        7.375621211696555e-7,
-        7.375621211696555e-8,
-        7.375621211696555e-8,
-    ]);
-    let t44 = bracket2.quotient(t43);
+    let bracket2 = t40 - h1_dot + t41 + D_hat2 + Lam2;
+    let t42 = bracket2
+        .hadamard(Vector::<T, 3>::from_f64([1355818.0, 13558180.0, 13558180.0]));
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t44;
+    let u = -t42;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
         .min(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
+    let t43: Vector<T, 3> = Vector::from_f64([
+        7.375621211696555e-7,
+        7.375621211696555e-8,
+        7.375621211696555e-8,
+    ]);
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = t43.hadamard(u_sat + t44) - t42;
-
-    // -- weight law of block 2 (32) (65) --
-    // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
-    let W2_dot = P2.outer(c2 * real(0.1)) - state.W2 * real(0.1);
+    let zeta2_dot = t43.hadamard(u_sat + t42) - t41;
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t45 = Vector([
+    let t44 = Vector([
         real(6.0) * w_hat2[1],
         real(-3.0) * w_hat2[0] + real(-3.0) * w_hat2[1],
         real(-4.5) * w_hat2[2] + real(3.0) * w_hat2[3],
@@ -903,30 +908,30 @@ pub fn law<T: Real>(
         real(2.0) * w_hat2[4] + real(5.0) * w_hat2[5],
         real(-7.0) * w_hat2[4] + real(-4.0) * w_hat2[5],
     ]);
-    let t46 = t41 + t43.hadamard(u) - h1_dot + t42;
-    let t47 = Vector([
-        real(-1.5) * t46[0],
-        real(1.5) * t46[0],
-        real(1.5) * t46[1],
-        t46[1],
-        real(-2.0) * t46[2],
-        real(4.0) * t46[2],
+    let t45 = t40 + t43.hadamard(u) - h1_dot + t41;
+    let t46 = Vector([
+        real(-1.5) * t45[0],
+        real(1.5) * t45[0],
+        real(1.5) * t45[1],
+        t45[1],
+        real(-2.0) * t45[2],
+        real(4.0) * t45[2],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = t45 - t47;
+    let th2_dot = t44 - t46;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 / t30 * e2.dot(t36) - state.eps2);
+    let eps2_dot = real(0.1) * (t31 * e2.dot(t36) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t34 * t38 / t30 / t39 - real(0.1) * state.sigma2;
+    let sigma2_dot = t35 * t38 * sec2E2 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t40 + real(2.0);
+    let phi2_decay = t39 + real(2.0);
 
     // -- status --
     // some E_i >= pi/2 - delta
@@ -939,13 +944,14 @@ pub fn law<T: Real>(
     let h1_next = state.h1 + h1_dot * real(0.00198013266932447);
     // th1(t + dt) = th1 + Gamma th1'
     let th1_next = state.th1 + th1_dot * real(0.00198013266932447);
-    // W1(t + dt) = W1 + Gamma W1'
-    let W1_next = state.W1 + W1_dot * real(0.001999800013332667);
+    // W_1(t + dt) = (1 - Gamma Gamma_1 lambda_1) W_1 + Gamma Gamma_1 P_1 c_1 I_1
+    let W1_next = state.W1 * real(0.9998000199986667)
+        + P1.outer(c1 * real(0.00019998000133326671));
 
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
     let zeta2_next = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
-    let t48 = Vector([
+    let t47 = Vector([
         real(0.0019999760360430705) * th2_dot[0]
             + real(1.1975964129556617e-5) * th2_dot[1],
         real(-5.9879820647783075e-6) * th2_dot[0]
@@ -960,9 +966,10 @@ pub fn law<T: Real>(
             + real(0.0019919747640585435) * th2_dot[5],
     ]);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + t48;
-    // W2(t + dt) = W2 + Gamma W2'
-    let W2_next = state.W2 + W2_dot * real(0.001999800013332667);
+    let th2_next = state.th2 + t47;
+    // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
+    let W2_next = state.W2 * real(0.9998000199986667)
+        + P2.outer(c2 * real(0.00019998000133326671));
     // eps2(t + dt) = eps2 + Gamma eps2'
     let eps2_next = state.eps2 + real(0.001999800013332667) * eps2_dot;
     // sigma2(t + dt) = sigma2 + Gamma sigma2'
@@ -1005,7 +1012,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 667 additions, 912 multiplications, 56 divisions, 4 square roots, 26 elementary
+/// Operations: 553 additions, 839 multiplications, 14 divisions, 4 square roots, 29 elementary
 /// functions, 21 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: d2a065f0dd3842714d83966ae6cc973ee3f1574af716948647e5b8b6552b7974
+// SHA-256 of the text below: 6ddd5fa3f6ae6b75bc4fdf2e1b155d56e163531932e528eef3ee8e9a44824f76
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// lyapunov: 1962 additions, 2342 multiplications, 125 divisions, 3 square roots, 32 elementary functions, 32 comparisons and selections
+// lyapunov: 1960 additions, 2408 multiplications, 47 divisions, 3 square roots, 34 elementary functions, 32 comparisons and selections
 
 //! `nsv_attitude`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -12,7 +12,7 @@
 use super::controller::State;
 use super::params::Params;
 use super::polynomials;
-use core::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
+use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::Real;
@@ -29,7 +29,7 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 1962 additions, 2342 multiplications, 125 divisions, 3 square roots, 32
+/// Operations: 1960 additions, 2408 multiplications, 47 divisions, 3 square roots, 34
 /// elementary functions, 32 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
@@ -45,7 +45,7 @@ pub fn lyapunov<T: Real>(
 
     // -- plant model --
     let alpha = x1[0];
-    let alpha_deg = alpha / real(0.017453292519943295);
+    let alpha_deg = alpha * real(57.29577951308232);
     let t1 = real(97170193.3485195) * params.CL_scale;
     let at_alpha_deg_2 = polynomials::at_alpha_deg_2_2(alpha_deg);
     let t2 = at_alpha_deg_2.CL_alpha + at_alpha_deg_2.CL_LE + at_alpha_deg_2.CL_RE;
@@ -61,15 +61,18 @@ pub fn lyapunov<T: Real>(
     let p = x2[0];
     let t5 = real(1777048495.9577248) * params.Cl_scale;
     let t6 = at_alpha_deg_2.Cl_beta * beta + at_alpha_deg_2.Cl_LE + at_alpha_deg_2.Cl_RE
-        + at_alpha_deg_2.Cl_RUD + at_alpha_deg_2.Cl_p * p * real(18.288) / real(6000.0);
-    let t7 = t6 + at_alpha_deg_2.Cl_r * r * real(18.288) / real(6000.0);
+        + at_alpha_deg_2.Cl_RUD
+        + at_alpha_deg_2.Cl_p * p * real(18.288) * real(0.00016666666666666666);
+    let t7 = t6 + at_alpha_deg_2.Cl_r * r * real(18.288) * real(0.00016666666666666666);
     let roll = t5 * t7;
     let t8 = at_alpha_deg_2.Cm_alpha + at_alpha_deg_2.Cm_LE + at_alpha_deg_2.Cm_RE
-        + at_alpha_deg_2.Cm_RUD + at_alpha_deg_2.Cm_q * q * real(24.384) / real(6000.0);
+        + at_alpha_deg_2.Cm_RUD
+        + at_alpha_deg_2.Cm_q * q * real(24.384) * real(0.00016666666666666666);
     let pitch = real(2369397994.6102996) * params.Cm_scale * t8;
     let t9 = at_alpha_deg_2.Cn_beta * beta + at_alpha_deg_2.Cn_LE + at_alpha_deg_2.Cn_RE
-        + at_alpha_deg_2.Cn_RUD + at_alpha_deg_2.Cn_p * p * real(18.288) / real(6000.0);
-    let t10 = t9 + at_alpha_deg_2.Cn_r * r * real(18.288) / real(6000.0);
+        + at_alpha_deg_2.Cn_RUD
+        + at_alpha_deg_2.Cn_p * p * real(18.288) * real(0.00016666666666666666);
+    let t10 = t9 + at_alpha_deg_2.Cn_r * r * real(18.288) * real(0.00016666666666666666);
     let yaw = real(1777048495.9577248) * params.Cn_scale * t10;
     let dCl = Vector([
         at_alpha_deg_2.Cl_LE_d3,
@@ -94,91 +97,91 @@ pub fn lyapunov<T: Real>(
     let t13 = real(410460000.0) * cos_beta;
     let t14 = (t12 - lift) / t13;
     let t15 = real(1332506.5352200002) * sin_mu;
-    let t16 = beta.tan();
-    let t17 = t12 * t16;
+    let [_, _, tan_beta] = t11.tan().0;
+    let t16 = t12 * tan_beta;
     // F_1(x_1 .. x_1)
     let F1 = Vector([
         t14,
-        (side + t15) / real(410460000.0),
-        (lift * t16 - t17) / real(410460000.0),
+        (side + t15) * real(2.4362909905959168e-9),
+        (lift * tan_beta - t16) * real(2.4362909905959168e-9),
     ]);
-    let t18 = -t16;
-    let t19 = t18 * cos_alpha;
-    let t20 = t18 * sin_alpha;
-    let t21 = -cos_alpha;
-    let t22 = cos_alpha / cos_beta;
-    let t23 = sin_alpha / cos_beta;
+    let t17 = -tan_beta;
+    let t18 = t17 * cos_alpha;
+    let t19 = t17 * sin_alpha;
+    let t20 = -cos_alpha;
+    let t21 = cos_alpha / cos_beta;
+    let t22 = sin_alpha / cos_beta;
     // G_1(x_1 .. x_1)
     let G1 = Matrix::rows([
-        [t19, real(1.0), t20],
-        [sin_alpha, real(0.0), t21],
-        [t22, real(0.0), t23],
+        [t18, real(1.0), t19],
+        [sin_alpha, real(0.0), t20],
+        [t21, real(0.0), t22],
     ]);
 
     // -- known dynamics of block 2 (rates) (11) --
-    let t24 = real(12202362.0) * p * r;
-    let t25 = real(-12202362.0) * p * q;
+    let t23 = real(12202362.0) * p * r;
+    let t24 = real(-12202362.0) * p * q;
     // F_2(x_1 .. x_2)
     let F2 = Vector([
-        roll / real(1355818.0),
-        (t24 + pitch) / real(13558180.0),
-        (t25 + yaw) / real(13558180.0),
+        roll * real(7.375621211696555e-7),
+        (t23 + pitch) * real(7.375621211696555e-8),
+        (t24 + yaw) * real(7.375621211696555e-8),
     ]);
-    let t26 = roll_delta[0] / real(1355818.0);
-    let t27 = roll_delta[1] / real(1355818.0);
-    let t28 = roll_delta[2] / real(1355818.0);
-    let t29 = pitch_delta[0] / real(13558180.0);
-    let t30 = pitch_delta[1] / real(13558180.0);
-    let t31 = pitch_delta[2] / real(13558180.0);
-    let t32 = yaw_delta[0] / real(13558180.0);
-    let t33 = yaw_delta[1] / real(13558180.0);
-    let t34 = yaw_delta[2] / real(13558180.0);
+    let t25 = roll_delta[0] * real(7.375621211696555e-7);
+    let t26 = roll_delta[1] * real(7.375621211696555e-7);
+    let t27 = roll_delta[2] * real(7.375621211696555e-7);
+    let t28 = pitch_delta[0] * real(7.375621211696555e-8);
+    let t29 = pitch_delta[1] * real(7.375621211696555e-8);
+    let t30 = pitch_delta[2] * real(7.375621211696555e-8);
+    let t31 = yaw_delta[0] * real(7.375621211696555e-8);
+    let t32 = yaw_delta[1] * real(7.375621211696555e-8);
+    let t33 = yaw_delta[2] * real(7.375621211696555e-8);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix::rows([[t26, t27, t28], [t29, t30, t31], [t32, t33, t34]]);
+    let H2 = Matrix::rows([[t25, t26, t27], [t28, t29, t30], [t31, t32, t33]]);
 
     // -- reference and constraints --
-    let t35 = t.le(real(4.0));
-    let t36 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
-    let t37 = real(2.0) * t;
-    let t38 = real(0.5) * t;
-    let t39 = real(0.9424777960769379) * t;
-    let t40 = Vector([t, t36, t39, t38, t37]);
-    let [sin_t, sin_t36, sin_t39, sin_t38, sin_t37] = t40.sin().0;
-    let [cos_t, cos_t36, cos_t39, cos_t38, cos_t37] = t40.cos().0;
-    let t41 = real(0.5) * cos_t38;
+    let t34 = t.le(real(4.0));
+    let t35 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
+    let t36 = real(2.0) * t;
+    let t37 = real(0.5) * t;
+    let t38 = real(0.9424777960769379) * t;
+    let t39 = Vector([t, t35, t38, t37, t36]);
+    let [sin_t, sin_t35, sin_t38, sin_t37, sin_t36] = t39.sin().0;
+    let [cos_t, cos_t35, cos_t38, cos_t37, cos_t36] = t39.cos().0;
+    let t40 = real(0.5) * cos_t37;
     // y_r(t)
     let y_r = Vector([
         T::select(
-            t35,
-            (real(2.5) * sin_t36 + real(1.5)) * real(0.017453292519943295),
+            t34,
+            (real(2.5) * sin_t35 + real(1.5)) * real(0.017453292519943295),
             real(0.06981317007977318),
         ),
-        real(0.5) * sin_t39 * real(0.017453292519943295),
-        (real(-2.0) * sin_t + t41) * real(0.017453292519943295),
+        real(0.5) * sin_t38 * real(0.017453292519943295),
+        (real(-2.0) * sin_t + t40) * real(0.017453292519943295),
     ]);
     // y_r'
     let y_r_dot = Vector([
         T::select(
-            t35,
-            real(0.017453292519943295) * (real(2.5) * (cos_t36 * real(FRAC_PI_4))),
+            t34,
+            real(0.017453292519943295) * (real(2.5) * (cos_t35 * real(FRAC_PI_4))),
             real(0.0),
         ),
-        real(0.017453292519943295) * (real(0.5) * (cos_t39 * real(0.9424777960769379))),
+        real(0.017453292519943295) * (real(0.5) * (cos_t38 * real(0.9424777960769379))),
         real(0.017453292519943295)
-            * (real(-2.0) * cos_t - real(0.5) * (sin_t38 * real(0.5))),
+            * (real(-2.0) * cos_t - real(0.5) * (sin_t37 * real(0.5))),
     ]);
-    let t42 = -t;
-    let t43 = real(-0.1) * t;
-    let [exp_t42, exp_t43] = Vector([t42, t43]).exp().0;
-    let t44 = real(3.0) * exp_t42;
+    let t41 = -t;
+    let t42 = real(-0.1) * t;
+    let [exp_t41, exp_t42] = Vector([t41, t42]).exp().0;
+    let t43 = real(3.0) * exp_t41;
     // k_2(t)
-    let k2 = t44 + real(0.5);
+    let k2 = t43 + real(0.5);
     // k_1(t)
     let k1 = k2 * real(0.017453292519943295);
     // k1'
-    let k1_dot = -(real(0.017453292519943295) * t44);
+    let k1_dot = -(real(0.017453292519943295) * t43);
     // k2'
-    let k2_dot = -t44;
+    let k2_dot = -t43;
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -187,17 +190,20 @@ pub fn lyapunov<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t45 = k1 * k1;
-    let t46 = s1 / t45;
+    let t44 = k1 * k1;
+    let t45 = s1 / t44;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t46 * t46);
+    let E1_free = real(FRAC_PI_2) * (t45 * t45);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t47 = cosE1 * cosE1;
+    let t46 = cosE1 * cosE1;
+    // 1 / cos^2 E_1
+    let sec2E1 = real(1.0) / t46;
+    let t47 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t47;
+    let c1 = e1 * t47;
 
     // -- MTPN of block 1 (4) (16) --
     // P_1 = P_m(z_1), 19 nodes
@@ -234,17 +240,18 @@ pub fn lyapunov<T: Real>(
     let t53 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = t52 - y_r_dot + t53 + D_hat1 + Lam1;
-    let t54 = -t23;
-    let t55 = t21 * t22 - sin_alpha * t23;
-    let t56 = t23 * t19 - t22 * t20;
-    let t57 = t20 * sin_alpha - t19 * t21;
+    let t54 = -t22;
+    let t55 = t20 * t21 - sin_alpha * t22;
+    let t56 = t22 * t18 - t21 * t19;
+    let t57 = t19 * sin_alpha - t18 * t20;
     let t58 = -sin_alpha;
-    let t59 = (t54 * bracket1[1] + t21 * bracket1[2]) / t55;
-    let t60 = (t55 * bracket1[0] + t56 * bracket1[1] + t57 * bracket1[2]) / t55;
-    let t61 = (t22 * bracket1[1] + t58 * bracket1[2]) / t55;
-    let t62 = Vector([t59, t60, t61]);
+    let t59 = real(1.0) / t55;
+    let t60 = (t54 * bracket1[1] + t20 * bracket1[2]) * t59;
+    let t61 = (t55 * bracket1[0] + t56 * bracket1[1] + t57 * bracket1[2]) * t59;
+    let t62 = (t21 * bracket1[1] + t58 * bracket1[2]) * t59;
+    let t63 = Vector([t60, t61, t62]);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t62;
+    let alpha1 = -t63;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
@@ -256,7 +263,7 @@ pub fn lyapunov<T: Real>(
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (alpha1 - state.h1) / real(0.1);
+    let h1_dot = (alpha1 - state.h1) * real(10.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
@@ -265,27 +272,30 @@ pub fn lyapunov<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t63 = k2 * k2;
-    let t64 = s2 / t63;
+    let t64 = k2 * k2;
+    let t65 = s2 / t64;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t64 * t64);
+    let E2_free = real(FRAC_PI_2) * (t65 * t65);
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
     // cos E_2
     let cosE2 = E2.cos();
-    let t65 = cosE2 * cosE2;
+    let t66 = cosE2 * cosE2;
+    // 1 / cos^2 E_2
+    let sec2E2 = real(1.0) / t66;
+    let t67 = s2 * sec2E2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * s2 / t65;
+    let c2 = e2 * t67;
 
     // -- MTPN of block 2 (4) (16) --
     // P_2 = P_m(z_2), 19 nodes
     let P2 = polynomials::basis2(x2);
-    let t66 = state.W2.transpose();
+    let t68 = state.W2.transpose();
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = t66 * P2 * real(0.1);
+    let A_hat2 = t68 * P2 * real(0.1);
 
     // -- disturbance observer of block 2 (20) (49) --
-    let t67 = Vector([
+    let t69 = Vector([
         real(-1.5) * e2[0],
         real(1.5) * e2[0],
         real(1.5) * e2[1],
@@ -294,7 +304,7 @@ pub fn lyapunov<T: Real>(
         real(4.0) * e2[2],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t67;
+    let w_hat2 = state.th2 + t69;
     // d_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([
         real(2.0) * w_hat2[1],
@@ -305,25 +315,25 @@ pub fn lyapunov<T: Real>(
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
-    let t68 = E2.sin();
-    let t69 = real(3.0) / t65;
-    let t70 = real(8.0) * E2_free * t68 / (t65 * cosE2) + t69;
+    let t70 = E2.sin();
+    let t71 = real(3.0) * sec2E2;
+    let t72 = real(8.0) * E2_free * t70 * (cosE2 * (sec2E2 * sec2E2)) + t71;
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = (t70 * t70 + real(2.0) * (t69 * t69)).sqrt();
+    let Ybar_norm2 = (t72 * t72 + real(2.0) * (t71 * t71)).sqrt();
     // S_2 H_2
     let SH2 = Matrix::rows([
-        [real(-1.5) * t26, real(-1.5) * t27, real(-1.5) * t28],
-        [real(1.5) * t26, real(1.5) * t27, real(1.5) * t28],
-        [real(1.5) * t29, real(1.5) * t30, real(1.5) * t31],
-        [t29, t30, t31],
-        [real(-2.0) * t32, real(-2.0) * t33, real(-2.0) * t34],
-        [real(4.0) * t32, real(4.0) * t33, real(4.0) * t34],
+        [real(-1.5) * t25, real(-1.5) * t26, real(-1.5) * t27],
+        [real(1.5) * t25, real(1.5) * t26, real(1.5) * t27],
+        [real(1.5) * t28, real(1.5) * t29, real(1.5) * t30],
+        [t28, t29, t30],
+        [real(-2.0) * t31, real(-2.0) * t32, real(-2.0) * t33],
+        [real(4.0) * t31, real(4.0) * t32, real(4.0) * t33],
     ]);
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t71 = H_norm2_2 * Ybar_norm2;
+    let t73 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t71 * t71 * real(0.5) + real(12.0)
+    let Psi2 = t73 * t73 * real(0.5) + real(12.0)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
@@ -333,23 +343,23 @@ pub fn lyapunov<T: Real>(
         + e2 * real(2.0);
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(75.0);
-    let t72 = e2 * real(0.5);
     // e / (2 cos^2 E) (63)
-    let Lam2_network = t72 / t65;
-    let t73 = t72.tanh();
+    let Lam2_network = e2 * (real(0.5) * sec2E2);
+    let t74 = (e2 * real(0.5)).tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t73 * state.eps2;
-    let t74 = G_norm2_1 * s_c1;
+    let Lam2_error_bound = t74 * state.eps2;
+    let t75 = G_norm2_1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t74 * t74) * real(0.25) * t65;
-    let t75 = s2 * s2;
-    let t76 = (t75 + real(1.0)).sqrt();
+    let Lam2_coupling = e2 * (t75 * t75) * real(0.25) * t66;
+    let t76 = s2 * s2;
+    // 1 / sqrt(s_2^2 + varsigma_2^2)
+    let s_scale2 = real(1.0) / (t76 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t71 * state.sigma2) / t76;
+    let Lam2_noise = e2 * (t73 * state.sigma2 * s_scale2);
     let t77 = state.phi2 * state.phi2;
-    let t78 = Psi2 / (t77 + t75);
+    let t78 = Psi2 / (t77 + t76);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t78 * t65;
+    let Lam2_diffusion = e2 * t78 * t66;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
@@ -359,22 +369,23 @@ pub fn lyapunov<T: Real>(
     let t80 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
     let bracket2 = t79 - h1_dot + t80 + D_hat2 + Lam2;
-    let t81: Vector<T, 3> = Vector::from_f64([
-        7.375621211696555e-7,
-        7.375621211696555e-8,
-        7.375621211696555e-8,
-    ]);
-    let t82 = bracket2.quotient(t81);
+    let t81 = bracket2
+        .hadamard(Vector::<T, 3>::from_f64([1355818.0, 13558180.0, 13558180.0]));
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t82;
+    let u = -t81;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
         .min(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
+    let t82: Vector<T, 3> = Vector::from_f64([
+        7.375621211696555e-7,
+        7.375621211696555e-8,
+        7.375621211696555e-8,
+    ]);
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = t81.hadamard(u_sat + t82) - t80;
+    let zeta2_dot = t82.hadamard(u_sat + t81) - t80;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
@@ -389,7 +400,7 @@ pub fn lyapunov<T: Real>(
         real(2.0) * w_hat2[4] + real(5.0) * w_hat2[5],
         real(-7.0) * w_hat2[4] + real(-4.0) * w_hat2[5],
     ]);
-    let t84 = t79 + t81.hadamard(u) - h1_dot + t80;
+    let t84 = t79 + t82.hadamard(u) - h1_dot + t80;
     let t85 = Vector([
         real(-1.5) * t84[0],
         real(1.5) * t84[0],
@@ -403,12 +414,12 @@ pub fn lyapunov<T: Real>(
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 / t65 * e2.dot(t73) - state.eps2);
+    let eps2_dot = real(0.1) * (t67 * e2.dot(t74) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t71 * t75 / t65 / t76 - real(0.1) * state.sigma2;
+    let sigma2_dot = t73 * t76 * sec2E2 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
@@ -428,14 +439,14 @@ pub fn lyapunov<T: Real>(
     // F_1 with the plant's parameters
     let F1_plant = Vector([
         t88,
-        (t89 * t4 + t15) / real(410460000.0),
-        (t87 * t16 - t17) / real(410460000.0),
+        (t89 * t4 + t15) * real(2.4362909905959168e-9),
+        (t87 * tan_beta - t16) * real(2.4362909905959168e-9),
     ]);
-    let t90 = real(0.02) * sin_t37;
-    let t91 = t90 * exp_t43;
+    let t90 = real(0.02) * sin_t36;
+    let t91 = t90 * exp_t42;
     let t92 = real(0.02) * sin_t;
     // d_1(t)
-    let d1 = Vector([t91, t92 * exp_t43, t91]);
+    let d1 = Vector([t91, t92 * exp_t42, t91]);
     let t93 = G1 * x2;
     // F_1 + G_1 x_2 + d_1
     let x1_flow = F1_plant + t93 + d1;
@@ -444,9 +455,11 @@ pub fn lyapunov<T: Real>(
     let t94 = real(1777048495.9577248) * plant.Cl_scale;
     // F_2 with the plant's parameters
     let F2_plant = Vector([
-        t94 * t7 / real(1355818.0),
-        (t24 + real(2369397994.6102996) * plant.Cm_scale * t8) / real(13558180.0),
-        (t25 + real(1777048495.9577248) * plant.Cn_scale * t10) / real(13558180.0),
+        t94 * t7 * real(7.375621211696555e-7),
+        (t23 + real(2369397994.6102996) * plant.Cm_scale * t8)
+            * real(7.375621211696555e-8),
+        (t24 + real(1777048495.9577248) * plant.Cn_scale * t10)
+            * real(7.375621211696555e-8),
     ]);
     // d_2 = L_2 w_2 (12)
     let d2 = Vector([real(2.0) * w2[1], real(3.0) * w2[2], w2[4] + w2[5]]);
@@ -460,24 +473,32 @@ pub fn lyapunov<T: Real>(
         real(-3.0) * w2[4],
     ]);
     // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + t81.hadamard(u_sat) + d2;
+    let x2_flow = F2_plant + t82.hadamard(u_sat) + d2;
     let t95 = dCl * t94;
     let t96 = dCm * (real(24.384) * plant.Cm_scale) * real(97170193.3485195);
     let t97 = dCn * (real(18.288) * plant.Cn_scale) * real(97170193.3485195);
     let t98 = Matrix::rows([
-        [t95[0] / real(1355818.0), t95[1] / real(1355818.0), t95[2] / real(1355818.0)],
         [
-            t96[0] / real(13558180.0),
-            t96[1] / real(13558180.0),
-            t96[2] / real(13558180.0),
+            t95[0] * real(7.375621211696555e-7),
+            t95[1] * real(7.375621211696555e-7),
+            t95[2] * real(7.375621211696555e-7),
         ],
-        [t97[0] / real(13558180.0), t97[1] / real(13558180.0), t97[2] / real(13558180.0)],
+        [
+            t96[0] * real(7.375621211696555e-8),
+            t96[1] * real(7.375621211696555e-8),
+            t96[2] * real(7.375621211696555e-8),
+        ],
+        [
+            t97[0] * real(7.375621211696555e-8),
+            t97[1] * real(7.375621211696555e-8),
+            t97[2] * real(7.375621211696555e-8),
+        ],
     ]);
     // H_2 Sigma_2
     let HSigma2 = t98 * real(0.05);
 
     // -- Lyapunov function of block 1 (23) (52) --
-    let t99 = t45 * t45 / real(TAU);
+    let t99 = t44 * t44 * real(0.15915494309189535);
     let t100 = E1.tan();
     // k_1^4/(2 pi) tan E_1
     let V_T1 = t99 * t100;
@@ -493,16 +514,16 @@ pub fn lyapunov<T: Real>(
     // 1/2 ||zeta_1||^2
     let V_zeta1 = state.zeta1.sum_squares() * real(0.5);
     // chi_1 = h_1 - alpha_1 (34)
-    let chi1 = state.h1 + t62;
+    let chi1 = state.h1 + t63;
     // 1/2 ||chi_1||^2
     let V_chi1 = chi1.sum_squares() * real(0.5);
 
     // -- Lyapunov function of block 2 (23) (52) --
-    let t102 = t63 * t63 / real(TAU);
+    let t102 = t64 * t64 * real(0.15915494309189535);
     let t103 = E2.tan();
     // k_2^4/(2 pi) tan E_2
     let V_T2 = t102 * t103;
-    let t104 = t66 * state.W2;
+    let t104 = t68 * state.W2;
     // tr(W_2^T W_2)/(2 Gamma_2)
     let V_W2 = (t104[(0, 0)] + t104[(1, 1)] + t104[(2, 2)]) * real(0.5);
     // w_2 - w_hat_2
@@ -512,7 +533,7 @@ pub fn lyapunov<T: Real>(
     // 1/2 ||zeta_2||^2
     let V_zeta2 = state.zeta2.sum_squares() * real(0.5);
     // eps_hat_2^2/(2 iota_20)
-    let V_eps2 = state.eps2 * state.eps2 / real(0.2);
+    let V_eps2 = state.eps2 * state.eps2 * real(5.0);
     let t105 = real(0.0075000000000000015) - state.sigma2;
     // (sigma_bar_2 - sigma_hat_2)^2/(2 taubar_2)
     let V_sigma2 = t105 * t105 * real(0.5);
@@ -536,7 +557,7 @@ pub fn lyapunov<T: Real>(
     let t107 = e1_flow.dot(e1);
     // s1' along the flow
     let s1_flow = t107 + t107;
-    let t108 = (t46 + t46) * (s1_flow / t45 - t46 / t45 * ((k1 + k1) * k1_dot));
+    let t108 = (t45 + t45) * (s1_flow / t44 - t45 / t44 * ((k1 + k1) * k1_dot));
     // E1_free' along the flow
     let E1_free_flow = real(FRAC_PI_2) * t108;
     // E1' along the flow
@@ -546,20 +567,20 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t100 * (real(4.0) * (t45 * k1) * k1_dot / real(TAU))
-        + t99 * (E1_flow / t47);
+    let V_T1_flow = t100 * (real(4.0) * (t44 * k1) * k1_dot * real(0.15915494309189535))
+        + t99 * (E1_flow / t46);
     let t109 = W1_dot.transpose();
     let t110 = t109 * state.W1 + t48 * W1_dot;
     // V_W1' along the flow
     let V_W1_flow = (t110[(0, 0)] + t110[(1, 1)] + t110[(2, 2)]) * real(0.5);
-    let t111 = exp_t43 * real(-0.1);
-    let t112 = exp_t43 * (real(0.02) * (cos_t37 * real(2.0))) + t90 * t111;
+    let t111 = exp_t42 * real(-0.1);
+    let t112 = exp_t42 * (real(0.02) * (cos_t36 * real(2.0))) + t90 * t111;
     // d1'
-    let d1_dot = Vector([t112, exp_t43 * (real(0.02) * cos_t) + t92 * t111, t112]);
+    let d1_dot = Vector([t112, exp_t42 * (real(0.02) * cos_t) + t92 * t111, t112]);
     let t113 = sin_beta * x1_flow[1];
     let t114 = real(410460000.0) * t113;
     let t115 = real(1332506.5352200002) * (sin_mu * x1_flow[2]);
-    let t116 = x1_flow[0] / real(0.017453292519943295);
+    let t116 = x1_flow[0] * real(57.29577951308232);
     let t117 = real(0.0001485745427349122) * t116;
     let t118 = at_alpha_deg_2.CL_alpha_d1 * t116 + t117 + t117;
     let t119 = t86 * t118;
@@ -569,19 +590,19 @@ pub fn lyapunov<T: Real>(
     let t121 = t120 + real(4.86e-20) * t116;
     let t122 = real(1332506.5352200002) * (cos_mu * x1_flow[2]);
     let t123 = x1_flow[1] / (cos_beta * cos_beta);
-    let t124 = t12 * t123 - t16 * t115;
+    let t124 = t12 * t123 - tan_beta * t115;
     // F1_plant' along the flow
     let F1_plant_flow = Vector([
         t88 / t13 * t114 - (t115 + t119) / t13,
-        (t89 * t121 + t122) / real(410460000.0),
-        (t16 * t119 + t87 * t123 - t124) / real(410460000.0),
+        (t89 * t121 + t122) * real(2.4362909905959168e-9),
+        (tan_beta * t119 + t87 * t123 - t124) * real(2.4362909905959168e-9),
     ]);
     let t125 = t1 * t118;
     // F1' along the flow
     let F1_flow = Vector([
         t14 / t13 * t114 - (t115 + t125) / t13,
-        (t3 * t121 + t122) / real(410460000.0),
-        (t16 * t125 + lift * t123 - t124) / real(410460000.0),
+        (t3 * t121 + t122) * real(2.4362909905959168e-9),
+        (tan_beta * t125 + lift * t123 - t124) * real(2.4362909905959168e-9),
     ]);
     // D1' along the flow
     let D1_flow = d1_dot + (F1_plant_flow - F1_flow);
@@ -596,11 +617,11 @@ pub fn lyapunov<T: Real>(
     // V_zeta1' along the flow
     let V_zeta1_flow = (t127 + t127) * real(0.5);
     let t128 = sin_alpha * x1_flow[0];
-    let t129 = -(cos_alpha * t123 - t16 * t128);
+    let t129 = -(cos_alpha * t123 - tan_beta * t128);
     let t130 = cos_alpha * x1_flow[0];
-    let t131 = -(sin_alpha * t123 + t16 * t130);
-    let t132 = t22 / cos_beta * t113 - t128 / cos_beta;
-    let t133 = t130 / cos_beta + t23 / cos_beta * t113;
+    let t131 = -(sin_alpha * t123 + tan_beta * t130);
+    let t132 = t21 / cos_beta * t113 - t128 / cos_beta;
+    let t133 = t130 / cos_beta + t22 / cos_beta * t113;
     // G1' along the flow
     let G1_flow = Matrix::rows([
         [t129, real(0.0), t131],
@@ -614,16 +635,16 @@ pub fn lyapunov<T: Real>(
     // y_r''
     let y_r_dot2 = Vector([
         T::select(
-            t35,
+            t34,
             real(0.017453292519943295)
-                * (real(2.5) * -(real(FRAC_PI_4) * (sin_t36 * real(FRAC_PI_4)))),
+                * (real(2.5) * -(real(FRAC_PI_4) * (sin_t35 * real(FRAC_PI_4)))),
             real(0.0),
         ),
         real(0.017453292519943295)
             * (real(0.5)
-                * -(real(0.9424777960769379) * (sin_t39 * real(0.9424777960769379)))),
+                * -(real(0.9424777960769379) * (sin_t38 * real(0.9424777960769379)))),
         real(0.017453292519943295)
-            * (real(-2.0) * -sin_t - real(0.5) * (real(0.5) * t41)),
+            * (real(-2.0) * -sin_t - real(0.5) * (real(0.5) * t40)),
     ]);
     let t134 = real(1.0).lt(t50);
     let t135 = T::select(t134, real(1.0), t50);
@@ -641,22 +662,16 @@ pub fn lyapunov<T: Real>(
     ]);
     // cosE1' along the flow
     let cosE1_flow = -(E1.sin() * E1_flow);
-    let t138 = (cosE1 + cosE1) * cosE1_flow;
-    let t139 = s1 * e1[0] / t47 / t47 * t138;
-    let t140 = s1 * e1[1] / t47 / t47 * t138;
-    let t141 = s1 * e1[2] / t47 / t47 * t138;
+    // sec2E1' along the flow
+    let sec2E1_flow = -(sec2E1 / t46 * ((cosE1 + cosE1) * cosE1_flow));
     // c1' along the flow
-    let c1_flow = Vector([
-        (e1[0] * s1_flow + s1 * e1_flow[0]) / t47 - t139,
-        (e1[1] * s1_flow + s1 * e1_flow[1]) / t47 - t140,
-        (e1[2] * s1_flow + s1 * e1_flow[2]) / t47 - t141,
-    ]);
+    let c1_flow = e1 * (s1_flow * sec2E1 + s1 * sec2E1_flow) + e1_flow * t47;
     // Lam1_disturbance' along the flow
     let Lam1_disturbance_flow = c1_flow * real(0.5);
-    let t142 = (t19 + t19) * t129 + (t20 + t20) * t131 + (sin_alpha + sin_alpha) * t130;
-    let t143 = t142 + (t21 - cos_alpha) * t128 + (t22 + t22) * t132;
+    let t138 = (t18 + t18) * t129 + (t19 + t19) * t131 + (sin_alpha + sin_alpha) * t130;
+    let t139 = t138 + (t20 - cos_alpha) * t128 + (t21 + t21) * t132;
     // G_norm2_1' along the flow
-    let G_norm2_1_flow = t143 + (t23 + t23) * t133;
+    let G_norm2_1_flow = t139 + (t22 + t22) * t133;
     // Lam1_filter' along the flow
     let Lam1_filter_flow = c1 * (real(0.5) * G_norm2_1_flow) + c1_flow * t51;
     // Lam1' along the flow
@@ -664,36 +679,36 @@ pub fn lyapunov<T: Real>(
     // bracket1' along the flow
     let bracket1_flow = F1_flow + A_hat1_flow - y_r_dot2 + zeta1_dot * real(20.0)
         + D_hat1_flow + Lam1_flow;
-    let t144 = bracket1_flow - G1_flow * t62;
-    let t145 = Vector([
-        (t54 * t144[1] + t21 * t144[2]) / t55,
-        (t55 * t144[0] + t56 * t144[1] + t57 * t144[2]) / t55,
-        (t22 * t144[1] + t58 * t144[2]) / t55,
+    let t140 = bracket1_flow - G1_flow * t63;
+    let t141 = Vector([
+        (t54 * t140[1] + t20 * t140[2]) * t59,
+        (t55 * t140[0] + t56 * t140[1] + t57 * t140[2]) * t59,
+        (t21 * t140[1] + t58 * t140[2]) * t59,
     ]);
     // chi1' along the flow
-    let chi1_flow = h1_dot + t145;
-    let t146 = chi1_flow.dot(chi1);
+    let chi1_flow = h1_dot + t141;
+    let t142 = chi1_flow.dot(chi1);
     // V_chi1' along the flow
-    let V_chi1_flow = (t146 + t146) * real(0.5);
+    let V_chi1_flow = (t142 + t142) * real(0.5);
     // e2' along the flow
     let e2_flow = x2_flow - h1_dot - zeta2_dot;
-    let t147 = e2_flow.dot(e2);
+    let t143 = e2_flow.dot(e2);
     // s2' along the flow
-    let s2_flow = t147 + t147;
-    let t148 = t64 + t64;
+    let s2_flow = t143 + t143;
+    let t144 = t65 + t65;
     // E2_free' along the flow
     let E2_free_flow = real(FRAC_PI_2)
-        * (t148 * (s2_flow / t63 - t64 / t63 * ((k2 + k2) * k2_dot)));
-    let t149 = E2_free.lt(real(1.5697963267948967));
+        * (t144 * (s2_flow / t64 - t65 / t64 * ((k2 + k2) * k2_dot)));
+    let t145 = E2_free.lt(real(1.5697963267948967));
     // E2' along the flow
-    let E2_flow = T::select(t149, E2_free_flow, real(0.0));
+    let E2_flow = T::select(t145, E2_free_flow, real(0.0));
     // V_T2' along the flow
-    let V_T2_flow = t103 * (real(4.0) * (t63 * k2) * k2_dot / real(TAU))
-        + t102 * (E2_flow / t65);
-    let t150 = W2_dot.transpose() * state.W2 + t66 * W2_dot;
+    let V_T2_flow = t103 * (real(4.0) * (t64 * k2) * k2_dot * real(0.15915494309189535))
+        + t102 * (E2_flow / t66);
+    let t146 = W2_dot.transpose() * state.W2 + t68 * W2_dot;
     // V_W2' along the flow
-    let V_W2_flow = (t150[(0, 0)] + t150[(1, 1)] + t150[(2, 2)]) * real(0.5);
-    let t151 = Vector([
+    let V_W2_flow = (t146[(0, 0)] + t146[(1, 1)] + t146[(2, 2)]) * real(0.5);
+    let t147 = Vector([
         real(-1.5) * e2_flow[0],
         real(1.5) * e2_flow[0],
         real(1.5) * e2_flow[1],
@@ -702,44 +717,44 @@ pub fn lyapunov<T: Real>(
         real(4.0) * e2_flow[2],
     ]);
     // w_hat2' along the flow
-    let w_hat2_flow = th2_dot + t151;
+    let w_hat2_flow = th2_dot + t147;
     // w_error2' along the flow
     let w_error2_flow = w2_flow - w_hat2_flow;
-    let t152 = w_error2_flow.dot(w_error2);
+    let t148 = w_error2_flow.dot(w_error2);
     // V_D2' along the flow
-    let V_D2_flow = (t152 + t152) * real(0.5);
-    let t153 = zeta2_dot.dot(state.zeta2);
+    let V_D2_flow = (t148 + t148) * real(0.5);
+    let t149 = zeta2_dot.dot(state.zeta2);
     // V_zeta2' along the flow
-    let V_zeta2_flow = (t153 + t153) * real(0.5);
-    let t154 = eps2_dot * state.eps2;
+    let V_zeta2_flow = (t149 + t149) * real(0.5);
+    let t150 = eps2_dot * state.eps2;
     // V_eps2' along the flow
-    let V_eps2_flow = (t154 + t154) / real(0.2);
-    let t155 = -sigma2_dot * t105;
+    let V_eps2_flow = (t150 + t150) * real(5.0);
+    let t151 = -sigma2_dot * t105;
     // V_sigma2' along the flow
-    let V_sigma2_flow = (t155 + t155) * real(0.5);
-    let t156 = phi2_dot * state.phi2;
+    let V_sigma2_flow = (t151 + t151) * real(0.5);
+    let t152 = phi2_dot * state.phi2;
     // V_phi2' along the flow
-    let V_phi2_flow = (t156 + t156) * real(0.5);
-    let t157 = HSigma2_1.dot(e2);
+    let V_phi2_flow = (t152 + t152) * real(0.5);
+    let t153 = HSigma2_1.dot(e2);
     // D^1 s2 along noise1
-    let s2_noise1_ = t157 + t157;
-    let t158 = s2_noise1_ / t63;
+    let s2_noise1_ = t153 + t153;
+    let t154 = s2_noise1_ / t64;
     // D^1 E2_free along noise1
-    let E2_free_noise1_ = real(FRAC_PI_2) * (t148 * t158);
+    let E2_free_noise1_ = real(FRAC_PI_2) * (t144 * t154);
     // D^1 E2 along noise1
-    let E2_noise1_ = T::select(t149, E2_free_noise1_, real(0.0));
-    let t159 = HSigma2_1.sum_squares();
+    let E2_noise1_ = T::select(t145, E2_free_noise1_, real(0.0));
+    let t155 = HSigma2_1.sum_squares();
     // D^2 s2 along noise1
-    let s2_noise1_2 = t159 + t159;
+    let s2_noise1_2 = t155 + t155;
     // D^2 E2_free along noise1
     let E2_free_noise1_2 = real(FRAC_PI_2)
-        * (t158 * (t158 + t158) + t148 * (s2_noise1_2 / t63));
+        * (t154 * (t154 + t154) + t144 * (s2_noise1_2 / t64));
     // D^2 E2 along noise1
-    let E2_noise1_2 = T::select(t149, E2_free_noise1_2, real(0.0));
-    let t160 = cosE2 + cosE2;
+    let E2_noise1_2 = T::select(t145, E2_free_noise1_2, real(0.0));
+    let t156 = cosE2 + cosE2;
     // D^2 V_T2 along noise1
     let V_T2_noise1_2 = t102
-        * (E2_noise1_2 / t65 + E2_noise1_ / t65 / t65 * (t160 * (t68 * E2_noise1_)));
+        * (E2_noise1_2 / t66 + E2_noise1_ / t66 / t66 * (t156 * (t70 * E2_noise1_)));
     // D^1 w_hat2 along noise1
     let w_hat2_noise1_ = Vector([
         real(-1.5) * HSigma2[(0, 0)],
@@ -749,28 +764,28 @@ pub fn lyapunov<T: Real>(
         real(-2.0) * HSigma2[(2, 0)],
         real(4.0) * HSigma2[(2, 0)],
     ]);
-    let t161 = w_hat2_noise1_.sum_squares();
+    let t157 = w_hat2_noise1_.sum_squares();
     // D^2 V_D2 along noise1
-    let V_D2_noise1_2 = (t161 + t161) * real(0.5);
-    let t162 = HSigma2_2.dot(e2);
+    let V_D2_noise1_2 = (t157 + t157) * real(0.5);
+    let t158 = HSigma2_2.dot(e2);
     // D^1 s2 along noise2
-    let s2_noise2_ = t162 + t162;
-    let t163 = s2_noise2_ / t63;
+    let s2_noise2_ = t158 + t158;
+    let t159 = s2_noise2_ / t64;
     // D^1 E2_free along noise2
-    let E2_free_noise2_ = real(FRAC_PI_2) * (t148 * t163);
+    let E2_free_noise2_ = real(FRAC_PI_2) * (t144 * t159);
     // D^1 E2 along noise2
-    let E2_noise2_ = T::select(t149, E2_free_noise2_, real(0.0));
-    let t164 = HSigma2_2.sum_squares();
+    let E2_noise2_ = T::select(t145, E2_free_noise2_, real(0.0));
+    let t160 = HSigma2_2.sum_squares();
     // D^2 s2 along noise2
-    let s2_noise2_2 = t164 + t164;
+    let s2_noise2_2 = t160 + t160;
     // D^2 E2_free along noise2
     let E2_free_noise2_2 = real(FRAC_PI_2)
-        * (t163 * (t163 + t163) + t148 * (s2_noise2_2 / t63));
+        * (t159 * (t159 + t159) + t144 * (s2_noise2_2 / t64));
     // D^2 E2 along noise2
-    let E2_noise2_2 = T::select(t149, E2_free_noise2_2, real(0.0));
+    let E2_noise2_2 = T::select(t145, E2_free_noise2_2, real(0.0));
     // D^2 V_T2 along noise2
     let V_T2_noise2_2 = t102
-        * (E2_noise2_2 / t65 + E2_noise2_ / t65 / t65 * (t160 * (t68 * E2_noise2_)));
+        * (E2_noise2_2 / t66 + E2_noise2_ / t66 / t66 * (t156 * (t70 * E2_noise2_)));
     // D^1 w_hat2 along noise2
     let w_hat2_noise2_ = Vector([
         real(-1.5) * HSigma2[(0, 1)],
@@ -780,28 +795,28 @@ pub fn lyapunov<T: Real>(
         real(-2.0) * HSigma2[(2, 1)],
         real(4.0) * HSigma2[(2, 1)],
     ]);
-    let t165 = w_hat2_noise2_.sum_squares();
+    let t161 = w_hat2_noise2_.sum_squares();
     // D^2 V_D2 along noise2
-    let V_D2_noise2_2 = (t165 + t165) * real(0.5);
-    let t166 = HSigma2_3.dot(e2);
+    let V_D2_noise2_2 = (t161 + t161) * real(0.5);
+    let t162 = HSigma2_3.dot(e2);
     // D^1 s2 along noise3
-    let s2_noise3_ = t166 + t166;
-    let t167 = s2_noise3_ / t63;
+    let s2_noise3_ = t162 + t162;
+    let t163 = s2_noise3_ / t64;
     // D^1 E2_free along noise3
-    let E2_free_noise3_ = real(FRAC_PI_2) * (t148 * t167);
+    let E2_free_noise3_ = real(FRAC_PI_2) * (t144 * t163);
     // D^1 E2 along noise3
-    let E2_noise3_ = T::select(t149, E2_free_noise3_, real(0.0));
-    let t168 = HSigma2_3.sum_squares();
+    let E2_noise3_ = T::select(t145, E2_free_noise3_, real(0.0));
+    let t164 = HSigma2_3.sum_squares();
     // D^2 s2 along noise3
-    let s2_noise3_2 = t168 + t168;
+    let s2_noise3_2 = t164 + t164;
     // D^2 E2_free along noise3
     let E2_free_noise3_2 = real(FRAC_PI_2)
-        * (t167 * (t167 + t167) + t148 * (s2_noise3_2 / t63));
+        * (t163 * (t163 + t163) + t144 * (s2_noise3_2 / t64));
     // D^2 E2 along noise3
-    let E2_noise3_2 = T::select(t149, E2_free_noise3_2, real(0.0));
+    let E2_noise3_2 = T::select(t145, E2_free_noise3_2, real(0.0));
     // D^2 V_T2 along noise3
     let V_T2_noise3_2 = t102
-        * (E2_noise3_2 / t65 + E2_noise3_ / t65 / t65 * (t160 * (t68 * E2_noise3_)));
+        * (E2_noise3_2 / t66 + E2_noise3_ / t66 / t66 * (t156 * (t70 * E2_noise3_)));
     // D^1 w_hat2 along noise3
     let w_hat2_noise3_ = Vector([
         real(-1.5) * HSigma2[(0, 2)],
@@ -811,17 +826,17 @@ pub fn lyapunov<T: Real>(
         real(-2.0) * HSigma2[(2, 2)],
         real(4.0) * HSigma2[(2, 2)],
     ]);
-    let t169 = w_hat2_noise3_.sum_squares();
+    let t165 = w_hat2_noise3_.sum_squares();
     // D^2 V_D2 along noise3
-    let V_D2_noise3_2 = (t169 + t169) * real(0.5);
-    let t170 = V_T1_flow + V_W1_flow + V_D1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow
+    let V_D2_noise3_2 = (t165 + t165) * real(0.5);
+    let t166 = V_T1_flow + V_W1_flow + V_D1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow
         + V_W2_flow + V_D2_flow + V_zeta2_flow;
-    let t171 = t170 + V_eps2_flow + V_sigma2_flow + V_phi2_flow
+    let t167 = t166 + V_eps2_flow + V_sigma2_flow + V_phi2_flow
         + V_T2_noise1_2 * real(0.5) + V_D2_noise1_2 * real(0.5);
-    let t172 = t171 + V_T2_noise2_2 * real(0.5) + V_D2_noise2_2 * real(0.5)
+    let t168 = t167 + V_T2_noise2_2 * real(0.5) + V_D2_noise2_2 * real(0.5)
         + V_T2_noise3_2 * real(0.5) + V_D2_noise3_2 * real(0.5);
     // LV = V_t + V_x f + 1/2 sum_j g_j^T V_xx g_j
-    let LV = t172 + real(0.5) + real(0.5) + real(0.5) + real(0.5) + real(0.5)
+    let LV = t168 + real(0.5) + real(0.5) + real(0.5) + real(0.5) + real(0.5)
         + real(0.5);
     LyapunovOutputs { V, LV }
 }

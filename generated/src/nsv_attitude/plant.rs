@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 28c903a56d0c81d9a887b0505bf35ba33ab213521af70b9d626455edf0c69c4a
+// SHA-256 of the text below: 2d37731b8c1c84ebf0cd627a58950d17a1b34ef0538df81e2953c2407e31fe8b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// plant: 131 additions, 174 multiplications, 23 divisions, 0 square roots, 9 elementary functions, 0 comparisons and selections
+// plant: 131 additions, 194 multiplications, 3 divisions, 0 square roots, 12 elementary functions, 0 comparisons and selections
 
 //! `nsv_attitude`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -185,7 +185,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 131 additions, 161 multiplications, 23 divisions, 0 square roots, 6 elementary
+/// Operations: 131 additions, 181 multiplications, 3 divisions, 0 square roots, 9 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -200,7 +200,7 @@ pub fn dynamics<T: Real>(
     let alpha = x[0];
     let beta = x[1];
     let mu = x[2];
-    let alpha_deg = alpha / real(0.017453292519943295);
+    let alpha_deg = alpha * real(57.29577951308232);
     let at_alpha_deg_2 = polynomials::at_alpha_deg_2(alpha_deg);
     let lift = prepared.lift_1
         * (at_alpha_deg_2.CL_alpha + at_alpha_deg_2.CL_LE + at_alpha_deg_2.CL_RE);
@@ -211,17 +211,19 @@ pub fn dynamics<T: Real>(
     let q = x[4];
     let r = x[5];
     let t1 = at_alpha_deg_2.Cl_beta * beta + at_alpha_deg_2.Cl_LE + at_alpha_deg_2.Cl_RE
-        + at_alpha_deg_2.Cl_RUD + at_alpha_deg_2.Cl_p * p * real(18.288) / real(6000.0);
+        + at_alpha_deg_2.Cl_RUD
+        + at_alpha_deg_2.Cl_p * p * real(18.288) * real(0.00016666666666666666);
     let roll = prepared.roll_1
-        * (t1 + at_alpha_deg_2.Cl_r * r * real(18.288) / real(6000.0));
+        * (t1 + at_alpha_deg_2.Cl_r * r * real(18.288) * real(0.00016666666666666666));
     let pitch = prepared.pitch_1
         * (at_alpha_deg_2.Cm_alpha + at_alpha_deg_2.Cm_LE + at_alpha_deg_2.Cm_RE
             + at_alpha_deg_2.Cm_RUD
-            + at_alpha_deg_2.Cm_q * q * real(24.384) / real(6000.0));
+            + at_alpha_deg_2.Cm_q * q * real(24.384) * real(0.00016666666666666666));
     let t2 = at_alpha_deg_2.Cn_beta * beta + at_alpha_deg_2.Cn_LE + at_alpha_deg_2.Cn_RE
-        + at_alpha_deg_2.Cn_RUD + at_alpha_deg_2.Cn_p * p * real(18.288) / real(6000.0);
+        + at_alpha_deg_2.Cn_RUD
+        + at_alpha_deg_2.Cn_p * p * real(18.288) * real(0.00016666666666666666);
     let yaw = prepared.yaw_1
-        * (t2 + at_alpha_deg_2.Cn_r * r * real(18.288) / real(6000.0));
+        * (t2 + at_alpha_deg_2.Cn_r * r * real(18.288) * real(0.00016666666666666666));
     let dCl = Vector([
         at_alpha_deg_2.Cl_LE_d3,
         at_alpha_deg_2.Cl_RE_d3,
@@ -238,17 +240,18 @@ pub fn dynamics<T: Real>(
     let yaw_delta = dCn * prepared.yaw_delta_1 * real(97170193.3485195);
 
     // -- true dynamics of block 1 (attitude) (11) --
-    let [sin_alpha, sin_mu] = Vector([alpha, mu]).sin().0;
-    let [cos_alpha, cos_mu, cos_beta] = Vector([alpha, mu, beta]).cos().0;
-    let t3 = real(1332506.5352200002) * cos_mu;
-    let t4 = beta.tan();
+    let t3 = Vector([alpha, beta, mu]);
+    let [sin_alpha, _, sin_mu] = t3.sin().0;
+    let [cos_alpha, cos_beta, cos_mu] = t3.cos().0;
+    let t4 = real(1332506.5352200002) * cos_mu;
+    let [_, tan_beta, _] = t3.tan().0;
     // F_1 with the plant's parameters
     let F1_plant = Vector([
-        (t3 - lift) / (real(410460000.0) * cos_beta),
-        (side + real(1332506.5352200002) * sin_mu) / real(410460000.0),
-        (lift * t4 - t3 * t4) / real(410460000.0),
+        (t4 - lift) / (real(410460000.0) * cos_beta),
+        (side + real(1332506.5352200002) * sin_mu) * real(2.4362909905959168e-9),
+        (lift * tan_beta - t4 * tan_beta) * real(2.4362909905959168e-9),
     ]);
-    let t5 = -t4;
+    let t5 = -tan_beta;
     // G_1 with the plant's parameters
     let G1_plant = Matrix::rows([
         [t5 * cos_alpha, real(1.0), t5 * sin_alpha],
@@ -266,9 +269,9 @@ pub fn dynamics<T: Real>(
     // -- true dynamics of block 2 (rates) (11) --
     // F_2 with the plant's parameters
     let F2_plant = Vector([
-        roll / real(1355818.0),
-        (real(12202362.0) * p * r + pitch) / real(13558180.0),
-        (real(-12202362.0) * p * q + yaw) / real(13558180.0),
+        roll * real(7.375621211696555e-7),
+        (real(12202362.0) * p * r + pitch) * real(7.375621211696555e-8),
+        (real(-12202362.0) * p * q + yaw) * real(7.375621211696555e-8),
     ]);
     // d_2 = L_2 w_2 (12)
     let d2 = Vector([real(2.0) * x[7], real(3.0) * x[8], x[10] + x[11]]);
@@ -281,19 +284,19 @@ pub fn dynamics<T: Real>(
             .hadamard(u_sat) + d2;
     let t6 = Matrix::rows([
         [
-            roll_delta[0] / real(1355818.0),
-            roll_delta[1] / real(1355818.0),
-            roll_delta[2] / real(1355818.0),
+            roll_delta[0] * real(7.375621211696555e-7),
+            roll_delta[1] * real(7.375621211696555e-7),
+            roll_delta[2] * real(7.375621211696555e-7),
         ],
         [
-            pitch_delta[0] / real(13558180.0),
-            pitch_delta[1] / real(13558180.0),
-            pitch_delta[2] / real(13558180.0),
+            pitch_delta[0] * real(7.375621211696555e-8),
+            pitch_delta[1] * real(7.375621211696555e-8),
+            pitch_delta[2] * real(7.375621211696555e-8),
         ],
         [
-            yaw_delta[0] / real(13558180.0),
-            yaw_delta[1] / real(13558180.0),
-            yaw_delta[2] / real(13558180.0),
+            yaw_delta[0] * real(7.375621211696555e-8),
+            yaw_delta[1] * real(7.375621211696555e-8),
+            yaw_delta[2] * real(7.375621211696555e-8),
         ],
     ]);
     // H_2 Sigma_2
@@ -460,7 +463,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 131 additions, 174 multiplications, 23 divisions, 0 square roots, 9 elementary
+/// Operations: 131 additions, 194 multiplications, 3 divisions, 0 square roots, 12 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 11dfedd35b7cda4029fc3373939e90835176858df8a682c9746819699ea615e8
+// SHA-256 of the text below: dd27705badc6acad9ce1fbb9984f80d84893cdf3d7f7555c9c000aed422a5c83
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// initial: 5 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
-// control: 46 additions, 66 multiplications, 9 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
+// initial: 5 additions, 19 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// control: 40 additions, 63 multiplications, 8 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
 
 //! `pendulum`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -44,7 +44,7 @@ pub struct State<T> {
     pub h1: Vector<T, 1>,
     /// Network weights W_hat (65), one row per monomial and one column per channel: speed (omega).
     ///
-    /// `W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
+    /// `W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2`
     ///
     /// Rows: `one, z1, omega, z12, z1_omega, omega2`.
     pub W2: Matrix<T, 6, 1>,
@@ -221,7 +221,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the controller where the mask is true.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -234,13 +234,14 @@ impl<T: Real> Part for Begin<'_, T> {
     #[inline(always)]
     fn run(self) {
         let start = initial(self.t, self.x1, self.x2);
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 5 additions, 18 multiplications, 5 divisions, 0 square roots, 6 elementary
+/// Operations: 5 additions, 19 multiplications, 5 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
@@ -279,9 +280,10 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t2 = cosE1 * cosE1;
+    // 1 / cos^2 E_1
+    let sec2E1 = real(1.0) / (cosE1 * cosE1);
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t2;
+    let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -399,7 +401,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 45 additions, 59 multiplications, 8 divisions, 0 square roots, 4 elementary
+/// Operations: 39 additions, 56 multiplications, 7 divisions, 0 square roots, 4 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -440,9 +442,10 @@ pub fn law<T: Real>(
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t3 = cosE1 * cosE1;
+    // 1 / cos^2 E_1
+    let sec2E1 = real(1.0) / (cosE1 * cosE1);
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t3;
+    let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -457,19 +460,19 @@ pub fn law<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t4 = state.zeta1 * real(20.0);
+    let t3 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t4 - clock.y_r_dot + Lam1;
+    let bracket1 = t3 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -G1.solve(bracket1);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t4;
+    let zeta1_dot = state.zeta2 - t3;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (alpha1 - state.h1) / real(0.02);
+    let h1_dot = (alpha1 - state.h1) * real(50.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
@@ -504,27 +507,23 @@ pub fn law<T: Real>(
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_coupling;
 
     // -- control (64) of block 2 --
-    let t5 = F2 + A_hat2;
-    let t6 = state.zeta2 * real(50.0);
+    let t4 = F2 + A_hat2;
+    let t5 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t5 - h1_dot + t6 + D_hat2 + Lam2;
-    let t7 = prepared.G2.solve(bracket2);
+    let bracket2 = t4 - h1_dot + t5 + D_hat2 + Lam2;
+    let t6 = prepared.G2.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t7;
+    let u = -t6;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-8.0))).min(Vector::splat(real(8.0)));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = prepared.G2 * (u_sat + t7) - t6;
-
-    // -- weight law of block 2 (32) (65) --
-    // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
-    let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
+    let zeta2_dot = prepared.G2 * (u_sat + t6) - t5;
 
     // -- observer dynamics of block 2 (21) (50) --
     // th_2' = -S_2 (D_hat_2 + F_2 + G_2 x_3 + A_hat_2)
-    let th2_dot = -((D_hat2 + t5 + prepared.G2 * u_sat) * real(20.0));
+    let th2_dot = -((D_hat2 + t4 + prepared.G2 * u_sat) * real(20.0));
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'
@@ -537,8 +536,9 @@ pub fn law<T: Real>(
     let zeta2_next = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
     // th2(t + dt) = th2 + Gamma th2'
     let th2_next = state.th2 + th2_dot * real(0.0019605280423838395);
-    // W2(t + dt) = W2 + Gamma W2'
-    let W2_next = state.W2 + W2_dot * real(0.001999800013332667);
+    // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
+    let W2_next = state.W2 * real(0.9998000199986667)
+        + P2.outer(c2 * real(0.001999800013332667));
     ControlOutputs {
         u,
         u_sat,
@@ -561,7 +561,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 46 additions, 66 multiplications, 9 divisions, 0 square roots, 7 elementary
+/// Operations: 40 additions, 63 multiplications, 8 divisions, 0 square roots, 7 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

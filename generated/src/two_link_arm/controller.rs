@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 509be2d2c61450892d711cf9ab89a656a324821f04cea481d08fa12d6a457e7d
+// SHA-256 of the text below: 1a32f0fa1230e5f10a207212baf098d3c88bb02d7e0779e23d3be19ddc192415
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// initial: 13 additions, 31 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
-// control: 244 additions, 330 multiplications, 21 divisions, 0 square roots, 13 elementary functions, 13 comparisons and selections
+// initial: 13 additions, 32 multiplications, 4 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// control: 204 additions, 297 multiplications, 14 divisions, 0 square roots, 13 elementary functions, 13 comparisons and selections
 
 //! `two_link_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -44,7 +44,7 @@ pub struct State<T> {
     pub h1: Vector<T, 2>,
     /// Network weights W_hat (65), one row per monomial and one column per channel: rates (v1, v2).
     ///
-    /// `W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
+    /// `W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2`
     ///
     /// Rows: `one, v1, v2, q2, v12, v1_v2, v1_q2, v22, v2_q2, q22, v13, v12_v2, v12_q2, v1_v22,
     /// v1_v2_q2, v1_q22, v23, v22_q2, v2_q22, q23`.
@@ -232,7 +232,7 @@ impl<T: Real> Controller<T> {
     }
 }
 
-/// Initialises the controller where the mask is true.
+/// Initialises the states where the mask is true and they are finite.
 struct Begin<'a, T: Real> {
     controller: &'a mut Controller<T>,
     mask: T::Mask,
@@ -245,13 +245,14 @@ impl<T: Real> Part for Begin<'_, T> {
     #[inline(always)]
     fn run(self) {
         let start = initial(self.t, self.x1, self.x2);
-        self.controller.state = State::select(self.mask, &start, &self.controller.state);
+        let mask = self.mask.and(start.is_finite());
+        self.controller.state = State::select(mask, &start, &self.controller.state);
     }
 }
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 13 additions, 31 multiplications, 5 divisions, 0 square roots, 6 elementary
+/// Operations: 13 additions, 32 multiplications, 4 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
@@ -288,9 +289,10 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t5 = cosE1 * cosE1;
+    // 1 / cos^2 E_1
+    let sec2E1 = real(1.0) / (cosE1 * cosE1);
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t5;
+    let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -313,12 +315,12 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let e2 = x2 + bracket1;
 
     // -- given --
-    let t6 = real(12.0) * e2[0];
-    let t7 = real(36.0) * e2[0];
-    let t8 = real(8.0) * e2[1];
-    let t9 = real(2.0) * e2[1];
-    let t10 = real(11.0) * e2[1];
-    let th2 = -Vector([t6, t7, t8, t9, t10]);
+    let t5 = real(12.0) * e2[0];
+    let t6 = real(36.0) * e2[0];
+    let t7 = real(8.0) * e2[1];
+    let t8 = real(2.0) * e2[1];
+    let t9 = real(11.0) * e2[1];
+    let th2 = -Vector([t5, t6, t7, t8, t9]);
     State {
         zeta1,
         zeta2,
@@ -453,7 +455,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 238 additions, 313 multiplications, 21 divisions, 0 square roots, 10 elementary
+/// Operations: 198 additions, 280 multiplications, 14 divisions, 0 square roots, 10 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -499,9 +501,10 @@ pub fn law<T: Real>(
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t5 = cosE1 * cosE1;
+    // 1 / cos^2 E_1
+    let sec2E1 = real(1.0) / (cosE1 * cosE1);
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * s1 / t5;
+    let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -516,19 +519,19 @@ pub fn law<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t6 = state.zeta1 * real(20.0);
+    let t5 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t6 - clock.y_r_dot + Lam1;
+    let bracket1 = t5 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t6;
+    let zeta1_dot = state.zeta2 - t5;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (alpha1 - state.h1) / real(0.02);
+    let h1_dot = (alpha1 - state.h1) * real(50.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
@@ -537,18 +540,21 @@ pub fn law<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t7 = s2 / clock.E2_free_1;
+    let t6 = s2 / clock.E2_free_1;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t7 * t7);
+    let E2_free = real(FRAC_PI_2) * (t6 * t6);
     // E_2 >= pi/2 - delta
     let violated2 = E2_free.ge(real(1.5697963267948967));
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
     // cos E_2
     let cosE2 = E2.cos();
-    let t8 = cosE2 * cosE2;
+    let t7 = cosE2 * cosE2;
+    // 1 / cos^2 E_2
+    let sec2E2 = real(1.0) / t7;
+    let t8 = s2 * sec2E2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * s2 / t8;
+    let c2 = e2 * t8;
 
     // -- MTPN of block 2 (4) (16) --
     // z_2, network inputs
@@ -579,12 +585,12 @@ pub fn law<T: Real>(
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(0.9999999999999998);
     // e / (2 cos^2 E) (63)
-    let Lam2_network = e2 * real(0.5) / t8;
+    let Lam2_network = e2 * (real(0.5) * sec2E2);
     let t9 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t9 * state.eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25) * t8;
+    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25) * t7;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling;
@@ -605,10 +611,6 @@ pub fn law<T: Real>(
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
     let zeta2_dot = inverse_M * (u_sat + t12) - t11;
-
-    // -- weight law of block 2 (32) (65) --
-    // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
-    let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
     let t13 = Vector([
@@ -631,7 +633,7 @@ pub fn law<T: Real>(
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 / t8 * e2.dot(t9) - state.eps2);
+    let eps2_dot = real(0.1) * (t8 * e2.dot(t9) - state.eps2);
 
     // -- status --
     // some E_i >= pi/2 - delta
@@ -662,8 +664,9 @@ pub fn law<T: Real>(
     ]);
     // th2(t + dt) = th2 + Gamma th2'
     let th2_next = state.th2 + th2_step * th2_dot;
-    // W2(t + dt) = W2 + Gamma W2'
-    let W2_next = state.W2 + W2_dot * real(0.001999800013332667);
+    // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
+    let W2_next = state.W2 * real(0.9998000199986667)
+        + P2.outer(c2 * real(0.001999800013332667));
     // eps2(t + dt) = eps2 + Gamma eps2'
     let eps2_next = state.eps2 + real(0.001999800013332667) * eps2_dot;
     ControlOutputs {
@@ -690,7 +693,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 244 additions, 330 multiplications, 21 divisions, 0 square roots, 13 elementary
+/// Operations: 204 additions, 297 multiplications, 14 divisions, 0 square roots, 13 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

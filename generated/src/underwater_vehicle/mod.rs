@@ -1,6 +1,6 @@
-// SHA-256 of the text below: d25b9922e24f122a289f787368fd9eb35b41cb45210b0133b4dfc3d507dcc217
+// SHA-256 of the text below: 51030f7a90df6cd6bfbc1331add3c1258269722daf13cb3a8ee1f7b9e34f1bdc
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
+// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
 //! Underwater vehicle in waves and a current
 
@@ -16,7 +16,7 @@ pub use params::Params;
 pub use simulator::Simulator;
 
 /// SHA-256 of the specification.
-pub const SPEC_HASH: &str = "077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2";
+pub const SPEC_HASH: &str = "d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c";
 
 /// Version of the generator.
 pub const GENERATOR: &str = "0.1.0";

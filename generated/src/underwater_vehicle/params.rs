@@ -1,6 +1,6 @@
-// SHA-256 of the text below: f8c9cd1794aafcbc6f5c2499a63369570dd90da5a61b804bb8ff905b87d245aa
+// SHA-256 of the text below: f49a750c7fbfb2aa99d4fcf7c5ea1805c8182528e70548ef41c67888dad5a273
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
+// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
 //! `underwater_vehicle`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 1ba6e12bd4c98624cc3a85fee419636071c772deff718cf825bd5cd97377ea14
+// SHA-256 of the text below: cb184e110e3bce504950bb15604af1fdb6affff7482bd093858356112baa6f2e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
-// plant: 343 additions, 421 multiplications, 10 divisions, 0 square roots, 10 elementary functions, 0 comparisons and selections
+// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
+// plant: 342 additions, 417 multiplications, 10 divisions, 0 square roots, 13 elementary functions, 0 comparisons and selections
 
 //! `underwater_vehicle`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -231,7 +231,7 @@ pub struct Clock<T> {
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 2 additions, 5 multiplications, 0 divisions, 0 square roots, 3 elementary
+/// Operations: 2 additions, 5 multiplications, 0 divisions, 0 square roots, 4 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
@@ -240,11 +240,13 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     // -- true dynamics of block 1 (pose) (11) --
     let t1 = real(0.2) * t;
     let t2 = real(0.1) * t;
-    let [sin_t1, sin_t2] = Vector([t1, t2]).sin().0;
+    let t3 = Vector([t1, t2]);
+    let [sin_t1, sin_t2] = t3.sin().0;
+    let [cos_t1, _] = t3.cos().0;
     // d_1(t)
     let d1 = Vector([
         real(0.2) + real(0.1) * sin_t1,
-        real(-0.1) + real(0.1) * t1.cos(),
+        real(-0.1) + real(0.1) * cos_t1,
         real(0.05) * sin_t2,
         real(0.0),
         real(0.0),
@@ -268,7 +270,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 155 additions, 194 multiplications, 2 divisions, 0 square roots, 7 elementary
+/// Operations: 154 additions, 190 multiplications, 2 divisions, 0 square roots, 9 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -292,7 +294,7 @@ pub fn dynamics<T: Real>(
     let t4 = -sin_theta;
     let t5 = cos_theta * sin_phi;
     let t6 = cos_theta * cos_phi;
-    let t7 = theta.tan();
+    let [_, tan_theta, _] = t1.tan().0;
     let J = Matrix::rows([
         [
             cos_psi * cos_theta,
@@ -311,7 +313,14 @@ pub fn dynamics<T: Real>(
             real(0.0),
         ],
         [t4, t5, t6, real(0.0), real(0.0), real(0.0)],
-        [real(0.0), real(0.0), real(0.0), real(1.0), sin_phi * t7, cos_phi * t7],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(1.0),
+            sin_phi * tan_theta,
+            cos_phi * tan_theta,
+        ],
         [real(0.0), real(0.0), real(0.0), real(0.0), cos_phi, -sin_phi],
         [
             real(0.0),
@@ -329,44 +338,41 @@ pub fn dynamics<T: Real>(
     let q = x[10];
     let r = x[11];
     let down_axis = Vector([t4, t5, t6]);
+    let t7 = q * heave - r * sway;
+    let t8 = r * surge - p * heave;
+    let carried = Vector([t7, t8, p * sway - q * surge]);
     let added_momentum = Vector([
         real(5.5) * surge,
         real(12.7) * sway,
         real(14.57) * heave,
     ]) * params.added_scale;
-    let t8 = Vector([
+    let t9 = Vector([
         (real(4.03) + real(18.18) * surge.abs()) * surge,
         (real(6.22) + real(21.66) * sway.abs()) * sway,
         (real(5.18) + real(36.99) * heave.abs()) * heave,
     ]);
-    let drag = t8 * params.drag_scale;
-    let t9 = q * heave - r * sway;
-    let t10 = r * surge - p * heave;
-    let t11 = q * real(0.02);
-    let t12 = -(p * real(0.02));
-    let t13 = Vector([-(r * t12), r * t11, p * t12 - q * t11]);
-    let t14 = down_axis * real(-1.9849999999999852)
-        - (Vector([t9, t10, p * sway - q * surge]) + t13) * real(11.5);
-    let t15 = Vector([
+    let drag = t9 * params.drag_scale;
+    let t10 = Vector([p * r, q * r, -(p * p) - q * q]) * real(0.02);
+    let t11 = Vector([
         q * added_momentum[2] - r * added_momentum[1],
         r * added_momentum[0] - p * added_momentum[2],
         p * added_momentum[1] - q * added_momentum[0],
     ]);
-    let force = t14 - t15 - drag;
-    let t16 = Vector([
+    let force = down_axis * real(-1.9849999999999852) - (carried + t10) * real(11.5)
+        - t11 - drag;
+    let t12 = Vector([
         (real(0.07) + real(1.55) * p.abs()) * p,
         (real(0.07) + real(1.55) * q.abs()) * q,
         (real(0.07) + real(1.55) * r.abs()) * r,
     ]);
-    let drag_torque = t16 * params.torque_scale;
-    let t17 = Vector([-(real(0.02) * t10), real(0.02) * t9, real(0.0)]) * real(11.5);
-    let t18 = Vector([
+    let drag_torque = t12 * params.torque_scale;
+    let t13 = Vector([
         sway * added_momentum[2] - heave * added_momentum[1],
         heave * added_momentum[0] - surge * added_momentum[2],
         surge * added_momentum[1] - sway * added_momentum[0],
     ]);
-    let moment = Vector([-(real(0.02) * t5), real(0.02) * t4, real(0.0)])
-        * real(112.81500000000001) - t17 - t18 - drag_torque;
+    let moment = Vector([t8 - real(9.81) * t5, real(9.81) * t4 - t7, real(0.0)])
+        * real(0.23) - t13 - drag_torque;
 
     // -- given --
     let x2 = Vector([surge, sway, heave, p, q, r]);
@@ -761,7 +767,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 343 additions, 421 multiplications, 10 divisions, 0 square roots, 10 elementary
+/// Operations: 342 additions, 417 multiplications, 10 divisions, 0 square roots, 13 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 6345709edcaf76593850284428cec452464c2ffcd8a42e4fe239ebb4edcac7e8
+// SHA-256 of the text below: 453ddc68431a18eed26413df86576b91c6aec9a5f6b4b6ac509b962a6e49115e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
+// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
 //! `underwater_vehicle`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 9922091cf6ed3e026150f31025ef858e1f92e4e865a6da92118e7f0e451c2227
+// SHA-256 of the text below: 578a5c4b78df4962bc1b61b8312ee962f96572ab0b30b903b9ba42bed2370fe2
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 077b62a34bf25cfd7f27896760362d630dc92177b20450c0f5c3a27433a8e2c2
+// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
 //! `underwater_vehicle`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -49,7 +49,7 @@ pub(crate) mod packed {
     use crate::real::Real;
 
     const AVX2: bool = cfg!(target_feature = "avx2");
-    const AVX512: bool = cfg!(all(target_feature = "avx512f", target_feature = "avx512dq"));
+    const AVX512: bool = false;
 
     /// A register of `N` numbers `S`.
     pub(crate) trait Register<S, const N: usize>: Real {

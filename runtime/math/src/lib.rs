@@ -16,3 +16,4 @@ pub mod lanes;
 pub mod rare;
 pub mod real;
 mod scalar;
+mod sqrt;

@@ -5,6 +5,7 @@ use crate::entries::{Each, Each2, packed};
 #[cfg(target_arch = "x86_64")]
 use crate::lanes::x86;
 use crate::real::{Bits, Mask, Part, Real};
+use crate::sqrt::{sqrt_f32, sqrt_f64};
 
 impl Mask for bool {
     #[inline(always)]
@@ -240,11 +241,6 @@ macro_rules! scalar {
 
 scalar!(f64, u64, Double, sqrt_f64, F64x8[8], F64x4[4], F64x2[2]);
 scalar!(f32, u32, Single, sqrt_f32, F32x16[16], F32x8[8], F32x4[4]);
-
-#[cfg(target_arch = "x86_64")]
-use crate::lanes::x86::{sqrt_f32, sqrt_f64};
-#[cfg(not(target_arch = "x86_64"))]
-use libm::{sqrt as sqrt_f64, sqrtf as sqrt_f32};
 
 #[cfg(test)]
 mod tests {

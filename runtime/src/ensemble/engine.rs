@@ -1,5 +1,6 @@
-//! Work on all cores: each takes blocks of runs, reduces them on its own, and adds the result to what is done.
+//! Work on all cores: each takes blocks of runs, reduces some on its own, and adds the result to what is done.
 
+use std::mem;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -15,6 +16,10 @@ use super::state::State;
 use super::tally::Tally;
 use crate::closed_loop::ClosedLoop;
 use crate::lanes::Width;
+
+/// Runs that a thread reduces on its own before it shares them, unless they take longer than a while.
+const SHARE: u64 = 256;
+const WHILE: Duration = Duration::from_millis(500);
 
 /// Time between calls of `tick`.
 const TICK: Duration = Duration::from_millis(50);
@@ -55,24 +60,23 @@ impl Flight<'_> {
         done: &State,
         each_block: &(impl Fn(u64, &Rows<'_>) -> Result<(), E> + Sync),
     ) -> Result<(), E> {
+        let mut own = Tally::new::<L>(self.campaign);
+        let mut blocks = Vec::new();
+        let mut shared = Instant::now();
         loop {
             let block = self.next.fetch_add(1, Ordering::Relaxed);
             if block >= self.shard.blocks(self.campaign) {
-                return Ok(());
+                break;
             }
             if done.done.contains(block) {
                 continue;
             }
             let Some(records) = self.simulate::<L>(block) else {
-                return Ok(());
+                break;
             };
-            let mut tally = Tally::new::<L>(self.campaign);
             let first = self.shard.runs_of(block, self.campaign).start;
             let first = self.campaign.first_run.wrapping_add(first);
-            for (index, record) in (0..).zip(&records) {
-                tally.add(first.wrapping_add(index), record);
-            }
-            tally.settle();
+            own.add(first, &records);
             each_block(
                 block,
                 &Rows {
@@ -80,8 +84,25 @@ impl Flight<'_> {
                     records: &records,
                 },
             )?;
-            let mut state = lock(&self.state);
-            state.tally.merge(tally);
+            blocks.push(block);
+            if own.runs() >= SHARE || shared.elapsed() >= WHILE {
+                shared = Instant::now();
+                self.share(
+                    mem::replace(&mut own, Tally::new::<L>(self.campaign)),
+                    &mut blocks,
+                );
+            }
+        }
+        self.share(own, &mut blocks);
+        Ok(())
+    }
+
+    /// Adds blocks to what is done.
+    fn share(&self, mut own: Tally, blocks: &mut Vec<u64>) {
+        own.settle();
+        let mut state = lock(&self.state);
+        state.tally.merge(own);
+        for block in blocks.drain(..) {
             state.done.insert(block);
         }
     }

@@ -60,8 +60,18 @@ impl Tally {
         self.runs
     }
 
-    /// Adds a run.
-    pub(crate) fn add(&mut self, run: u64, record: &Record) {
+    /// Adds consecutive runs from a number on.
+    pub(crate) fn add(&mut self, first: u64, records: &[Record]) {
+        for (index, record) in (0..).zip(records) {
+            self.add_run(first.wrapping_add(index), record);
+        }
+        if let Some(band) = &mut self.band {
+            let values = records.iter().filter_map(|record| record.band.as_deref());
+            band.push(&values.collect::<Vec<_>>());
+        }
+    }
+
+    fn add_run(&mut self, run: u64, record: &Record) {
         self.runs += 1;
         self.samples += record.samples;
         self.nonfinite += u64::from(record.diverged);
@@ -81,9 +91,6 @@ impl Tally {
         }
         for (sum, count) in self.saturated.iter_mut().zip(&record.saturated) {
             *sum += count;
-        }
-        if let (Some(band), Some(values)) = (&mut self.band, &record.band) {
-            band.push(values);
         }
     }
 

@@ -75,18 +75,6 @@ functions2! {
     Pow = |x, y| x.pow(y);
 }
 
-/// `sum + (x - x)`: what is not finite makes it NaN.
-#[derive(Clone, Copy)]
-pub(super) struct Defect;
-
-impl Each2 for Defect {
-    #[inline(always)]
-    #[expect(clippy::eq_op, reason = "x - x is not 0 for every x")]
-    fn of<T: Real>(self, sum: T, x: T) -> T {
-        sum + (x - x)
-    }
-}
-
 /// Methods that apply a function to each entry, or to the entries at each place. The type has `each`, `each2` and `splat`.
 macro_rules! methods {
     ($($(#[$doc:meta])* $name:ident = $function:ident;)*; $($(#[$doc2:meta])* $name2:ident = $function2:ident;)*) => {

@@ -1,4 +1,4 @@
-//! Linear equations: adjugate over determinant up to three unknowns, else elimination with partial pivoting.
+//! Linear equations: adjugate times the reciprocal of the determinant up to three unknowns, else elimination with partial pivoting.
 
 #![expect(
     clippy::needless_range_loop,
@@ -19,7 +19,7 @@ pub(super) fn solve<T: Real, const N: usize>(a: [[T; N]; N], b: [T; N]) -> Vecto
     }
 }
 
-/// `x_i = adj_i . b / det`, the determinant by expansion along the first row of `A`.
+/// `x_i = (adj_i . b) (1 / det)`, the determinant by expansion along the first row of `A`.
 #[inline(always)]
 fn over_determinant<T: Real, const N: usize>(
     a: [[T; N]; N],
@@ -28,7 +28,7 @@ fn over_determinant<T: Real, const N: usize>(
 ) -> Vector<T, N> {
     let first_column = Matrix::rows(adjugate).column(0);
     let determinant = Vector(a[0]).dot(first_column);
-    Matrix::rows(adjugate) * Vector(b) / determinant
+    Matrix::rows(adjugate) * Vector(b) * (T::one() / determinant)
 }
 
 /// The signs stand on the entries: `a_00 a_11 + a_01 (-a_10)` has the bits of `a_00 a_11 - a_01 a_10`.

@@ -3,7 +3,7 @@
 use core::ops::{Index, IndexMut, Mul};
 
 use super::elementwise::{Mul as Times, Plus, elementwise, operators};
-use super::{Each, Each2, PARTIAL, Vector, add_defects, elimination, singular, sum};
+use super::{Each, Each2, PARTIAL, Vector, add_to, elimination, singular, sum};
 use crate::real::Real;
 
 /// `R` rows and `C` columns of numbers.
@@ -156,16 +156,16 @@ impl<T: Real, const R: usize, const C: usize> Matrix<T, R, C> {
         sum(&rows.0)
     }
 
-    /// Whether every entry is finite.
+    /// As [`Vector::is_finite`].
     #[inline(always)]
     pub fn is_finite(&self) -> T::Mask {
         let mut sums = [T::zero(); PARTIAL];
         let mut j = 0;
         while j < C {
-            add_defects(&mut sums, &self.0[j].0);
+            add_to(&mut sums, &self.0[j].0);
             j += 1;
         }
-        sum(&sums).eq(T::zero())
+        sum(&sums).is_finite()
     }
 
     /// Unit right singular vector `v` of the largest singular value, so that `||A v||` is the spectral norm of `A`.
@@ -188,7 +188,7 @@ impl<T: Real, const N: usize> Matrix<T, N, N> {
     /// `A^-1 b`. Not finite if `A` is singular.
     ///
     /// - `n = 1`: `b_0 / a_00`.
-    /// - `n = 2`: `det = a_00 a_11 - a_01 a_10`; `x_0 = (a_11 b_0 - a_01 b_1) / det`, `x_1 = (a_00 b_1 - a_10 b_0) / det`.
+    /// - `n = 2`: `det = a_00 a_11 - a_01 a_10`; `x_0 = (a_11 b_0 - a_01 b_1) (1 / det)`, `x_1 = (a_00 b_1 - a_10 b_0) (1 / det)`.
     /// - `n = 3`: with the adjugate
     ///
     ///   ```text
@@ -197,7 +197,7 @@ impl<T: Real, const N: usize> Matrix<T, N, N> {
     ///   a_10 a_21 - a_11 a_20    a_01 a_20 - a_00 a_21    a_00 a_11 - a_01 a_10
     ///   ```
     ///
-    ///   `det = (a_00 adj_00 + a_01 adj_10) + a_02 adj_20` and `x_i = ((adj_i0 b_0 + adj_i1 b_1) + adj_i2 b_2) / det`.
+    ///   `det = (a_00 adj_00 + a_01 adj_10) + a_02 adj_20` and `x_i = ((adj_i0 b_0 + adj_i1 b_1) + adj_i2 b_2) (1 / det)`.
     /// - `n >= 4`: elimination with partial pivoting. For each `k`, row k and the row of the first largest `|a_ik|`, `i >= k`, are swapped;
     ///   for each `i > k`, `l = a_ik / a_kk`, `a_ij = a_ij - l a_kj` for `j > k`, `b_i = b_i - l b_k`. Then from the last row up
     ///   `x_i = (((b_i - a_i,i+1 x_i+1) - a_i,i+2 x_i+2) - ...) / a_ii`.

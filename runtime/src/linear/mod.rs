@@ -19,7 +19,7 @@ pub use vector::Vector;
 
 use crate::entries::{Each, Each2};
 use crate::real::Real;
-use elementwise::{Defect, Mul, Plus};
+use elementwise::{Mul, Plus};
 
 /// Number of partial sums of a long sum.
 const PARTIAL: usize = 8;
@@ -83,13 +83,13 @@ fn total<T: Real>(sums: [T; PARTIAL], count: usize) -> T {
     quarter[0] + quarter[1]
 }
 
-/// Adds 0 to the sums for each finite number and NaN for any other.
+/// Adds numbers to partial sums.
 #[inline(always)]
-fn add_defects<T: Real>(sums: &mut [T; PARTIAL], numbers: &[T]) {
+fn add_to<T: Real>(sums: &mut [T; PARTIAL], numbers: &[T]) {
     let mut done = 0;
     while done < numbers.len() {
         let count = (numbers.len() - done).min(PARTIAL);
-        T::each2(Defect, &mut sums[..count], &numbers[done..done + count]);
+        T::each2(Plus, &mut sums[..count], &numbers[done..done + count]);
         done += count;
     }
 }

@@ -3,7 +3,7 @@
 use core::ops::{Index, IndexMut};
 
 use super::elementwise::{elementwise, operators};
-use super::{Each, Each2, Matrix, PARTIAL, add_defects, dot};
+use super::{Each, Each2, Matrix, dot, sum};
 use crate::real::Real;
 
 /// A column of `N` numbers.
@@ -81,12 +81,10 @@ impl<T: Real, const N: usize> Vector<T, N> {
         product
     }
 
-    /// Whether every entry is finite.
+    /// Whether every entry is finite, and so are sums of them: entries whose sums overflow, beyond 1e307 or so, count as not finite.
     #[inline(always)]
     pub fn is_finite(&self) -> T::Mask {
-        let mut sums = [T::zero(); PARTIAL];
-        add_defects(&mut sums, &self.0);
-        super::sum(&sums).eq(T::zero())
+        sum(&self.0).is_finite()
     }
 }
 

@@ -61,6 +61,12 @@ impl Sketch {
         }
     }
 
+    /// Makes room for more values.
+    pub(crate) fn reserve(&mut self, values: usize) {
+        let most = self.limit - self.waiting.len();
+        self.waiting.reserve_exact(values.min(most));
+    }
+
     /// Counts a value, which may be infinite; NaN has no place in an order and is left out.
     pub fn push(&mut self, value: f64) {
         if value.is_nan() {

@@ -112,18 +112,10 @@ fn rejected(stderr: &str, log: &Path) -> Failure {
         Ok(()) => format!("the compiler's words are in `{}`", log.display()),
         Err(_) => format!("the compiler said:\n{stderr}"),
     };
-    let failure = Failure::new(
+    Failure::new(
         Exit::Environment,
         format_args!("cannot build the simulator: {first}\n  {kept}"),
-    );
-    // Offline, cargo finds a package only where an earlier download left it.
-    if stderr.contains("--offline")
-        || stderr.contains("no matching package")
-        || stderr.contains("failed to download")
-    {
-        return failure.with_help("run `cargo fetch` once in the nsv workspace while online");
-    }
-    failure
+    )
 }
 
 #[cfg(test)]

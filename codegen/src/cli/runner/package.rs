@@ -1,4 +1,4 @@
-//! The runner as a Rust package that needs nothing but itself and libm.
+//! The runner as a Rust package that needs nothing but itself.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -124,30 +124,20 @@ fn manifest_of_math() -> String {
 }
 
 fn manifest(name: &str, features: &str, dependencies: &str) -> String {
+    let version = env!("CARGO_PKG_VERSION");
     format!(
-        "[package]\nname = \"{name}\"\nversion = \"{}\"\nedition = \"2024\"\n\n\
-         [features]\ndefault = []\n{features}\n\n[dependencies]\n{dependencies}libm = \"={}\"\n",
-        env!("CARGO_PKG_VERSION"),
-        libm_version()
+        "[package]\nname = \"{name}\"\nversion = \"{version}\"\nedition = \"2024\"\n\n\
+         [features]\ndefault = []\n{features}\n\n[dependencies]\n{dependencies}"
     )
 }
 
 fn lock() -> String {
     let version = env!("CARGO_PKG_VERSION");
     format!(
-        "version = 4\n\n{}\n[[package]]\nname = \"nsv-math\"\nversion = \"{version}\"\ndependencies = [\n \"libm\",\n]\n\n\
-         [[package]]\nname = \"nsv-runtime\"\nversion = \"{version}\"\ndependencies = [\n \"libm\",\n \"nsv-math\",\n]\n\n\
-         [[package]]\nname = \"{NAME}\"\nversion = \"0.0.0\"\ndependencies = [\n \"nsv-runtime\",\n]\n",
-        embedded::LIBM
+        "version = 4\n\n[[package]]\nname = \"nsv-math\"\nversion = \"{version}\"\n\n\
+         [[package]]\nname = \"nsv-runtime\"\nversion = \"{version}\"\ndependencies = [\n \"nsv-math\",\n]\n\n\
+         [[package]]\nname = \"{NAME}\"\nversion = \"0.0.0\"\ndependencies = [\n \"nsv-runtime\",\n]\n"
     )
-}
-
-fn libm_version() -> &'static str {
-    let line = embedded::LIBM
-        .lines()
-        .find_map(|line| line.strip_prefix("version = \""));
-    line.and_then(|rest| rest.strip_suffix('"'))
-        .expect("invariant: a locked package has a version")
 }
 
 #[cfg(test)]
@@ -159,7 +149,7 @@ pub(super) mod tests {
         let runtime = "#![no_std]\n#[cfg(feature = \"std\")]\nextern crate std;\n#[cfg(feature = \"std\")]\npub mod runner;\n\
                        pub trait ClosedLoop { const NAME: &'static str; }\n";
         let runner = "use std::process::ExitCode;\npub fn main<L: crate::ClosedLoop>() -> ExitCode {\n\
-                      std::println!(\"{} {}\", L::NAME, libm::sqrt(4.0));\nExitCode::SUCCESS\n}\n";
+                      std::println!(\"{} {}\", L::NAME, 4.0_f64.sqrt());\nExitCode::SUCCESS\n}\n";
         let generated = [
             ("mod.rs".to_owned(), "pub mod simulator;\n".to_owned()),
             ("simulator.rs".to_owned(), spec.to_owned()),
@@ -224,13 +214,8 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn the_lock_pins_libm() {
-        assert!(
-            lock().contains("name = \"libm\"") && lock().contains("checksum = "),
-            "{}",
-            lock()
-        );
-        assert!(manifest_of_runtime().contains(&format!("libm = \"={}\"", libm_version())));
+    fn nothing_comes_from_a_registry() {
+        assert!(!lock().contains("source = "), "{}", lock());
     }
 
     #[test]

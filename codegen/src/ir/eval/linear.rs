@@ -50,9 +50,9 @@ pub(super) fn solve(a: &[f64], b: &[f64], x: &mut [f64]) {
     match (a, b) {
         (&[a00], &[b0]) => x[0] = b0 / a00,
         (&[a00, a01, a10, a11], &[b0, b1]) => {
-            let det = a00 * a11 - a01 * a10;
-            x[0] = (a11 * b0 - a01 * b1) / det;
-            x[1] = (a00 * b1 - a10 * b0) / det;
+            let scale = 1.0 / (a00 * a11 - a01 * a10);
+            x[0] = (a11 * b0 - a01 * b1) * scale;
+            x[1] = (a00 * b1 - a10 * b0) * scale;
         }
         (&[a00, a01, a02, a10, a11, a12, a20, a21, a22], &[b0, b1, b2]) => {
             let adjugate = [
@@ -72,9 +72,9 @@ pub(super) fn solve(a: &[f64], b: &[f64], x: &mut [f64]) {
                     a00 * a11 - a01 * a10,
                 ],
             ];
-            let det = a00 * adjugate[0][0] + a01 * adjugate[1][0] + a02 * adjugate[2][0];
+            let scale = 1.0 / (a00 * adjugate[0][0] + a01 * adjugate[1][0] + a02 * adjugate[2][0]);
             for (entry, row) in x.iter_mut().zip(adjugate) {
-                *entry = (row[0] * b0 + row[1] * b1 + row[2] * b2) / det;
+                *entry = (row[0] * b0 + row[1] * b1 + row[2] * b2) * scale;
             }
         }
         _ => eliminate(a.to_vec(), b.to_vec(), x),

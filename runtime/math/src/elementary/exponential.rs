@@ -1,6 +1,6 @@
 //! The exponential function, and the reduction that the hyperbolic functions and powers share with it.
 
-use super::format::{Format, scaled};
+use super::format::{Format, constants, scaled};
 use super::polynomial::polynomial;
 use crate::real::{Bits, Real};
 
@@ -28,7 +28,7 @@ impl<T: Real> Reduced<T> {
         let round = T::from_f64(F::ROUND);
         let rounded = x * T::from_f64(core::f64::consts::LOG2_E) + round;
         let k = rounded - round;
-        let [high, low] = F::LN_2.map(T::from_f64);
+        let [high, low] = constants::<T, _>(F::LN_2);
         let exact = x - k * high;
         let product = k * low - rest;
         let r = exact - product;
@@ -59,7 +59,7 @@ impl<T: Real> Reduced<T> {
 /// `x` between the exponents beyond which e^x is 0, or infinite; NaN stays.
 #[inline(always)]
 pub(super) fn clamped<F: Format, T: Real>(x: T) -> T {
-    let [lowest, highest] = F::EXPONENTS.map(T::from_f64);
+    let [lowest, highest] = constants::<T, _>(F::EXPONENTS);
     let x = T::select(x.gt(highest), highest, x);
     T::select(x.lt(lowest), lowest, x)
 }

@@ -60,6 +60,18 @@ pub(crate) trait Format {
     const ORDINARY: [f64; 2];
 }
 
+/// Constants in every lane. Not by `map`: what is not inlined is not compiled for the lanes' instructions.
+#[inline(always)]
+pub(super) fn constants<T: Real, const N: usize>(values: [f64; N]) -> [T; N] {
+    let mut constants = [T::zero(); N];
+    let mut i = 0;
+    while i < N {
+        constants[i] = T::from_f64(values[i]);
+        i += 1;
+    }
+    constants
+}
+
 /// Shifts a bit from the place of 1 to the sign.
 pub(super) const fn sign_place<F: Format>() -> u32 {
     match F::FRACTION_BITS {
@@ -79,8 +91,8 @@ pub(super) fn power_of_two<F: Format, T: Real>(k: T::Bits) -> T {
 pub(super) fn scaled<F: Format, T: Real>(value: T, k: T::Bits) -> T {
     let both = k.add(T::Bits::splat(2 * F::BIAS));
     let half = both.shr(1);
-    let factor = |exponent: T::Bits| T::from_bits(exponent.shl(F::FRACTION_BITS));
-    value * factor(half) * factor(both.sub(half))
+    let other = both.sub(half);
+    value * T::from_bits(half.shl(F::FRACTION_BITS)) * T::from_bits(other.shl(F::FRACTION_BITS))
 }
 
 /// The first half of the significand, with sign and exponent.
@@ -93,6 +105,6 @@ pub(super) fn first_half<F: Format, T: Real>(x: T) -> T {
 #[inline(always)]
 pub(super) fn is_normal<F: Format, T: Real>(x: T) -> T::Mask {
     use crate::real::Mask;
-    let [smallest, largest] = F::NORMAL.map(T::from_f64);
+    let [smallest, largest] = constants::<T, _>(F::NORMAL);
     x.ge(smallest).and(x.le(largest))
 }

@@ -1,7 +1,7 @@
 //! Inverse trigonometric functions.
 
 use super::double::Double;
-use super::format::Format;
+use super::format::{Format, constants};
 use super::polynomial::polynomial;
 use super::sign::{is_minus, with_sign};
 use crate::rare::replaced;
@@ -18,20 +18,24 @@ const SCALE: f64 = 4.149515568880993e180;
 /// the angle.
 #[inline(always)]
 fn first_quadrant<F: Format, T: Real>(y: T, x: T) -> [T; 2] {
-    let beyond = RATIOS.map(|ratio| y.ge(x * T::from_f64(ratio)));
-    let chosen = |values: &[f64]| {
-        let choices = beyond.iter().zip(values);
-        choices.fold(T::zero(), |chosen, (&mask, &value)| {
-            T::select(mask, T::from_f64(value), chosen)
-        })
-    };
-    let (c, steep) = (chosen(&TANGENTS), beyond[3]);
+    let mut steep = T::Mask::splat(false);
+    let [mut c, mut angle, mut angle_rest] = [T::zero(); 3];
+    let mut i = 0;
+    while i < RATIOS.len() {
+        steep = y.ge(x * T::from_f64(RATIOS[i]));
+        let [chosen, chosen_rest] = F::ANGLES[i];
+        angle = T::select(steep, T::from_f64(chosen), angle);
+        angle_rest = T::select(steep, T::from_f64(chosen_rest), angle_rest);
+        if i < TANGENTS.len() {
+            c = T::select(steep, T::from_f64(TANGENTS[i]), c);
+        }
+        i += 1;
+    }
     let numerator = T::select(steep, -x, y - c * x);
     let q = numerator / T::select(steep, y, x + c * y);
     let z = q * q;
     let tail = q * z * polynomial(z, F::ATAN);
-    let rest = q + (chosen(&F::ANGLES.map(|[_, rest]| rest)) + tail);
-    [chosen(&F::ANGLES.map(|[angle, _]| angle)), rest]
+    [angle, q + (angle_rest + tail)]
 }
 
 #[inline(always)]
@@ -43,7 +47,7 @@ pub(crate) fn atan<F: Format, T: Real>(x: T) -> T {
 #[inline(always)]
 pub(crate) fn atan2<F: Format, T: Real>(y: T, x: T) -> T {
     let usual = ordinary_atan2::<F, T>(y, x);
-    let [smallest, largest] = F::ORDINARY.map(T::from_f64);
+    let [smallest, largest] = constants::<T, _>(F::ORDINARY);
     let size = y.abs().max(x.abs());
     let ordinary = size.ge(smallest).and(size.le(largest));
     replaced(ordinary.not(), usual, [y, x], |[y, x]| unusual_atan2(y, x))
@@ -52,7 +56,7 @@ pub(crate) fn atan2<F: Format, T: Real>(y: T, x: T) -> T {
 #[inline(always)]
 fn ordinary_atan2<F: Format, T: Real>(y: T, x: T) -> T {
     let [angle, rest] = first_quadrant::<F, T>(y.abs(), x.abs());
-    let [pi, pi_rest] = F::PI.map(T::from_f64);
+    let [pi, pi_rest] = constants::<T, _>(F::PI);
     let obtuse = (pi - angle) + (pi_rest - rest);
     with_sign(T::select(is_minus(x), obtuse, angle + rest), y)
 }
@@ -99,7 +103,7 @@ impl<T: Real> Arcsine<T> {
 #[inline(always)]
 pub(crate) fn asin<F: Format, T: Real>(x: T) -> T {
     let Arcsine { y, rest, beyond } = Arcsine::of::<F>(x);
-    let [right_angle, right_angle_rest] = F::ANGLES[3].map(T::from_f64);
+    let [right_angle, right_angle_rest] = constants::<T, _>(F::ANGLES[3]);
     let twice = y + y;
     let complement = right_angle - twice;
     let lost = (right_angle - complement) - twice;
@@ -110,8 +114,8 @@ pub(crate) fn asin<F: Format, T: Real>(x: T) -> T {
 #[inline(always)]
 pub(crate) fn acos<F: Format, T: Real>(x: T) -> T {
     let Arcsine { y, rest, beyond } = Arcsine::of::<F>(x);
-    let [pi, pi_rest] = F::PI.map(T::from_f64);
-    let [right_angle, right_angle_rest] = F::ANGLES[3].map(T::from_f64);
+    let [pi, pi_rest] = constants::<T, _>(F::PI);
+    let [right_angle, right_angle_rest] = constants::<T, _>(F::ANGLES[3]);
     let (twice, twice_rest) = (y + y, rest + rest);
     let obtuse = (pi - twice) + (pi_rest - twice_rest);
     let far = T::select(x.lt(T::zero()), obtuse, twice + twice_rest);

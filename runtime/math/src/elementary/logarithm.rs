@@ -1,7 +1,7 @@
 //! The natural logarithm.
 
 use super::double::Double;
-use super::format::{Format, is_normal};
+use super::format::{Format, constants, is_normal};
 use super::polynomial::polynomial;
 use crate::rare::replaced;
 use crate::real::{Bits, Mask, Real};
@@ -29,7 +29,7 @@ pub(super) fn split<F: Format, T: Real>(x: T) -> (T, T) {
 fn of_normal<F: Format, T: Real>(x: T, less: T) -> T {
     let (k, m) = split::<F, T>(x);
     let k = k - less;
-    let [high, low] = F::LN_2.map(T::from_f64);
+    let [high, low] = constants::<T, _>(F::LN_2);
     let f = m - T::one();
     let s = f / (T::from_f64(2.0) + f);
     let z = s * s;

@@ -5,7 +5,7 @@
 
 use super::double::Double;
 use super::exponential::{Reduced, clamped};
-use super::format::{Format, first_half, is_normal};
+use super::format::{Format, constants, first_half, is_normal};
 use super::logarithm::{NORMALISING, split};
 use super::polynomial::polynomial;
 use crate::rare::replaced;
@@ -39,8 +39,8 @@ fn logarithm<F: Format, T: Real>(x: T, less: T) -> [T; 2] {
     let p = first_half::<F, T>(product + product_rest);
     let p_rest = product_rest - (p - product);
 
-    let [two_thirds, two_thirds_rest] = F::TWO_THIRDS.map(T::from_f64);
-    let [ln_2, ln_2_rest] = F::LN_2.map(T::from_f64);
+    let [two_thirds, two_thirds_rest] = constants::<T, _>(F::TWO_THIRDS);
+    let [ln_2, ln_2_rest] = constants::<T, _>(F::LN_2);
     let of_m = two_thirds * p;
     let whole = two_thirds + two_thirds_rest;
     let of_m_rest = (two_thirds_rest * p + p_rest * whole) + k * ln_2_rest;

@@ -33,15 +33,16 @@ impl<T: Real> Angle<T> {
         let round = T::from_f64(F::ROUND);
         let rounded = x * T::from_f64(core::f64::consts::FRAC_2_PI) + round;
         let k = rounded - round;
-        let part = |i: usize| k * T::from_f64(F::HALF_PI[i]);
         let last = F::HALF_PI.len() - 1;
-        let mut r = x - part(0);
+        let mut r = x - k * T::from_f64(F::HALF_PI[0]);
         // Subtracted, not added, so that the sine of -0 is -0.
-        let mut rest = part(last);
-        for i in 1..last {
-            let before = r;
-            r = before - part(i);
-            rest = rest - ((before - r) - part(i));
+        let mut rest = k * T::from_f64(F::HALF_PI[last]);
+        let mut i = 1;
+        while i < last {
+            let (before, part) = (r, k * T::from_f64(F::HALF_PI[i]));
+            r = before - part;
+            rest = rest - ((before - r) - part);
+            i += 1;
         }
         let sum = r;
         let r = sum - rest;
