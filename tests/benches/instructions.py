@@ -31,7 +31,7 @@ def output(*command: object, **options: object) -> subprocess.CompletedProcess:
 
 def build() -> Path:
     """The workload, with the flags of a release and none for this processor."""
-    options = ["--quiet", "--release", "--locked", "--config", "build.rustflags=[]", "--target-dir", TARGET]
+    options = ["--quiet", "--release", "--config", "build.rustflags=[]", "--target-dir", TARGET]
     subprocess.run(["cargo", "build", *options], cwd=CRATE, check=True)
     return TARGET / "release/nsv-instructions"
 
