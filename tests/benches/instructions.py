@@ -9,6 +9,7 @@ for the baseline of the architecture. Counts depend on the compiler, so another 
 
 import json
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -30,7 +31,7 @@ def output(*command: object, **options: object) -> subprocess.CompletedProcess:
 
 def build() -> Path:
     """The workload, with the flags of a release and none for this processor."""
-    options = ["--quiet", "--release", "--locked", "--config", "build.rustflags=[]", "--target-dir", TARGET]
+    options = ["--quiet", "--release", "--config", "build.rustflags=[]", "--target-dir", TARGET]
     subprocess.run(["cargo", "build", *options], cwd=CRATE, check=True)
     return TARGET / "release/nsv-instructions"
 
@@ -75,6 +76,9 @@ def main() -> int:
     if not bless and baseline["rustc"] != rustc:
         print(f"skipped: the baseline is that of {baseline['rustc']}, this is {rustc}")
         return 0
+    if shutil.which("valgrind") is None:
+        print("valgrind is not installed: apt-get install valgrind")
+        return 1
     found = counts(build())
     bad = regressions(baseline["instructions"], found)
     if bless:

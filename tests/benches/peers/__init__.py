@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 
 from build import Built
-from peers import casadi, heyoka, jax, lanes, nalgebra, nsv, numba, symforce
+from peers import casadi, heyoka, jax, lanes, nalgebra, nsv, numba, plain_c, symforce
 from workload import Workload
 
 
@@ -36,6 +36,8 @@ PEERS = [
         "CasADi C, clang fast-math", partial(casadi.build, flags="clang fast-math"), "library", {"CasADi C, clang fast-math": "library"},
         "-O3 -march=native",
     ),
+    Peer("C from the graph, gcc -O3", partial(plain_c.build, flags="gcc -O3"), "library", {}, "-march=native; one statement per operation"),
+    Peer("C from the graph, clang fast-math", partial(plain_c.build, flags="clang fast-math"), "library", {}, "-O3 -march=native"),
     Peer("SymForce, g++ -O3", partial(symforce.build, flags="g++ -O3"), "library", {}, "-march=native"),
     Peer(
         "SymForce, clang++ fast-math", partial(symforce.build, flags="clang++ fast-math"), "library",
