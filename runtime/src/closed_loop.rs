@@ -28,6 +28,9 @@ pub trait ClosedLoop {
     /// Telemetry columns, SI: `t`, `x1.CHANNEL`, `e1.CHANNEL`, `ratio1`, `d1.CHANNEL`, `u_sat.INPUT`, ...
     const SIGNALS: &'static [&'static str];
 
+    /// Whether campaigns simulate one run at a time, without lanes; as for [`crate::lanes::Kernel::SCALAR_ONLY`].
+    const SCALAR_ONLY: bool = false;
+
     /// Its simulator in numbers of any type.
     type Runs<T: Real>: Runs<T>;
 }

@@ -110,7 +110,11 @@ impl Flight<'_> {
     /// The runs of a block; `None` if the campaign is broken off.
     fn simulate<L: ClosedLoop>(&self, block: u64) -> Option<Vec<Record>> {
         let runs = self.shard.runs_of(block, self.campaign);
-        let width = self.campaign.width.unwrap_or_else(Width::widest);
+        let width = match self.campaign.width {
+            _ if L::SCALAR_ONLY => Width::Scalar,
+            Some(width) => width,
+            None => Width::widest(),
+        };
         let mut records = Vec::with_capacity((runs.end - runs.start) as usize);
         for first in runs.clone().step_by(width.lanes()) {
             if self.stopped.load(Ordering::Relaxed) {

@@ -60,6 +60,8 @@ struct Batch<'a, L> {
 impl<L: ClosedLoop> Kernel for Batch<'_, L> {
     type Output = Vec<Record>;
 
+    const SCALAR_ONLY: bool = L::SCALAR_ONLY;
+
     #[inline(always)]
     fn run<T: Real>(self) -> Vec<Record> {
         let campaign = self.campaign;

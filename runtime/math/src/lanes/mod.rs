@@ -21,6 +21,8 @@ use crate::real::{Part, Real};
 pub trait Kernel {
     /// What it gives.
     type Output;
+    /// Whether [`run`] does it with scalars, whatever the width: for work that is too large to be compiled for each.
+    const SCALAR_ONLY: bool = false;
     /// The work; `#[inline(always)]` in every implementation.
     fn run<T: Real>(self) -> Self::Output;
 }
@@ -119,6 +121,9 @@ fn in_lanes<T: Real, K: Kernel>(kernel: K) -> K::Output {
 pub fn run<K: Kernel>(width: Width, kernel: K) -> Option<K::Output> {
     if !width.is_available() {
         return None;
+    }
+    if K::SCALAR_ONLY {
+        return Some(in_lanes::<f64, K>(kernel));
     }
     Some(match width {
         Width::Scalar => in_lanes::<f64, K>(kernel),
