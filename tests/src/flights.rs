@@ -1,5 +1,5 @@
-//! The committed simulators, compiled once for all tests: the smallest, the largest network and the one with Wiener noise in every width of
-//! lanes, the others without, since each takes the compiler a minute.
+//! The committed simulators, compiled once for all tests: the smallest in every width of lanes, the others without, since each takes the
+//! compiler a minute.
 
 use std::marker::PhantomData;
 
@@ -25,9 +25,9 @@ pub struct Flight {
 /// `specs/flexible_joint.yaml`.
 pub static FLEXIBLE_JOINT: Flight = flight::<Scalar<flexible_joint::Simulator>>();
 /// `specs/motor_arm.yaml`.
-pub static MOTOR_ARM: Flight = flight::<motor_arm::Simulator>();
+pub static MOTOR_ARM: Flight = flight::<Scalar<motor_arm::Simulator>>();
 /// `specs/nsv_attitude.yaml`.
-pub static NSV_ATTITUDE: Flight = flight::<nsv_attitude::Simulator>();
+pub static NSV_ATTITUDE: Flight = flight::<Scalar<nsv_attitude::Simulator>>();
 /// `specs/pendulum.yaml`.
 pub static PENDULUM: Flight = flight::<pendulum::Simulator>();
 /// `specs/two_link_arm.yaml`.
