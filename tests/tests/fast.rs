@@ -7,8 +7,9 @@ use nsv_tests::points::{names, points};
 use nsv_tests::specification::{compiled, named};
 
 /// Largest difference of an entry to be accepted, in units of 2^-52 of the largest entry of its array. The law amplifies roundings: a
-/// barrier near its bound by about a hundred.
-const UNITS: f64 = 256.0;
+/// barrier near its bound by about a hundred, and a control that is the small difference of large terms by more; the largest found at
+/// the points is 286, in a control at random states.
+const UNITS: f64 = 1024.0;
 
 /// The largest difference in those units, and the output that has it.
 fn difference(strict: &Values, fast: &Values) -> (f64, String) {
