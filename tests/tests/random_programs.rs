@@ -56,10 +56,10 @@ impl<const N: usize> Flat for Vector<f64, N> {
 
 impl<const R: usize, const C: usize> Flat for Matrix<f64, R, C> {
     fn read(words: &mut impl Iterator<Item = u64>) -> Self {
-        Matrix(std::array::from_fn(|_| std::array::from_fn(|_| f64::read(words))))
+        Matrix::rows(std::array::from_fn(|_| std::array::from_fn(|_| f64::read(words))))
     }
     fn write(&self, line: &mut Vec<u64>) {
-        self.0.iter().flatten().for_each(|entry| entry.write(line));
+        self.to_rows().iter().flatten().for_each(|entry| entry.write(line));
     }
 }
 ";
