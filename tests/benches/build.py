@@ -10,7 +10,7 @@ from pathlib import Path
 class Built:
     """A shared library with `step(in, out)`; and `in_size`, `out_size`, `pack`, `unpack` if its arrays are not the flat ones."""
 
-    library: Path
+    shared_object: Path
 
 
 class Missing(Exception):

@@ -64,7 +64,7 @@ def prepared(spec: str, names: list[str] | None) -> Subject:
         say(f"{spec}: building {peer.name}")
         try:
             built = peer.build(subject.work, folder / peer.name.replace(" ", "_").replace(",", ""))
-            subject.paths[peer.name] = built.library
+            subject.paths[peer.name] = built.shared_object
         except Missing as reason:
             subject.missing[peer.name] = str(reason)
             say(f"  skipped: {reason}")
