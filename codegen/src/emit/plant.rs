@@ -10,7 +10,7 @@ use crate::emit::function::{Function, Record, Results};
 use crate::emit::interface::Interface;
 use crate::emit::literal::row;
 use crate::emit::names::{Fields, ident};
-use crate::emit::pieces::Split;
+use crate::emit::pieces::{Split, call_with};
 use crate::emit::polynomial::Library;
 use crate::emit::types::index;
 use crate::ir::build::size;
@@ -52,12 +52,14 @@ impl Plant<'_> {
             records: &records,
             results: Results::Own,
             tables: self.tables,
+            updates: None,
         };
+        let dynamics = Split::new(&function, "dynamics");
         let mut items = self.constants();
-        items.push(self.plant_struct());
-        items.push(self.equation(&function));
+        items.push(self.plant_struct(&dynamics));
+        items.push(self.equation(&dynamics));
         items.extend(self.diffuse());
-        items.extend(Split::new(&function, "dynamics").items(comments));
+        items.extend(dynamics.items(comments));
         items
     }
 
@@ -114,7 +116,7 @@ impl Plant<'_> {
         )
     }
 
-    fn plant_struct(&self) -> TokenStream {
+    fn plant_struct(&self, dynamics: &Split<'_>) -> TokenStream {
         let inputs = index(self.interface.inputs.len());
         let (params_docs, u_docs) = (
             docs(&["Parameters."]),
@@ -124,6 +126,10 @@ impl Plant<'_> {
             let docs = docs(&["Noise, standard normal, held between samples."]);
             quote!(#docs pub xi: Vector<T, NOISE_CHANNELS>,)
         });
+        let prepared = dynamics.prepare().map(|_| {
+            let docs = docs(&["Values of [`prepare`] for these parameters."]);
+            quote!(#docs pub prepared: Prepared<T>,)
+        });
         let docs = docs(&["The plant under a control that is held between samples."]);
         quote! {
             #docs
@@ -131,6 +137,7 @@ impl Plant<'_> {
             pub struct Plant<T> {
                 #params_docs
                 pub params: Params<T>,
+                #prepared
                 #u_docs
                 pub u_sat: Vector<T, #inputs>,
                 #held
@@ -138,8 +145,8 @@ impl Plant<'_> {
         }
     }
 
-    fn equation(&self, function: &Function<'_>) -> TokenStream {
-        let (held, call) = (self.held(), call(function));
+    fn equation(&self, dynamics: &Split<'_>) -> TokenStream {
+        let (held, rate) = (self.held(), rate(dynamics));
         let wiener = noise_channels(self.plant) > 0 && !held;
         let vector = quote!(Vector<T, STATES>);
         let columns = if wiener {
@@ -151,51 +158,60 @@ impl Plant<'_> {
         let (drift_docs, drift) = if held {
             (
                 "Drift, with the noise that is held between samples.",
-                quote!(let rate = #call; rate.drift + diffuse(&rate.diffusion, &self.plant.xi)),
+                quote!(#rate rate.drift + diffuse(&rate.diffusion, &self.plant.xi)),
             )
         } else {
-            ("Drift.", quote!(#call.drift))
+            ("Drift.", quote!(#rate rate.drift))
         };
-        let mut parts = vec![part("Drift", drift_docs, &vector, &drift, None)];
+        let reads_time = dynamics.clock().is_some()
+            || (dynamics.rest().inputs.iter()).any(|input| input.name == "t");
+        let time = reads_time.then(|| quote!(t: f64,));
+        let time = time.as_ref();
+        let (t, given) = if reads_time {
+            (quote!(t), quote!(t,))
+        } else {
+            (quote!(_t), quote!())
+        };
+        let mut parts = vec![part("Drift", drift_docs, &vector, &drift, [time, None])];
         let diffusion = if wiener {
             let matrix = quote!(Matrix<T, STATES, NOISE_CHANNELS>);
-            let both = quote!(let rate = #call; (rate.drift, diffuse(&rate.diffusion, self.dw)));
+            let both = quote!(#rate (rate.drift, diffuse(&rate.diffusion, self.dw)));
             parts.push(part(
                 "Diffusion",
                 "Diffusion.",
                 &matrix,
-                &quote!(#call.diffusion),
-                None,
+                &quote!(#rate rate.diffusion),
+                [time, None],
             ));
             parts.push(part(
                 "Rates",
                 "Drift, and diffusion times noise.",
                 &quote!((#vector, #vector)),
                 &both,
-                Some(&quote!(dw: &'a Vector<T, NOISE_CHANNELS>)),
+                [time, Some(&quote!(dw: &'a Vector<T, NOISE_CHANNELS>))],
             ));
             quote! {
                 #[inline(always)]
-                fn diffusion(&self, t: T, x: &#vector) -> #matrix {
-                    T::outlined(Diffusion { plant: self, t, x })
+                fn diffusion(&self, #t: f64, x: &#vector) -> #matrix {
+                    T::outlined(Diffusion { plant: self, #given x })
                 }
 
                 #[inline(always)]
-                fn drift_and_noise(&self, t: T, x: &#vector, dw: &Vector<T, NOISE_CHANNELS>) -> (#vector, #vector) {
-                    T::outlined(Rates { plant: self, t, x, dw })
+                fn drift_and_noise(&self, #t: f64, x: &#vector, dw: &Vector<T, NOISE_CHANNELS>) -> (#vector, #vector) {
+                    T::outlined(Rates { plant: self, #given x, dw })
                 }
             }
         } else {
             quote! {
                 #[inline(always)]
-                fn diffusion(&self, _t: T, _x: &#vector) -> Matrix<T, STATES, #columns> { Matrix::zero() }
+                fn diffusion(&self, _t: f64, _x: &#vector) -> Matrix<T, STATES, #columns> { Matrix::zero() }
             }
         };
         quote! {
             impl<T: Real> Sde<T, STATES, #columns> for Plant<T> {
                 #[inline(always)]
-                fn drift(&self, t: T, x: &#vector) -> #vector {
-                    T::outlined(Drift { plant: self, t, x })
+                fn drift(&self, #t: f64, x: &#vector) -> #vector {
+                    T::outlined(Drift { plant: self, #given x })
                 }
 
                 #diffusion
@@ -257,14 +273,15 @@ fn part(
     about: &str,
     output: &TokenStream,
     body: &TokenStream,
-    noise: Option<&TokenStream>,
+    arguments: [Option<&TokenStream>; 2],
 ) -> TokenStream {
     let (name, docs) = (ident(name), docs(&[about]));
+    let [t, noise] = arguments;
     quote! {
         #docs
         struct #name<'a, T> {
             plant: &'a Plant<T>,
-            t: T,
+            #t
             x: &'a Vector<T, STATES>,
             #noise
         }
@@ -278,16 +295,32 @@ fn part(
     }
 }
 
-fn call(function: &Function<'_>) -> TokenStream {
-    let name = function.name();
-    let arguments = function
-        .arguments()
-        .into_iter()
-        .map(|argument| match argument.as_str() {
-            "params" => quote!(&self.plant.params),
-            "u_sat" => quote!(self.plant.u_sat),
-            "x" => quote!(*self.x),
-            _ => quote!(self.t),
+/// `let rate = ..;` of a part of the plant's equation. A clock that depends on time alone serves all lanes.
+fn rate(dynamics: &Split<'_>) -> TokenStream {
+    let clock = dynamics.clock().map(|clock| {
+        let shared = clock.inputs.iter().all(|input| input.name == "t");
+        let call = call_with(clock, |argument| match argument {
+            "t" if shared => quote!(T::Scalar::from_f64(self.t)),
+            other => self::argument(other),
         });
-    quote!(#name(#(#arguments),*))
+        if shared {
+            quote!(let clock = Clock::splat(&#call);)
+        } else {
+            quote!(let clock = #call;)
+        }
+    });
+    let call = call_with(dynamics.rest(), argument);
+    quote!(#clock let rate = #call;)
+}
+
+/// An argument of the plant's functions inside a part of its equation.
+fn argument(name: &str) -> TokenStream {
+    match name {
+        "t" => quote!(T::from_f64(self.t)),
+        "params" => quote!(&self.plant.params),
+        "prepared" => quote!(&self.plant.prepared),
+        "clock" => quote!(&clock),
+        "u_sat" => quote!(self.plant.u_sat),
+        _ => quote!(*self.x),
+    }
 }

@@ -14,6 +14,7 @@ mod elementary;
 mod families;
 mod fold;
 mod identities;
+mod kernels;
 mod linear;
 mod polynomials;
 mod powers;
@@ -47,7 +48,7 @@ pub struct Pass {
 }
 
 /// All passes, in the order of a round.
-pub static PASSES: [Pass; 15] = [
+pub static PASSES: [Pass; 16] = [
     Pass {
         name: "fold",
         kind: Kind::Exact,
@@ -57,6 +58,11 @@ pub static PASSES: [Pass; 15] = [
         name: "select",
         kind: Kind::Exact,
         run: select::run,
+    },
+    Pass {
+        name: "kernels",
+        kind: Kind::Exact,
+        run: kernels::run,
     },
     Pass {
         name: "identities",

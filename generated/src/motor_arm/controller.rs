@@ -1,8 +1,8 @@
-// SHA-256 of the text below: c7581fc32f008f7fd95096b6dcc18ee7347edf9941c6574afa9f387e3e7a3bec
+// SHA-256 of the text below: 793ab389ff71fd9ffd0db6b76a452c4694d779113df2ac9618f2f3a1c48a31e9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// initial: 26 additions, 60 multiplications, 10 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
-// control: 80 additions, 129 multiplications, 12 divisions, 3 square roots, 10 elementary functions, 9 comparisons and selections
+// initial: 26 additions, 60 multiplications, 10 divisions, 0 square roots, 7 elementary functions, 4 comparisons and selections
+// control: 80 additions, 129 multiplications, 12 divisions, 3 square roots, 9 elementary functions, 10 comparisons and selections
 
 //! `motor_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -13,7 +13,6 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
-use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -29,6 +28,7 @@ pub const SAFE_INPUT: [f64; 1] = [0.0];
 
 /// The controller's states, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct State<T> {
     /// Auxiliary anti-windup state zeta (13): position (angle).
     ///
@@ -168,6 +168,27 @@ pub struct Output<T: Real> {
     /// `D_hat_3 = th_3 + S_3 x_3`
     pub D_hat3: Vector<T, 1>,
 }
+impl<T: Real> Output<T> {
+    /// Before the first sample: all zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self {
+            status: Status::OK,
+            valid: T::Mask::splat(false),
+            u: Vector::zero(),
+            u_sat: Vector::zero(),
+            y_r: Vector::zero(),
+            e1: Vector::zero(),
+            k1: T::zero(),
+            alpha1: Vector::zero(),
+            e2: Vector::zero(),
+            alpha2: Vector::zero(),
+            D_hat2: Vector::zero(),
+            e3: Vector::zero(),
+            D_hat3: Vector::zero(),
+        }
+    }
+}
 
 /// Arm driven by a DC motor with current dynamics
 ///
@@ -175,6 +196,7 @@ pub struct Output<T: Real> {
 #[derive(Clone, Debug)]
 pub struct Controller<T: Real> {
     params: Params<T>,
+    prepared: Prepared<T>,
     state: State<T>,
     started: T::Mask,
 }
@@ -184,6 +206,7 @@ impl<T: Real> Controller<T> {
     #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
+            prepared: prepare(&params),
             params,
             state: State::zero(),
             started: T::Mask::splat(false),
@@ -193,23 +216,29 @@ impl<T: Real> Controller<T> {
     /// Starts anew from these measurements; from the next ones if they are not finite.
     #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 1>, x2: Vector<T, 1>, x3: Vector<T, 1>) {
-        let start = initial(t, x1, x2, x3, &self.params);
-        let finite = start
+        self.state = State::zero();
+        self.started = T::Mask::splat(false);
+        let mask = t
             .is_finite()
-            .and(t.is_finite())
             .and(x1.is_finite())
             .and(x2.is_finite())
             .and(x3.is_finite());
-        self.state = State::select(finite, &start, &State::zero());
-        self.started = finite;
+        T::outlined(Begin {
+            controller: self,
+            mask,
+            t,
+            x1,
+            x2,
+            x3,
+        });
     }
 
     /// One sample: the control for the time since start (s) and the measured states (SI), after
     /// which the states are those of the next sample.
     ///
     /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
-    /// the status has `NON_FINITE_INPUT`, and the states stay as they were. `SATURATED` means that
-    /// a control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
+    /// the status has `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a
+    /// control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
     /// barrier was clamped.
     ///
     /// The first step with finite measurements initialises the states; so does the step after one
@@ -219,6 +248,21 @@ impl<T: Real> Controller<T> {
     pub fn step(
         &mut self,
         t: T,
+        x1: Vector<T, 1>,
+        x2: Vector<T, 1>,
+        x3: Vector<T, 1>,
+    ) -> Output<T> {
+        let clock = clock(t);
+        self.step_at(t, &clock, x1, x2, x3)
+    }
+
+    /// As [`Controller::step`], with the values of [`clock`] at this time, which can serve many
+    /// runs.
+    #[inline(always)]
+    pub fn step_at(
+        &mut self,
+        t: T,
+        clock: &Clock<T>,
         x1: Vector<T, 1>,
         x2: Vector<T, 1>,
         x3: Vector<T, 1>,
@@ -239,17 +283,21 @@ impl<T: Real> Controller<T> {
                 x3,
             });
         }
-        let law = control(t, x1, x2, x3, &self.state, &self.params);
+        let before = if measured.all() { None } else { Some(self.state) };
+        let law = law(x1, x2, x3, &mut self.state, &self.prepared, clock);
         let valid = measured
+            .and(self.started)
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
-            .and(law.next.is_finite());
-        self.state = if valid.all() {
-            law.next
-        } else {
-            State::select(valid, &law.next, &self.state)
-        };
-        self.started = valid.or(self.started.and(measured.not()));
+            .and(self.state.is_finite());
+        if !valid.all() {
+            T::outlined(Restore {
+                controller: self,
+                valid,
+                measured,
+                before,
+            });
+        }
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
         let saturated = u[0].ne(u_sat[0]);
@@ -302,13 +350,46 @@ impl<T: Real> Part for Begin<'_, T> {
         let start = initial(self.t, self.x1, self.x2, self.x3, &self.controller.params);
         let mask = self.mask.and(start.is_finite());
         self.controller.state = State::select(mask, &start, &self.controller.state);
+        self.controller.started = self.controller.started.or(mask);
+    }
+}
+
+/// Gives the states back where the law was not finite: those before it, or if they made it
+/// overflow those of a start at the origin, until the next sample.
+struct Restore<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    valid: T::Mask,
+    measured: T::Mask,
+    before: Option<State<T>>,
+}
+impl<T: Real> Part for Restore<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let zero = State::zero();
+        let controller = self.controller;
+        let kept = match &self.before {
+            Some(before) => State::select(self.measured, &zero, before),
+            None => zero,
+        };
+        controller.state = State::select(self.valid, &controller.state, &kept);
+        let mask = self.measured.and(self.valid.not());
+        T::outlined(Begin {
+            controller: &mut *controller,
+            mask,
+            t: T::zero(),
+            x1: Vector::zero(),
+            x2: Vector::zero(),
+            x3: Vector::zero(),
+        });
+        controller.started = controller.started.and(mask.not());
     }
 }
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 26 additions, 60 multiplications, 10 divisions, 0 square roots, 8 elementary
-/// functions, 3 comparisons and selections.
+/// Operations: 26 additions, 60 multiplications, 10 divisions, 0 square roots, 7 elementary
+/// functions, 4 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
     t: T,
@@ -382,10 +463,10 @@ pub fn initial<T: Real>(
     let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
+    let t6 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free);
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(3.2199999999999998)
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(1.72);
+    let Lam0_1 = e1 * real(3.2199999999999998) * t6 + e1 * real(1.72);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
     // Lam_1, sum of the terms above
@@ -396,17 +477,17 @@ pub fn initial<T: Real>(
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = Lam1 - y_r_dot;
-    let t6 = G1.solve(bracket1);
+    let t7 = G1.solve(bracket1);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t6;
+    let alpha1 = -t7;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (t6 - t6) * real(50.0);
+    let h1_dot = (t7 - t7) * real(50.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t6;
+    let e2 = x2 + t7;
 
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
@@ -415,12 +496,12 @@ pub fn initial<T: Real>(
     let c2 = e2 * s2;
 
     // -- given --
-    let t7 = e2 * real(10.0);
-    let th2 = -t7;
+    let t8 = e2 * real(10.0);
+    let th2 = -t8;
 
     // -- disturbance observer of block 2 (20) (49) --
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = t7 - t7;
+    let w_hat2 = t8 - t8;
 
     // -- norms of block 2 --
     // ||G_2||^2
@@ -437,9 +518,9 @@ pub fn initial<T: Real>(
     let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t8 = H_norm2_2 * Ybar_norm2;
+    let t9 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t8 * t8 * real(0.5) + real(0.5) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
+    let Psi2 = t9 * t9 * real(0.5) + real(0.5) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -480,6 +561,7 @@ pub fn initial<T: Real>(
 
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Prepared<T> {
     /// `weight`.
     pub weight: T,
@@ -558,6 +640,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
 /// Values of [`clock`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Clock<T> {
     /// `y_r(t)`
     pub y_r: Vector<T, 1>,
@@ -567,6 +650,19 @@ pub struct Clock<T> {
     pub k1: T,
     /// Part of `E1_free`.
     pub E1_free_1: T,
+}
+
+impl<T: Real> Clock<T> {
+    /// The same values in every lane.
+    #[inline(always)]
+    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+        Self {
+            y_r: Vector::splat_lanes(clock.y_r),
+            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
+            k1: T::splat(clock.k1),
+            E1_free_1: T::splat(clock.E1_free_1),
+        }
+    }
 }
 
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
@@ -627,20 +723,19 @@ pub struct ControlOutputs<T: Real> {
     pub e3: Vector<T, 1>,
     /// `D_hat_3 = th_3 + S_3 x_3`
     pub D_hat3: Vector<T, 1>,
-    /// All outputs `next.*`.
-    pub next: State<T>,
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 72 additions, 98 multiplications, 10 divisions, 2 square roots, 6 elementary
-/// functions, 9 comparisons and selections.
+/// Operations: 72 additions, 98 multiplications, 10 divisions, 2 square roots, 5 elementary
+/// functions, 10 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 1>,
     x2: Vector<T, 1>,
     x3: Vector<T, 1>,
-    state: &State<T>,
+    state: &mut State<T>,
     prepared: &Prepared<T>,
     clock: &Clock<T>,
 ) -> ControlOutputs<T> {
@@ -688,10 +783,10 @@ pub fn law<T: Real>(
     let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
+    let t3 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free);
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(3.2199999999999998)
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(1.72);
+    let Lam0_1 = e1 * real(3.2199999999999998) * t3 + e1 * real(1.72);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
     // Lam_1, sum of the terms above
@@ -700,15 +795,15 @@ pub fn law<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t3 = state.zeta1 * real(20.0);
+    let t4 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t3 - clock.y_r_dot + Lam1;
+    let bracket1 = t4 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -G1.solve(bracket1);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t3;
+    let zeta1_dot = state.zeta2 - t4;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -745,19 +840,19 @@ pub fn law<T: Real>(
     let Lam2_filter = c2 * prepared.Lam2_filter_1;
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t4 = e2.tanh();
+    let t5 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t4 * state.eps2;
+    let Lam2_error_bound = t5 * state.eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
     let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
-    let t5 = s2 * s2;
+    let t6 = s2 * s2;
     // 1 / sqrt(s_2^2 + varsigma_2^2)
-    let s_scale2 = real(1.0) / (t5 + real(1.0)).sqrt();
+    let s_scale2 = real(1.0) / (t6 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
     let Lam2_noise = e2 * (prepared.Psi2_1 * state.sigma2 * s_scale2);
-    let t6 = prepared.Psi2 / (state.phi2 * state.phi2 + t5);
+    let t7 = prepared.Psi2 / (state.phi2 * state.phi2 + t6);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t6;
+    let Lam2_diffusion = e2 * t7;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
@@ -765,34 +860,34 @@ pub fn law<T: Real>(
     let s_c2 = c2.sum_squares();
 
     // -- virtual control (31) of block 2 --
-    let t7 = F2 + A_hat2;
-    let t8 = state.zeta2 * real(50.0);
+    let t8 = F2 + A_hat2;
+    let t9 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t7 - h1_dot + t8 + w_hat2 + Lam2;
+    let bracket2 = t8 - h1_dot + t9 + w_hat2 + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -prepared.G2.solve(bracket2);
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
-    let zeta2_dot = prepared.G2 * state.zeta3 - t8;
+    let zeta2_dot = prepared.G2 * state.zeta3 - t9;
 
     // -- observer dynamics of block 2 (21) (50) --
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
     let th2_dot = w_hat2 * real(-12.0)
-        - (t7 + prepared.G2 * (x3 - state.zeta3) - h1_dot + t8) * real(10.0);
+        - (t8 + prepared.G2 * (x3 - state.zeta3) - h1_dot + t9) * real(10.0);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 * e2.dot(t4) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 * e2.dot(t5) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = prepared.Psi2_1 * t5 * s_scale2 - real(0.1) * state.sigma2;
+    let sigma2_dot = prepared.Psi2_1 * t6 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t6 + real(0.5);
+    let phi2_decay = t7 + real(0.5);
 
     // -- dynamic surface filter of block 2 (33) --
     // h_2' = (alpha_2 - h_2) / Fl_2
@@ -817,25 +912,25 @@ pub fn law<T: Real>(
     let Lam0_3 = e3 * real(125.0) + e3 * real(100.0);
     // eta_1/2 c^T (36)
     let Lam3_disturbance = c3 * real(0.5);
-    let t9 = prepared.G_norm2_2 * s_c2;
+    let t10 = prepared.G_norm2_2 * s_c2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam3_coupling = e3 * (t9 * t9) * real(0.015625);
+    let Lam3_coupling = e3 * (t10 * t10) * real(0.015625);
     // Lam_3, sum of the terms above
     let Lam3 = Lam0_3 + Lam3_disturbance + Lam3_coupling;
 
     // -- control (64) of block 3 --
-    let t10 = state.zeta3 * real(100.0);
+    let t11 = state.zeta3 * real(100.0);
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
-    let bracket3 = F3 - h2_dot + t10 + D_hat3 + Lam3;
-    let t11 = G3.solve(bracket3);
+    let bracket3 = F3 - h2_dot + t11 + D_hat3 + Lam3;
+    let t12 = G3.solve(bracket3);
     // u = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
-    let u = -t11;
+    let u = -t12;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-40.0))).min(Vector::splat(real(40.0)));
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
-    let zeta3_dot = (u_sat + t11) * real(40.0) - t10;
+    let zeta3_dot = (u_sat + t12) * real(40.0) - t11;
 
     // -- observer dynamics of block 3 (21) (50) --
     // th_3' = -S_3 (D_hat_3 + F_3 + G_3 x_4 + A_hat_3)
@@ -843,26 +938,26 @@ pub fn law<T: Real>(
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'
-    let zeta1_next = state.zeta1 + zeta1_dot * real(0.000990066334662235);
+    state.zeta1 = state.zeta1 + zeta1_dot * real(0.000990066334662235);
     // h1(t + dt) = h1 + Gamma h1'
-    let h1_next = state.h1 + h1_dot * real(0.0009754115099857198);
+    state.h1 = state.h1 + h1_dot * real(0.0009754115099857198);
 
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
-    let zeta2_next = state.zeta2 + zeta2_dot * real(0.0009754115099857198);
+    state.zeta2 = state.zeta2 + zeta2_dot * real(0.0009754115099857198);
     // h2(t + dt) = h2 + Gamma h2'
-    let h2_next = state.h2 + h2_dot * real(0.0009063462346100907);
+    state.h2 = state.h2 + h2_dot * real(0.0009063462346100907);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + th2_dot * real(0.000994023928172455);
+    state.th2 = state.th2 + th2_dot * real(0.000994023928172455);
     // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
-    let W2_next = state.W2 * real(0.9999000049998333)
+    state.W2 = state.W2 * real(0.9999000049998333)
         + P2.outer(c2 * real(0.000999950001666625));
     // eps2(t + dt) = eps2 + Gamma eps2'
-    let eps2_next = state.eps2 + real(0.000999950001666625) * eps2_dot;
+    state.eps2 = state.eps2 + real(0.000999950001666625) * eps2_dot;
     // sigma2(t + dt) = sigma2 + Gamma sigma2'
-    let sigma2_next = state.sigma2 + real(0.000999950001666625) * sigma2_dot;
+    state.sigma2 = state.sigma2 + real(0.000999950001666625) * sigma2_dot;
     // phi_2(t + dt) = max(phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)), phi_min)
-    let phi2_next = T::select(
+    state.phi2 = T::select(
             s2.sqrt().ge(real(0.2)),
             state.phi2 * (-(real(0.001) * phi2_decay)).exp(),
             state.phi2,
@@ -871,9 +966,9 @@ pub fn law<T: Real>(
 
     // -- states of block 3, one sample later --
     // zeta3(t + dt) = zeta3 + Gamma zeta3'
-    let zeta3_next = state.zeta3 + zeta3_dot * real(0.0009516258196404043);
+    state.zeta3 = state.zeta3 + zeta3_dot * real(0.0009516258196404043);
     // th3(t + dt) = th3 + Gamma th3'
-    let th3_next = state.th3 + th3_dot * real(0.0009754115099857198);
+    state.th3 = state.th3 + th3_dot * real(0.0009754115099857198);
     ControlOutputs {
         u,
         u_sat,
@@ -887,33 +982,21 @@ pub fn law<T: Real>(
         D_hat2: w_hat2,
         e3,
         D_hat3,
-        next: State {
-            zeta1: zeta1_next,
-            zeta2: zeta2_next,
-            zeta3: zeta3_next,
-            h1: h1_next,
-            W2: W2_next,
-            th2: th2_next,
-            eps2: eps2_next,
-            sigma2: sigma2_next,
-            phi2: phi2_next,
-            h2: h2_next,
-            th3: th3_next,
-        },
     }
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 80 additions, 129 multiplications, 12 divisions, 3 square roots, 10 elementary
-/// functions, 9 comparisons and selections.
+/// Operations: 80 additions, 129 multiplications, 12 divisions, 3 square roots, 9 elementary
+/// functions, 10 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 1>,
     x2: Vector<T, 1>,
     x3: Vector<T, 1>,
-    state: &State<T>,
+    state: &mut State<T>,
     params: &Params<T>,
 ) -> ControlOutputs<T> {
     let prepared = prepare(params);

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 1a32f0fa1230e5f10a207212baf098d3c88bb02d7e0779e23d3be19ddc192415
+// SHA-256 of the text below: 82fc4e51dbb5b7494e571ce34e63770eae3a963565caacdd16ddd3d7a6f3ecc6
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// initial: 13 additions, 32 multiplications, 4 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
-// control: 204 additions, 297 multiplications, 14 divisions, 0 square roots, 13 elementary functions, 13 comparisons and selections
+// initial: 13 additions, 32 multiplications, 4 divisions, 0 square roots, 5 elementary functions, 4 comparisons and selections
+// control: 204 additions, 297 multiplications, 14 divisions, 0 square roots, 11 elementary functions, 15 comparisons and selections
 
 //! `two_link_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -13,7 +13,6 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
-use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -29,6 +28,7 @@ pub const SAFE_INPUT: [f64; 2] = [0.0, 0.0];
 
 /// The controller's states, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct State<T> {
     /// Auxiliary anti-windup state zeta (13): joints (q1, q2).
     ///
@@ -128,6 +128,25 @@ pub struct Output<T: Real> {
     /// `d_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 2>,
 }
+impl<T: Real> Output<T> {
+    /// Before the first sample: all zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self {
+            status: Status::OK,
+            valid: T::Mask::splat(false),
+            u: Vector::zero(),
+            u_sat: Vector::zero(),
+            y_r: Vector::zero(),
+            e1: Vector::zero(),
+            k1: T::zero(),
+            alpha1: Vector::zero(),
+            e2: Vector::zero(),
+            k2: T::zero(),
+            D_hat2: Vector::zero(),
+        }
+    }
+}
 
 /// Two-link arm with an unknown load
 ///
@@ -135,6 +154,7 @@ pub struct Output<T: Real> {
 #[derive(Clone, Debug)]
 pub struct Controller<T: Real> {
     params: Params<T>,
+    prepared: Prepared<T>,
     state: State<T>,
     started: T::Mask,
 }
@@ -144,6 +164,7 @@ impl<T: Real> Controller<T> {
     #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
+            prepared: prepare(&params),
             params,
             state: State::zero(),
             started: T::Mask::splat(false),
@@ -153,22 +174,24 @@ impl<T: Real> Controller<T> {
     /// Starts anew from these measurements; from the next ones if they are not finite.
     #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) {
-        let start = initial(t, x1, x2);
-        let finite = start
-            .is_finite()
-            .and(t.is_finite())
-            .and(x1.is_finite())
-            .and(x2.is_finite());
-        self.state = State::select(finite, &start, &State::zero());
-        self.started = finite;
+        self.state = State::zero();
+        self.started = T::Mask::splat(false);
+        let mask = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
+        T::outlined(Begin {
+            controller: self,
+            mask,
+            t,
+            x1,
+            x2,
+        });
     }
 
     /// One sample: the control for the time since start (s) and the measured states (SI), after
     /// which the states are those of the next sample.
     ///
     /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
-    /// the status has `NON_FINITE_INPUT`, and the states stay as they were. `SATURATED` means that
-    /// a control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
+    /// the status has `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a
+    /// control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
     /// barrier was clamped.
     ///
     /// The first step with finite measurements initialises the states; so does the step after one
@@ -176,6 +199,20 @@ impl<T: Real> Controller<T> {
     /// use.
     #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> Output<T> {
+        let clock = clock(t);
+        self.step_at(t, &clock, x1, x2)
+    }
+
+    /// As [`Controller::step`], with the values of [`clock`] at this time, which can serve many
+    /// runs.
+    #[inline(always)]
+    pub fn step_at(
+        &mut self,
+        t: T,
+        clock: &Clock<T>,
+        x1: Vector<T, 2>,
+        x2: Vector<T, 2>,
+    ) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
         let starting = measured.and(self.started.not());
         if starting.any() {
@@ -187,17 +224,21 @@ impl<T: Real> Controller<T> {
                 x2,
             });
         }
-        let law = control(t, x1, x2, &self.state, &self.params);
+        let before = if measured.all() { None } else { Some(self.state) };
+        let law = law(x1, x2, &mut self.state, &self.prepared, clock);
         let valid = measured
+            .and(self.started)
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
-            .and(law.next.is_finite());
-        self.state = if valid.all() {
-            law.next
-        } else {
-            State::select(valid, &law.next, &self.state)
-        };
-        self.started = valid.or(self.started.and(measured.not()));
+            .and(self.state.is_finite());
+        if !valid.all() {
+            T::outlined(Restore {
+                controller: self,
+                valid,
+                measured,
+                before,
+            });
+        }
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
         let saturated = u[0].ne(u_sat[0]).or(u[1].ne(u_sat[1]));
@@ -247,13 +288,45 @@ impl<T: Real> Part for Begin<'_, T> {
         let start = initial(self.t, self.x1, self.x2);
         let mask = self.mask.and(start.is_finite());
         self.controller.state = State::select(mask, &start, &self.controller.state);
+        self.controller.started = self.controller.started.or(mask);
+    }
+}
+
+/// Gives the states back where the law was not finite: those before it, or if they made it
+/// overflow those of a start at the origin, until the next sample.
+struct Restore<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    valid: T::Mask,
+    measured: T::Mask,
+    before: Option<State<T>>,
+}
+impl<T: Real> Part for Restore<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let zero = State::zero();
+        let controller = self.controller;
+        let kept = match &self.before {
+            Some(before) => State::select(self.measured, &zero, before),
+            None => zero,
+        };
+        controller.state = State::select(self.valid, &controller.state, &kept);
+        let mask = self.measured.and(self.valid.not());
+        T::outlined(Begin {
+            controller: &mut *controller,
+            mask,
+            t: T::zero(),
+            x1: Vector::zero(),
+            x2: Vector::zero(),
+        });
+        controller.started = controller.started.and(mask.not());
     }
 }
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 13 additions, 32 multiplications, 4 divisions, 0 square roots, 6 elementary
-/// functions, 3 comparisons and selections.
+/// Operations: 13 additions, 32 multiplications, 4 divisions, 0 square roots, 5 elementary
+/// functions, 4 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let real = T::from_f64;
@@ -295,10 +368,10 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
+    let t5 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free);
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0)
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(4.0);
+    let Lam0_1 = e1 * real(5.0) * t5 + e1 * real(4.0);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
     // Lam_1, sum of the terms above
@@ -315,12 +388,12 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let e2 = x2 + bracket1;
 
     // -- given --
-    let t5 = real(12.0) * e2[0];
-    let t6 = real(36.0) * e2[0];
-    let t7 = real(8.0) * e2[1];
-    let t8 = real(2.0) * e2[1];
-    let t9 = real(11.0) * e2[1];
-    let th2 = -Vector([t5, t6, t7, t8, t9]);
+    let t6 = real(12.0) * e2[0];
+    let t7 = real(36.0) * e2[0];
+    let t8 = real(8.0) * e2[1];
+    let t9 = real(2.0) * e2[1];
+    let t10 = real(11.0) * e2[1];
+    let th2 = -Vector([t6, t7, t8, t9, t10]);
     State {
         zeta1,
         zeta2,
@@ -333,6 +406,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
 
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Prepared<T> {
     /// `a_2`.
     pub a_2: T,
@@ -377,6 +451,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
 /// Values of [`clock`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Clock<T> {
     /// `y_r(t)`
     pub y_r: Vector<T, 2>,
@@ -390,6 +465,21 @@ pub struct Clock<T> {
     pub E1_free_1: T,
     /// Part of `E2_free`.
     pub E2_free_1: T,
+}
+
+impl<T: Real> Clock<T> {
+    /// The same values in every lane.
+    #[inline(always)]
+    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+        Self {
+            y_r: Vector::splat_lanes(clock.y_r),
+            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
+            k1: T::splat(clock.k1),
+            k2: T::splat(clock.k2),
+            E1_free_1: T::splat(clock.E1_free_1),
+            E2_free_1: T::splat(clock.E2_free_1),
+        }
+    }
 }
 
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
@@ -449,19 +539,18 @@ pub struct ControlOutputs<T: Real> {
     pub k2: T,
     /// `d_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 2>,
-    /// All outputs `next.*`.
-    pub next: State<T>,
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 198 additions, 280 multiplications, 14 divisions, 0 square roots, 10 elementary
-/// functions, 13 comparisons and selections.
+/// Operations: 198 additions, 280 multiplications, 14 divisions, 0 square roots, 8 elementary
+/// functions, 15 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 2>,
     x2: Vector<T, 2>,
-    state: &State<T>,
+    state: &mut State<T>,
     prepared: &Prepared<T>,
     clock: &Clock<T>,
 ) -> ControlOutputs<T> {
@@ -499,39 +588,6 @@ pub fn law<T: Real>(
     let violated1 = E1_free.ge(real(1.5697963267948967));
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
-    // cos E_1
-    let cosE1 = E1.cos();
-    // 1 / cos^2 E_1
-    let sec2E1 = real(1.0) / (cosE1 * cosE1);
-    // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
-
-    // -- robust feedback of block 1 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0)
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(4.0);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
-    // ||c_1||^2
-    let s_c1 = c1.sum_squares();
-
-    // -- virtual control (31) of block 1 --
-    let t5 = state.zeta1 * real(20.0);
-    // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t5 - clock.y_r_dot + Lam1;
-    // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -bracket1;
-
-    // -- auxiliary system of block 1 (13) (E1) --
-    // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t5;
-
-    // -- dynamic surface filter of block 1 (33) --
-    // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (alpha1 - state.h1) * real(50.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
@@ -540,21 +596,59 @@ pub fn law<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t6 = s2 / clock.E2_free_1;
+    let t5 = s2 / clock.E2_free_1;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t6 * t6);
-    // E_2 >= pi/2 - delta
-    let violated2 = E2_free.ge(real(1.5697963267948967));
+    let E2_free = real(FRAC_PI_2) * (t5 * t5);
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
+    let t6 = Vector([E1, E2]);
+    let [cos_E1, cos_E2] = t6.cos().0;
     // cos E_2
-    let cosE2 = E2.cos();
+    let cosE2 = cos_E2;
+    // E_2 >= pi/2 - delta
+    let violated2 = E2_free.ge(real(1.5697963267948967));
     let t7 = cosE2 * cosE2;
     // 1 / cos^2 E_2
     let sec2E2 = real(1.0) / t7;
     let t8 = s2 * sec2E2;
     // c_2 = s_2 e_2^T / cos^2 E_2
     let c2 = e2 * t8;
+
+    // -- barrier of block 1 (23) (26) --
+    // cos E_1
+    let cosE1 = cos_E1;
+    // 1 / cos^2 E_1
+    let sec2E1 = real(1.0) / (cosE1 * cosE1);
+    // c_1 = s_1 e_1^T / cos^2 E_1
+    let c1 = e1 * (s1 * sec2E1);
+
+    // -- robust feedback of block 1 (31) (63) --
+    let [sin_E1, sin_E2] = t6.sin().0;
+    let t9 = T::select(E1.eq(real(0.0)), real(1.0), sin_E1 * cosE1 / E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free);
+    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
+    let Lam0_1 = e1 * real(5.0) * t9 + e1 * real(4.0);
+    // eta_2/2 ||G||^2 c^T (37)
+    let Lam1_filter = c1 * real(0.5);
+    // Lam_1, sum of the terms above
+    let Lam1 = Lam0_1 + Lam1_filter;
+    // ||c_1||^2
+    let s_c1 = c1.sum_squares();
+
+    // -- virtual control (31) of block 1 --
+    let t10 = state.zeta1 * real(20.0);
+    // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
+    let bracket1 = t10 - clock.y_r_dot + Lam1;
+    // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
+    let alpha1 = -bracket1;
+
+    // -- auxiliary system of block 1 (13) (E1) --
+    // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
+    let zeta1_dot = state.zeta2 - t10;
+
+    // -- dynamic surface filter of block 1 (33) --
+    // h_1' = (alpha_1 - h_1) / Fl_1
+    let h1_dot = (alpha1 - state.h1) * real(50.0);
 
     // -- MTPN of block 2 (4) (16) --
     // z_2, network inputs
@@ -578,17 +672,17 @@ pub fn law<T: Real>(
     let D_hat2 = Vector([w_hat2[0], w_hat2[2] + w_hat2[3]]);
 
     // -- robust feedback of block 2 (31) (63) --
+    let t11 = T::select(E2.eq(real(0.0)), real(1.0), sin_E2 * cosE2 / E2)
+        * real(1.0).min(real(1.5697963267948967) / E2_free);
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(10.0)
-        * (kernel::sin_cos_over(E2) * real(1.0).min(real(1.5697963267948967) / E2_free))
-        + e2 * real(8.0);
+    let Lam0_2 = e2 * real(10.0) * t11 + e2 * real(8.0);
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(0.9999999999999998);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * (real(0.5) * sec2E2);
-    let t9 = e2.tanh();
+    let t12 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t9 * state.eps2;
+    let Lam2_error_bound = t12 * state.eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
     let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25) * t7;
     // Lam_2, sum of the terms above
@@ -596,13 +690,13 @@ pub fn law<T: Real>(
         + Lam2_coupling;
 
     // -- control (64) of block 2 --
-    let t10 = F2 + A_hat2;
-    let t11 = state.zeta2 * real(50.0);
+    let t13 = F2 + A_hat2;
+    let t14 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t10 - h1_dot + t11 + D_hat2 + Lam2;
-    let t12 = inverse_M.solve(bracket2);
+    let bracket2 = t13 - h1_dot + t14 + D_hat2 + Lam2;
+    let t15 = inverse_M.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t12;
+    let u = -t15;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
@@ -610,44 +704,36 @@ pub fn law<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = inverse_M * (u_sat + t12) - t11;
+    let zeta2_dot = inverse_M * (u_sat + t15) - t14;
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t13 = Vector([
+    let t16 = Vector([
         real(-12.0) * w_hat2[0] + w_hat2[1],
         real(-36.0) * w_hat2[0],
         real(-8.0) * w_hat2[2] + real(-8.0) * w_hat2[3],
         real(-2.0) * w_hat2[2] + real(-2.0) * w_hat2[3] + real(3.0) * w_hat2[4],
         real(-11.0) * w_hat2[2] + real(-14.0) * w_hat2[3],
     ]);
-    let t14 = t10 + inverse_M * u - h1_dot + t11;
+    let t17 = t13 + inverse_M * u - h1_dot + t14;
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = t13
+    let th2_dot = t16
         - Vector([
-            real(12.0) * t14[0],
-            real(36.0) * t14[0],
-            real(8.0) * t14[1],
-            real(2.0) * t14[1],
-            real(11.0) * t14[1],
+            real(12.0) * t17[0],
+            real(36.0) * t17[0],
+            real(8.0) * t17[1],
+            real(2.0) * t17[1],
+            real(11.0) * t17[1],
         ]);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (t8 * e2.dot(t9) - state.eps2);
+    let eps2_dot = real(0.1) * (t8 * e2.dot(t12) - state.eps2);
 
     // -- status --
     // some E_i >= pi/2 - delta
     let violated = violated1.or(violated2);
 
-    // -- states of block 1, one sample later --
-    // zeta1(t + dt) = zeta1 + Gamma zeta1'
-    let zeta1_next = state.zeta1 + zeta1_dot * real(0.0019605280423838395);
-    // h1(t + dt) = h1 + Gamma h1'
-    let h1_next = state.h1 + h1_dot * real(0.0019032516392808085);
-
     // -- states of block 2, one sample later --
-    // zeta2(t + dt) = zeta2 + Gamma zeta2'
-    let zeta2_next = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
     // Gamma of th2
     let th2_step: Matrix<T, 5, 5> = Matrix::from_f64([
         [0.001976143425723861, 1.984071770174817e-6, 0.0, 0.0, 0.0],
@@ -662,13 +748,23 @@ pub fn law<T: Real>(
         [0.0, 0.0, -4.0171910527606606e-6, 0.001995970820999854, 5.991956185266466e-6],
         [0.0, 0.0, -2.1845797894047418e-5, -2.784571417199025e-5, 0.0019999442315428947],
     ]);
+
+    // -- states of block 1, one sample later --
+    // zeta1(t + dt) = zeta1 + Gamma zeta1'
+    state.zeta1 = state.zeta1 + zeta1_dot * real(0.0019605280423838395);
+    // h1(t + dt) = h1 + Gamma h1'
+    state.h1 = state.h1 + h1_dot * real(0.0019032516392808085);
+
+    // -- states of block 2, one sample later --
+    // zeta2(t + dt) = zeta2 + Gamma zeta2'
+    state.zeta2 = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + th2_step * th2_dot;
+    state.th2 = state.th2 + th2_step * th2_dot;
     // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
-    let W2_next = state.W2 * real(0.9998000199986667)
+    state.W2 = state.W2 * real(0.9998000199986667)
         + P2.outer(c2 * real(0.001999800013332667));
     // eps2(t + dt) = eps2 + Gamma eps2'
-    let eps2_next = state.eps2 + real(0.001999800013332667) * eps2_dot;
+    state.eps2 = state.eps2 + real(0.001999800013332667) * eps2_dot;
     ControlOutputs {
         u,
         u_sat,
@@ -680,27 +776,20 @@ pub fn law<T: Real>(
         e2,
         k2: clock.k2,
         D_hat2,
-        next: State {
-            zeta1: zeta1_next,
-            zeta2: zeta2_next,
-            h1: h1_next,
-            W2: W2_next,
-            th2: th2_next,
-            eps2: eps2_next,
-        },
     }
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 204 additions, 297 multiplications, 14 divisions, 0 square roots, 13 elementary
-/// functions, 13 comparisons and selections.
+/// Operations: 204 additions, 297 multiplications, 14 divisions, 0 square roots, 11 elementary
+/// functions, 15 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 2>,
     x2: Vector<T, 2>,
-    state: &State<T>,
+    state: &mut State<T>,
     params: &Params<T>,
 ) -> ControlOutputs<T> {
     let prepared = prepare(params);

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 113f435d7cf6a5a578420195759aa03bb8a22bb815e3a09c2a5815b2a1e21887
+// SHA-256 of the text below: 5ea33d613de7504434924cf91085edadd254fcac848117323b5bc02d3dea2c32
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // plant: 20 additions, 29 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -29,37 +29,40 @@ pub const INITIAL_STATE: [f64; STATES] = [0.1, -0.1, 0.0, 0.0, 0.5, -0.2, 1.0, 0
 pub struct Plant<T> {
     /// Parameters.
     pub params: Params<T>,
+    /// Values of [`prepare`] for these parameters.
+    pub prepared: Prepared<T>,
     /// Control, held between samples.
     pub u_sat: Vector<T, 2>,
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
     #[inline(always)]
-    fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        T::outlined(Drift { plant: self, t, x })
+    fn drift(&self, _t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+        T::outlined(Drift { plant: self, x })
     }
 
     #[inline(always)]
-    fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
+    fn diffusion(&self, _t: f64, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
 }
 /// Drift.
 struct Drift<'a, T> {
     plant: &'a Plant<T>,
-    t: T,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Drift<'_, T> {
     type Output = Vector<T, STATES>;
     #[inline(always)]
     fn run(self) -> Vector<T, STATES> {
-        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
+        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.prepared);
+        rate.drift
     }
 }
 
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Prepared<T> {
     /// `a_2`.
     pub a_2: T,

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: d236ccab2a77ae4603577604d968d32ccc2b86727b92a4887faa2bb4dba00d1d
+// SHA-256 of the text below: d0a02000be9a764a0e30772170794a84c6ca6eab44efe5e27a7264fef2833acd
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
-// initial: 187 additions, 237 multiplications, 27 divisions, 0 square roots, 20 elementary functions, 18 comparisons and selections
-// control: 1680 additions, 2044 multiplications, 58 divisions, 3 square roots, 27 elementary functions, 49 comparisons and selections
+// initial: 187 additions, 237 multiplications, 27 divisions, 0 square roots, 19 elementary functions, 19 comparisons and selections
+// control: 1680 additions, 2044 multiplications, 58 divisions, 3 square roots, 26 elementary functions, 50 comparisons and selections
 
 //! `underwater_vehicle`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -13,7 +13,6 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
-use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -30,6 +29,7 @@ pub const SAFE_INPUT: [f64; 6] = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 
 /// The controller's states, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct State<T> {
     /// Auxiliary anti-windup state zeta (13): pose (north, east, down, phi, theta, psi).
     ///
@@ -154,6 +154,25 @@ pub struct Output<T: Real> {
     /// `d_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 6>,
 }
+impl<T: Real> Output<T> {
+    /// Before the first sample: all zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self {
+            status: Status::OK,
+            valid: T::Mask::splat(false),
+            u: Vector::zero(),
+            u_sat: Vector::zero(),
+            y_r: Vector::zero(),
+            e1: Vector::zero(),
+            k1: T::zero(),
+            alpha1: Vector::zero(),
+            D_hat1: Vector::zero(),
+            e2: Vector::zero(),
+            D_hat2: Vector::zero(),
+        }
+    }
+}
 
 /// Underwater vehicle in waves and a current
 ///
@@ -161,6 +180,7 @@ pub struct Output<T: Real> {
 #[derive(Clone, Debug)]
 pub struct Controller<T: Real> {
     params: Params<T>,
+    prepared: Prepared<T>,
     state: State<T>,
     started: T::Mask,
 }
@@ -170,6 +190,7 @@ impl<T: Real> Controller<T> {
     #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
+            prepared: prepare(&params),
             params,
             state: State::zero(),
             started: T::Mask::splat(false),
@@ -179,22 +200,24 @@ impl<T: Real> Controller<T> {
     /// Starts anew from these measurements; from the next ones if they are not finite.
     #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) {
-        let start = initial(t, x1, x2);
-        let finite = start
-            .is_finite()
-            .and(t.is_finite())
-            .and(x1.is_finite())
-            .and(x2.is_finite());
-        self.state = State::select(finite, &start, &State::zero());
-        self.started = finite;
+        self.state = State::zero();
+        self.started = T::Mask::splat(false);
+        let mask = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
+        T::outlined(Begin {
+            controller: self,
+            mask,
+            t,
+            x1,
+            x2,
+        });
     }
 
     /// One sample: the control for the time since start (s) and the measured states (SI), after
     /// which the states are those of the next sample.
     ///
     /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
-    /// the status has `NON_FINITE_INPUT`, and the states stay as they were. `SATURATED` means that
-    /// a control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
+    /// the status has `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a
+    /// control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
     /// barrier was clamped.
     ///
     /// The first step with finite measurements initialises the states; so does the step after one
@@ -202,6 +225,20 @@ impl<T: Real> Controller<T> {
     /// use.
     #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> Output<T> {
+        let clock = clock(t);
+        self.step_at(t, &clock, x1, x2)
+    }
+
+    /// As [`Controller::step`], with the values of [`clock`] at this time, which can serve many
+    /// runs.
+    #[inline(always)]
+    pub fn step_at(
+        &mut self,
+        t: T,
+        clock: &Clock<T>,
+        x1: Vector<T, 6>,
+        x2: Vector<T, 6>,
+    ) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
         let starting = measured.and(self.started.not());
         if starting.any() {
@@ -213,17 +250,21 @@ impl<T: Real> Controller<T> {
                 x2,
             });
         }
-        let law = control(t, x1, x2, &self.state, &self.params);
+        let before = if measured.all() { None } else { Some(self.state) };
+        let law = law(x1, x2, &mut self.state, &self.params, &self.prepared, clock);
         let valid = measured
+            .and(self.started)
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
-            .and(law.next.is_finite());
-        self.state = if valid.all() {
-            law.next
-        } else {
-            State::select(valid, &law.next, &self.state)
-        };
-        self.started = valid.or(self.started.and(measured.not()));
+            .and(self.state.is_finite());
+        if !valid.all() {
+            T::outlined(Restore {
+                controller: self,
+                valid,
+                measured,
+                before,
+            });
+        }
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
         let saturated = u[0]
@@ -279,24 +320,56 @@ impl<T: Real> Part for Begin<'_, T> {
         let start = initial(self.t, self.x1, self.x2);
         let mask = self.mask.and(start.is_finite());
         self.controller.state = State::select(mask, &start, &self.controller.state);
+        self.controller.started = self.controller.started.or(mask);
+    }
+}
+
+/// Gives the states back where the law was not finite: those before it, or if they made it
+/// overflow those of a start at the origin, until the next sample.
+struct Restore<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    valid: T::Mask,
+    measured: T::Mask,
+    before: Option<State<T>>,
+}
+impl<T: Real> Part for Restore<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let zero = State::zero();
+        let controller = self.controller;
+        let kept = match &self.before {
+            Some(before) => State::select(self.measured, &zero, before),
+            None => zero,
+        };
+        controller.state = State::select(self.valid, &controller.state, &kept);
+        let mask = self.measured.and(self.valid.not());
+        T::outlined(Begin {
+            controller: &mut *controller,
+            mask,
+            t: T::zero(),
+            x1: Vector::zero(),
+            x2: Vector::zero(),
+        });
+        controller.started = controller.started.and(mask.not());
     }
 }
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 187 additions, 237 multiplications, 27 divisions, 0 square roots, 20 elementary
-/// functions, 18 comparisons and selections.
+/// Operations: 187 additions, 237 multiplications, 27 divisions, 0 square roots, 19 elementary
+/// functions, 19 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     let real = T::from_f64;
 
     // -- plant model --
     let psi = x1[5];
-    let phi = x1[3];
     let theta = x1[4];
-    let t1 = Vector([psi, theta, phi]);
-    let [cos_psi, cos_theta, cos_phi] = t1.cos().0;
-    let [sin_psi, sin_theta, sin_phi] = t1.sin().0;
+    let phi = x1[3];
+    let t1 = Vector([phi, theta, psi]);
+    let [cos_phi, cos_theta, cos_psi] = t1.cos().0;
+    let [sin_phi, sin_theta, sin_psi] = t1.sin().0;
     let t2 = cos_psi * sin_theta;
     let t3 = sin_psi * sin_theta;
     let [_, tan_theta, _] = t1.tan().0;
@@ -413,10 +486,10 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     let G_norm2_1 = J.sum_squares();
 
     // -- robust feedback of block 1 (31) (63) --
+    let t20 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free);
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(0.5);
+    let Lam0_1 = e1 * t20 + e1 * real(0.5);
     // eta_1/2 c^T (36)
     let Lam1_disturbance = c1 * real(0.5);
     // eta_2/2 ||G||^2 c^T (37)
@@ -427,28 +500,28 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = D_hat1 - y_r_dot + Lam1;
-    let t20 = J.solve(bracket1);
+    let t21 = J.solve(bracket1);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t20;
+    let alpha1 = -t21;
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t20;
+    let e2 = x2 + t21;
 
     // -- given --
-    let t21 = real(-8.0) * e2[0];
-    let t22 = real(5.8) * e2[0];
-    let t23 = real(-8.0) * e2[1];
-    let t24 = real(5.8) * e2[1];
-    let t25 = real(-8.0) * e2[2];
-    let t26 = real(5.8) * e2[2];
-    let t27 = real(-8.0) * e2[3];
-    let t28 = real(5.8) * e2[3];
-    let t29 = real(-8.0) * e2[4];
-    let t30 = real(5.8) * e2[4];
-    let t31 = real(-8.0) * e2[5];
-    let t32 = real(5.8) * e2[5];
-    let th2 = -Vector([t21, t22, t23, t24, t25, t26, t27, t28, t29, t30, t31, t32]);
+    let t22 = real(-8.0) * e2[0];
+    let t23 = real(5.8) * e2[0];
+    let t24 = real(-8.0) * e2[1];
+    let t25 = real(5.8) * e2[1];
+    let t26 = real(-8.0) * e2[2];
+    let t27 = real(5.8) * e2[2];
+    let t28 = real(-8.0) * e2[3];
+    let t29 = real(5.8) * e2[3];
+    let t30 = real(-8.0) * e2[4];
+    let t31 = real(5.8) * e2[4];
+    let t32 = real(-8.0) * e2[5];
+    let t33 = real(5.8) * e2[5];
+    let th2 = -Vector([t22, t23, t24, t25, t26, t27, t28, t29, t30, t31, t32, t33]);
     State {
         zeta1,
         zeta2,
@@ -464,6 +537,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
 
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Prepared<T> {
     /// `inverse_M`.
     pub inverse_M: Matrix<T, 6, 6>,
@@ -559,6 +633,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
 /// Values of [`clock`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Clock<T> {
     /// `y_r(t)`
     pub y_r: Vector<T, 6>,
@@ -568,6 +643,19 @@ pub struct Clock<T> {
     pub k1: T,
     /// Part of `E1_free`.
     pub E1_free_1: T,
+}
+
+impl<T: Real> Clock<T> {
+    /// The same values in every lane.
+    #[inline(always)]
+    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+        Self {
+            y_r: Vector::splat_lanes(clock.y_r),
+            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
+            k1: T::splat(clock.k1),
+            E1_free_1: T::splat(clock.E1_free_1),
+        }
+    }
 }
 
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
@@ -642,19 +730,18 @@ pub struct ControlOutputs<T: Real> {
     pub e2: Vector<T, 6>,
     /// `d_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 6>,
-    /// All outputs `next.*`.
-    pub next: State<T>,
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 1016 additions, 1231 multiplications, 50 divisions, 2 square roots, 19
-/// elementary functions, 49 comparisons and selections.
+/// Operations: 1016 additions, 1231 multiplications, 50 divisions, 2 square roots, 18
+/// elementary functions, 50 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 6>,
     x2: Vector<T, 6>,
-    state: &State<T>,
+    state: &mut State<T>,
     params: &Params<T>,
     prepared: &Prepared<T>,
     clock: &Clock<T>,
@@ -663,11 +750,11 @@ pub fn law<T: Real>(
 
     // -- plant model --
     let psi = x1[5];
-    let phi = x1[3];
     let theta = x1[4];
-    let t1 = Vector([psi, theta, phi]);
-    let [cos_psi, cos_theta, cos_phi] = t1.cos().0;
-    let [sin_psi, sin_theta, sin_phi] = t1.sin().0;
+    let phi = x1[3];
+    let t1 = Vector([phi, theta, psi]);
+    let [cos_phi, cos_theta, cos_psi] = t1.cos().0;
+    let [sin_phi, sin_theta, sin_psi] = t1.sin().0;
     let t2 = cos_psi * sin_theta;
     let t3 = sin_psi * sin_theta;
     let t4 = -sin_theta;
@@ -788,10 +875,10 @@ pub fn law<T: Real>(
     let G_norm2_1 = J.sum_squares();
 
     // -- robust feedback of block 1 (31) (63) --
+    let t15 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free);
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(0.5);
+    let Lam0_1 = e1 * t15 + e1 * real(0.5);
     // eta_1/2 c^T (36)
     let Lam1_disturbance = c1 * real(0.5);
     // eta_2/2 ||G||^2 c^T (37)
@@ -802,15 +889,15 @@ pub fn law<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t15 = state.zeta1 * real(5.0);
+    let t16 = state.zeta1 * real(5.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t15 - clock.y_r_dot + D_hat1 + Lam1;
+    let bracket1 = t16 - clock.y_r_dot + D_hat1 + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -J.solve(bracket1);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = J * state.zeta2 - t15;
+    let zeta1_dot = J * state.zeta2 - t16;
 
     // -- observer dynamics of block 1 (21) (50) --
     // th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)
@@ -837,7 +924,7 @@ pub fn law<T: Real>(
     let A_hat2 = state.W2.transpose_mul(P2);
 
     // -- disturbance observer of block 2 (20) (49) --
-    let t16 = Vector([
+    let t17 = Vector([
         real(-8.0) * e2[0],
         real(5.8) * e2[0],
         real(-8.0) * e2[1],
@@ -852,7 +939,7 @@ pub fn law<T: Real>(
         real(5.8) * e2[5],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t16;
+    let w_hat2 = state.th2 + t17;
     // d_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([
         w_hat2[1],
@@ -870,32 +957,32 @@ pub fn law<T: Real>(
     let Lam2_disturbance = c2 * real(3.0);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t17 = e2.tanh();
+    let t18 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t17 * state.eps2;
-    let t18 = G_norm2_1 * s_c1;
+    let Lam2_error_bound = t18 * state.eps2;
+    let t19 = G_norm2_1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t18 * t18) * real(0.25);
-    let t19 = s2 * s2;
+    let Lam2_coupling = e2 * (t19 * t19) * real(0.25);
+    let t20 = s2 * s2;
     // 1 / sqrt(s_2^2 + varsigma_2^2)
-    let s_scale2 = real(1.0) / (t19 + real(1.0)).sqrt();
+    let s_scale2 = real(1.0) / (t20 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
     let Lam2_noise = e2 * (prepared.Psi2_1 * state.sigma2 * s_scale2);
-    let t20 = prepared.Psi2 / (state.phi2 * state.phi2 + t19);
+    let t21 = prepared.Psi2 / (state.phi2 * state.phi2 + t20);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t20;
+    let Lam2_diffusion = e2 * t21;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
 
     // -- control (64) of block 2 --
-    let t21 = F2 + A_hat2;
-    let t22 = state.zeta2 * real(10.0);
+    let t22 = F2 + A_hat2;
+    let t23 = state.zeta2 * real(10.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t21 - h1_dot + t22 + D_hat2 + Lam2;
-    let t23 = prepared.inverse_M.solve(bracket2);
+    let bracket2 = t22 - h1_dot + t23 + D_hat2 + Lam2;
+    let t24 = prepared.inverse_M.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t23;
+    let u = -t24;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]))
@@ -903,10 +990,10 @@ pub fn law<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = prepared.inverse_M * (u_sat + t23) - t22;
+    let zeta2_dot = prepared.inverse_M * (u_sat + t24) - t23;
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t24 = Vector([
+    let t25 = Vector([
         real(9.0) * w_hat2[1],
         real(-6.0) * w_hat2[1] - w_hat2[0],
         real(9.0) * w_hat2[3],
@@ -920,49 +1007,37 @@ pub fn law<T: Real>(
         real(9.0) * w_hat2[11],
         real(-6.0) * w_hat2[11] - w_hat2[10],
     ]);
-    let t25 = t21 + prepared.inverse_M * u - h1_dot + t22;
-    let t26 = Vector([
-        real(-8.0) * t25[0],
-        real(5.8) * t25[0],
-        real(-8.0) * t25[1],
-        real(5.8) * t25[1],
-        real(-8.0) * t25[2],
-        real(5.8) * t25[2],
-        real(-8.0) * t25[3],
-        real(5.8) * t25[3],
-        real(-8.0) * t25[4],
-        real(5.8) * t25[4],
-        real(-8.0) * t25[5],
-        real(5.8) * t25[5],
+    let t26 = t22 + prepared.inverse_M * u - h1_dot + t23;
+    let t27 = Vector([
+        real(-8.0) * t26[0],
+        real(5.8) * t26[0],
+        real(-8.0) * t26[1],
+        real(5.8) * t26[1],
+        real(-8.0) * t26[2],
+        real(5.8) * t26[2],
+        real(-8.0) * t26[3],
+        real(5.8) * t26[3],
+        real(-8.0) * t26[4],
+        real(5.8) * t26[4],
+        real(-8.0) * t26[5],
+        real(5.8) * t26[5],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = t24 - t26;
+    let th2_dot = t25 - t27;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 * e2.dot(t17) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 * e2.dot(t18) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = prepared.Psi2_1 * t19 * s_scale2 - real(0.1) * state.sigma2;
+    let sigma2_dot = prepared.Psi2_1 * t20 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t20 + real(0.5);
-
-    // -- states of block 1, one sample later --
-    // zeta1(t + dt) = zeta1 + Gamma zeta1'
-    let zeta1_next = state.zeta1 + zeta1_dot * real(0.009754115099857198);
-    // h1(t + dt) = h1 + Gamma h1'
-    let h1_next = state.h1 + h1_dot * real(0.009516258196404044);
-    // th1(t + dt) = th1 + Gamma th1'
-    let th1_next = state.th1 + th1_dot * real(0.009950166250831947);
-
-    // -- states of block 2, one sample later --
-    // zeta2(t + dt) = zeta2 + Gamma zeta2'
-    let zeta2_next = state.zeta2 + zeta2_dot * real(0.009516258196404044);
-    let t27 = Vector([
+    let phi2_decay = t21 + real(0.5);
+    let t28 = Vector([
         real(0.0099985222988428) * th2_dot[0]
             + real(0.00044110044503657773) * th2_dot[1],
         real(-4.9011160559619754e-5) * th2_dot[0]
@@ -988,17 +1063,29 @@ pub fn law<T: Real>(
         real(-4.9011160559619754e-5) * th2_dot[10]
             + real(0.009704455335485081) * th2_dot[11],
     ]);
+
+    // -- states of block 1, one sample later --
+    // zeta1(t + dt) = zeta1 + Gamma zeta1'
+    state.zeta1 = state.zeta1 + zeta1_dot * real(0.009754115099857198);
+    // h1(t + dt) = h1 + Gamma h1'
+    state.h1 = state.h1 + h1_dot * real(0.009516258196404044);
+    // th1(t + dt) = th1 + Gamma th1'
+    state.th1 = state.th1 + th1_dot * real(0.009950166250831947);
+
+    // -- states of block 2, one sample later --
+    // zeta2(t + dt) = zeta2 + Gamma zeta2'
+    state.zeta2 = state.zeta2 + zeta2_dot * real(0.009516258196404044);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + t27;
+    state.th2 = state.th2 + t28;
     // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
-    let W2_next = state.W2 * real(0.999000499833375)
+    state.W2 = state.W2 * real(0.999000499833375)
         + P2.outer(c2 * real(0.009995001666250083));
     // eps2(t + dt) = eps2 + Gamma eps2'
-    let eps2_next = state.eps2 + real(0.009995001666250083) * eps2_dot;
+    state.eps2 = state.eps2 + real(0.009995001666250083) * eps2_dot;
     // sigma2(t + dt) = sigma2 + Gamma sigma2'
-    let sigma2_next = state.sigma2 + real(0.009995001666250083) * sigma2_dot;
+    state.sigma2 = state.sigma2 + real(0.009995001666250083) * sigma2_dot;
     // phi_2(t + dt) = max(phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)), phi_min)
-    let phi2_next = T::select(
+    state.phi2 = T::select(
             s2.sqrt().ge(real(0.2)),
             state.phi2 * (-(real(0.01) * phi2_decay)).exp(),
             state.phi2,
@@ -1015,30 +1102,20 @@ pub fn law<T: Real>(
         D_hat1,
         e2,
         D_hat2,
-        next: State {
-            zeta1: zeta1_next,
-            zeta2: zeta2_next,
-            th1: th1_next,
-            h1: h1_next,
-            W2: W2_next,
-            th2: th2_next,
-            eps2: eps2_next,
-            sigma2: sigma2_next,
-            phi2: phi2_next,
-        },
     }
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 1680 additions, 2044 multiplications, 58 divisions, 3 square roots, 27
-/// elementary functions, 49 comparisons and selections.
+/// Operations: 1680 additions, 2044 multiplications, 58 divisions, 3 square roots, 26
+/// elementary functions, 50 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 6>,
     x2: Vector<T, 6>,
-    state: &State<T>,
+    state: &mut State<T>,
     params: &Params<T>,
 ) -> ControlOutputs<T> {
     let prepared = prepare(params);
