@@ -61,7 +61,7 @@ impl Law<'_> {
             self.define_norm_squared(format!("H_norm2_{i}"), format!("||H_{i}||^2"), h.clone());
         self.define_hessian_norm(i);
         let mut psi =
-            (h2 * name(format!("Ybar_norm{i}")) * number(bound.varsigma)).pow(2) / number(2.0);
+            (h2 * number(bound.varsigma)).pow(2) * name(format!("Ybar_square{i}")) / number(2.0);
         if let Disturbance::Exosystem(channels) = &block.disturbance {
             let n = assemble(channels).n;
             if n.cols > 0 {

@@ -108,12 +108,14 @@ impl Law<'_> {
             None => identity.clone(),
         };
         let others = (self.width() - 1) as f64;
-        let norm = match self.model.controller.norm {
+        let (square, norm) = match self.model.controller.norm {
             nsv_spec::model::Norm::Frobenius if others > 0.0 => {
-                (largest.pow(2) + number(others) * identity.pow(2)).apply(Function::Sqrt)
+                let square = largest.pow(2) + number(others) * identity.pow(2);
+                (square, quantity("Ybar_square").apply(Function::Sqrt))
             }
-            _ => largest,
+            _ => (largest.clone().pow(2), largest),
         };
+        self.define(format!("Ybar_square{i}"), format!("||Ybar_{i}||^2"), square);
         let text = format!(
             "||Ybar_{i}||, Ybar_{i} = (4 pi/k_{i}^4) (sin E_{i}/cos^3 E_{i}) s_{i} e_{i} e_{i}^T + (3/cos^2 E_{i}) I  (58)"
         );

@@ -5,8 +5,8 @@ use nsv_spec::model::Basis as Kind;
 use super::build::size;
 use super::mnemonic::{COMPARISONS, FUNCTIONS, KERNELS, OPERATORS};
 use super::{
-    BasisId, FamilyId, FamilyMember, Function, Input, MonomialBasis, Op, Origin, PolynomialData,
-    PolynomialFamily, PolynomialId, Program, Shape, Type, ValueId, Values,
+    BasisId, FamilyId, FamilyMember, Function, Input, MonomialBasis, Op, Operator, Origin,
+    PolynomialData, PolynomialFamily, PolynomialId, Program, Shape, Type, ValueId, Values,
 };
 
 /// Values at which algebra that is not IEEE arithmetic shows.
@@ -179,10 +179,11 @@ struct Generator {
 impl Generator {
     /// Appends an operation, unless no operands for it were found.
     fn append(&mut self) {
-        match self.random.below(12) {
+        match self.random.below(13) {
             0 => self.append_literal(),
             1 => self.append_taken_apart(),
             2 => self.append_again(),
+            3 => self.append_sum_of_polynomials(),
             _ => {
                 if let Some(op) = self
                     .operation()
@@ -225,6 +226,21 @@ impl Generator {
         });
         let items = items.collect();
         self.program.array(shape, items);
+    }
+
+    /// Two members of a family, one of them multiplied by a number, added.
+    fn append_sum_of_polynomials(&mut self) {
+        let Some(z) = self.scalar() else {
+            return;
+        };
+        let values = self.program.push(Op::Family(FamilyId(0), z));
+        let [first, second] = [0, 0].map(|_| self.random.below(4));
+        let [first, second] = [first, second].map(|row| Op::Element(values, row, 0));
+        let (first, second) = (self.program.push(first), self.program.push(second));
+        let factor = self.random.literal();
+        let factor = self.program.scalar(factor);
+        let second = self.program.binary(Operator::Mul, second, factor);
+        self.program.binary(Operator::Add, first, second);
     }
 
     /// An earlier operation once more, its first two operands exchanged if they may be.

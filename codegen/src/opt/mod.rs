@@ -8,6 +8,7 @@ pub mod stage;
 
 mod angles;
 mod arrays;
+mod combine;
 mod contract;
 mod dead_code;
 mod divisors;
@@ -49,7 +50,7 @@ pub struct Pass {
 }
 
 /// All passes, in the order of a round.
-pub static PASSES: [Pass; 16] = [
+pub static PASSES: [Pass; 17] = [
     Pass {
         name: "fold",
         kind: Kind::Exact,
@@ -113,6 +114,13 @@ pub static PASSES: [Pass; 16] = [
         run: polynomials::run,
     },
     Pass {
+        name: "combine",
+        kind: Kind::Reassociating(
+            "the coefficients of n polynomials that are added are rounded n times, so that the sum at z is off by at most n 2^-53 sum |c_i| |z|^i more",
+        ),
+        run: combine::run,
+    },
+    Pass {
         name: "divisors",
         kind: Kind::Reassociating("a quotient x/c is off by at most 1.5 ulp instead of 0.5"),
         run: divisors::run,
@@ -136,14 +144,14 @@ pub static PASSES: [Pass; 16] = [
     },
 ];
 
-/// The pass after all rounds.
-pub static CONTRACT: Pass = Pass {
+/// The passes after all rounds.
+pub static LAST: [Pass; 1] = [Pass {
     name: "contract",
     kind: Kind::Reassociating(
         "a product that is added to something is not rounded, which takes at most half of the error of both away",
     ),
     run: contract::run,
-};
+}];
 
 /// Which passes are applied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -158,13 +166,15 @@ pub enum Arithmetic {
 /// find nearly all.
 const ROUNDS: usize = 6;
 
-/// The program with what is known of its literals done as on paper: `0 x = 0`, `x + 0 = x`, `x / c = (1/c) x`. Part of lowering: results are
-/// those of the program for all finite values, up to the sign of a zero and a rounding for each such quotient.
+/// The program with what is known of its literals done as on paper: `0 x = 0`, `x + 0 = x`, `x / c = (1/c) x`, and a clamped kernel as one
+/// quotient. Part of lowering: results are those of the program for all finite values, up to the sign of a zero and a rounding for each
+/// such quotient.
 pub fn simplify(mut program: Program) -> Program {
     for _ in 0..ROUNDS {
         let before = program.clone();
         let passes = [
             fold::run,
+            kernels::run_clamped,
             identities::run,
             structural_zeros::run,
             divisors::run,
@@ -213,10 +223,9 @@ pub fn optimise_watched(
             break;
         }
     }
-    if arithmetic == Arithmetic::Fast {
-        program = (CONTRACT.run)(program);
-        program = dead_code::run(program);
-        watch(&CONTRACT, 1, &program);
+    for pass in arithmetic.last_passes() {
+        program = dead_code::run((pass.run)(program));
+        watch(pass, 1, &program);
     }
     program
 }
@@ -224,8 +233,11 @@ pub fn optimise_watched(
 impl Arithmetic {
     /// The passes of this arithmetic, in their order.
     pub fn passes(self) -> impl Iterator<Item = &'static Pass> {
-        let last = (self == Arithmetic::Fast).then_some(&CONTRACT);
-        self.passes_of_a_round().chain(last)
+        self.passes_of_a_round().chain(self.last_passes())
+    }
+
+    fn last_passes(self) -> impl Iterator<Item = &'static Pass> {
+        LAST.iter().filter(move |_| self == Arithmetic::Fast)
     }
 
     fn passes_of_a_round(self) -> impl Iterator<Item = &'static Pass> {

@@ -6,6 +6,7 @@ use crate::ir::{Input, Op, Operator, Shape, Type, ValueId, Values, build, chain,
 fn pass(name: &str) -> &'static Pass {
     PASSES
         .iter()
+        .chain(&LAST)
         .find(|pass| pass.name == name)
         .expect("a pass of that name")
 }
@@ -340,6 +341,56 @@ fn polynomials() {
                 %8: real = polynomial g, %1\n%9: real = polynomial f, %2, %2\n%10: real = polynomial f, %0, %1\noutput p = %4\noutput q = %5\n\
                 output r = %6\noutput s = %7\noutput t = %8\noutput u = %9\noutput v = %10";
     check("polynomials", text);
+}
+
+#[test]
+fn combine() {
+    let text = "input a: real\ninput b: real\nfamily at_a(a) = p [1.0, 2.0, 3.0], q [-1.0, -0.0, 4.0], r [5.0, 6.0], s [7.0]\n%0: real = input a\n\
+                %1: real = input b\n%2: vec4 = family at_a, %0\n%3: real = element %2, 0, 0\n%4: real = element %2, 1, 0\n\
+                %5: real = element %2, 2, 0\n%6: real = const 0.5\n%7: real = mul %6, %5\n%8: real = add %3, %4\n%9: real = sub %8, %1\n\
+                %10: real = add %9, %7\n%11: real = element %2, 3, 0\n%12: real = mul %1, %11\n%13: real = mul %12, %6\noutput y = %10\n\
+                output z = %13";
+    check("combine", text);
+}
+
+#[test]
+fn contract() {
+    let text = "input a: real\ninput b: real\ninput v: vec2\ninput w: vec2\n%0: real = input a\n%1: real = input b\n%2: vec2 = input v\n\
+                %3: vec2 = input w\n%4: real = mul %0, %1\n%5: real = add %0, %4\n%6: vec2 = mul %2, %0\n%7: vec2 = sub %3, %6\n\
+                %8: vec2 = mul %2, %3\n%9: vec2 = sub %8, %2\n%10: real = dot %2, %3\n%11: real = mul %1, %1\n%12: real = add %11, %0\n\
+                %13: real = min %0, %11\n%14: real = mul %0, %0\n%15: real = sub %13, %14\noutput p = %5\noutput q = %7\noutput r = %9\n\
+                output s = %10\noutput t = %12\noutput u = %15";
+    check("contract", text);
+}
+
+#[test]
+fn clamped_kernels_are_one_quotient() {
+    let text = "program small\ninput x: real\n%0: real = input x\n%1: real = const 1.5\n%2: real = min %0, %1\n%3: real = sin_cos_over %2\n\
+                %4: real = const 1.0\n%5: real = div %1, %0\n%6: real = min %4, %5\n%7: real = mul %3, %6\noutput y = %7";
+    let program: Program = text.parse().unwrap();
+    let simplified = simplify(program.clone());
+    assert_eq!(cost::count(&simplified).divisions, 1);
+    for x in [
+        0.0,
+        1e-320,
+        1e-300,
+        1e-8,
+        0.3,
+        1.49,
+        1.5,
+        1.6,
+        7.0,
+        1e300,
+        f64::INFINITY,
+    ] {
+        let inputs: Values = [("x".to_owned(), vec![x])].into();
+        let value = |program: &Program| eval::eval(program, &inputs).unwrap()["y"][0];
+        let (expected, found) = (value(&program), value(&simplified));
+        assert!(
+            (found - expected).abs() <= 4.0 * f64::EPSILON * expected.abs(),
+            "{x:e}: {found:e} {expected:e}"
+        );
+    }
 }
 
 #[test]

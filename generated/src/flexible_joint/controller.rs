@@ -1,8 +1,8 @@
-// SHA-256 of the text below: e82225d989c1c86130f3aaa4b4897bc3c68c628ede0eea3bac0b3cdf6831e742
+// SHA-256 of the text below: edc611757416c6ec177ed80f11faee5e4ddc4356bacfd2489056a67f3f6aaa1a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
-// initial: 25 additions, 58 multiplications, 7 divisions, 0 square roots, 7 elementary functions, 4 comparisons and selections
-// control: 95 additions, 133 multiplications, 8 divisions, 0 square roots, 7 elementary functions, 7 comparisons and selections
+// initial: 25 additions, 58 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
+// control: 95 additions, 133 multiplications, 7 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
 
 //! `flexible_joint`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -419,8 +419,8 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 25 additions, 58 multiplications, 7 divisions, 0 square roots, 7 elementary
-/// functions, 4 comparisons and selections.
+/// Operations: 25 additions, 58 multiplications, 6 divisions, 0 square roots, 7 elementary
+/// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
     t: T,
@@ -491,10 +491,14 @@ pub fn initial<T: Real>(
     let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
-    let t7 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
-        * real(1.0).min(real(1.5697963267948967) / E1_free);
+    let t7 = e1 * real(5.0)
+        * T::select(
+            E1_free.lt(real(1e-300)),
+            real(1.0),
+            E1.sin() * cosE1 * (real(1.0) / E1_free),
+        );
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0) * t7 + e1 * real(4.0);
+    let Lam0_1 = t7 + e1 * real(4.0);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
     // Lam_1, sum of the terms above
@@ -738,8 +742,8 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 92 additions, 116 multiplications, 8 divisions, 0 square roots, 3 elementary
-/// functions, 7 comparisons and selections.
+/// Operations: 92 additions, 116 multiplications, 7 divisions, 0 square roots, 3 elementary
+/// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 1>,
@@ -798,10 +802,14 @@ pub fn law<T: Real>(
     let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
-    let t3 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
-        * real(1.0).min(real(1.5697963267948967) / E1_free);
+    let t3 = e1 * real(5.0)
+        * T::select(
+            E1_free.lt(real(1e-300)),
+            real(1.0),
+            E1.sin() * cosE1 * (real(1.0) / E1_free),
+        );
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0) * t3 + e1 * real(4.0);
+    let Lam0_1 = t3 + e1 * real(4.0);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
     // Lam_1, sum of the terms above
@@ -1027,8 +1035,8 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 95 additions, 133 multiplications, 8 divisions, 0 square roots, 7 elementary
-/// functions, 7 comparisons and selections.
+/// Operations: 95 additions, 133 multiplications, 7 divisions, 0 square roots, 7 elementary
+/// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 793ab389ff71fd9ffd0db6b76a452c4694d779113df2ac9618f2f3a1c48a31e9
+// SHA-256 of the text below: 4bd8edc83fae5f1333fb49c140168ba3b4f3b1646cf1dce56ee35ebcb1d20e97
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// initial: 26 additions, 60 multiplications, 10 divisions, 0 square roots, 7 elementary functions, 4 comparisons and selections
-// control: 80 additions, 129 multiplications, 12 divisions, 3 square roots, 9 elementary functions, 10 comparisons and selections
+// initial: 26 additions, 60 multiplications, 9 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
+// control: 80 additions, 130 multiplications, 11 divisions, 3 square roots, 9 elementary functions, 9 comparisons and selections
 
 //! `motor_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -388,8 +388,8 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 26 additions, 60 multiplications, 10 divisions, 0 square roots, 7 elementary
-/// functions, 4 comparisons and selections.
+/// Operations: 26 additions, 60 multiplications, 9 divisions, 0 square roots, 7 elementary
+/// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
     t: T,
@@ -463,10 +463,14 @@ pub fn initial<T: Real>(
     let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
-    let t6 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
-        * real(1.0).min(real(1.5697963267948967) / E1_free);
+    let t6 = e1 * real(3.2199999999999998)
+        * T::select(
+            E1_free.lt(real(1e-300)),
+            real(1.0),
+            E1.sin() * cosE1 * (real(1.0) / E1_free),
+        );
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(3.2199999999999998) * t6 + e1 * real(1.72);
+    let Lam0_1 = t6 + e1 * real(1.72);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
     // Lam_1, sum of the terms above
@@ -510,17 +514,17 @@ pub fn initial<T: Real>(
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
-    // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = real(3.0);
+    // ||Ybar_2||^2
+    let Ybar_square2 = real(9.0);
     // S_2
     let S2: Matrix<T, 1, 1> = Matrix::from_f64([[10.0]]);
     // S_2 H_2
     let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t9 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t9 * t9 * real(0.5) + real(0.5) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
+    let Psi2 = H_norm2_2 * H_norm2_2 * Ybar_square2 * real(0.5) + real(0.5)
+        + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
@@ -571,19 +575,19 @@ pub struct Prepared<T> {
     pub G2: Matrix<T, 1, 1>,
     /// `||G_2||^2`
     pub G_norm2_2: T,
-    /// Part of `Psi2`.
-    pub Psi2_1: T,
     /// `Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)`
     pub Psi2: T,
     /// Part of `Lam2_filter`.
     pub Lam2_filter_1: T,
+    /// Part of `Lam2_noise`.
+    pub Lam2_noise_1: T,
     /// `phi_min = sqrt(Psi_2 dt / 0.1) (E11)`
     pub phi2_min: T,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 5 additions, 17 multiplications, 2 divisions, 1 square roots, 0 elementary
+/// Operations: 5 additions, 18 multiplications, 2 divisions, 1 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -607,6 +611,8 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
+    // ||Ybar_2||^2
+    let Ybar_square2 = real(9.0);
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
     let Ybar_norm2 = real(3.0);
     // S_2
@@ -615,25 +621,23 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let Psi2_1 = H_norm2_2 * Ybar_norm2;
-
-    // -- noise terms of block 2 (58) (62) --
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = Psi2_1 * Psi2_1 * real(0.5) + real(0.5)
+    let Psi2 = H_norm2_2 * H_norm2_2 * Ybar_square2 * real(0.5) + real(0.5)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- states of block 2, one sample later --
     // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
     let phi2_min = (Psi2 * real(0.01)).sqrt();
     let Lam2_filter_1 = real(0.05) * G_norm2_2;
+    let Lam2_noise_1 = H_norm2_2 * Ybar_norm2;
     Prepared {
         weight,
         inertia,
         G2,
         G_norm2_2,
-        Psi2_1,
         Psi2,
         Lam2_filter_1,
+        Lam2_noise_1,
         phi2_min,
     }
 }
@@ -728,8 +732,8 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 72 additions, 98 multiplications, 10 divisions, 2 square roots, 5 elementary
-/// functions, 10 comparisons and selections.
+/// Operations: 72 additions, 98 multiplications, 9 divisions, 2 square roots, 5 elementary
+/// functions, 9 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 1>,
@@ -783,10 +787,14 @@ pub fn law<T: Real>(
     let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
-    let t3 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
-        * real(1.0).min(real(1.5697963267948967) / E1_free);
+    let t3 = e1 * real(3.2199999999999998)
+        * T::select(
+            E1_free.lt(real(1e-300)),
+            real(1.0),
+            E1.sin() * cosE1 * (real(1.0) / E1_free),
+        );
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(3.2199999999999998) * t3 + e1 * real(1.72);
+    let Lam0_1 = t3 + e1 * real(1.72);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
     // Lam_1, sum of the terms above
@@ -849,7 +857,7 @@ pub fn law<T: Real>(
     // 1 / sqrt(s_2^2 + varsigma_2^2)
     let s_scale2 = real(1.0) / (t6 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (prepared.Psi2_1 * state.sigma2 * s_scale2);
+    let Lam2_noise = e2 * (prepared.Lam2_noise_1 * state.sigma2 * s_scale2);
     let t7 = prepared.Psi2 / (state.phi2 * state.phi2 + t6);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
     let Lam2_diffusion = e2 * t7;
@@ -883,7 +891,7 @@ pub fn law<T: Real>(
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = prepared.Psi2_1 * t6 * s_scale2 - real(0.1) * state.sigma2;
+    let sigma2_dot = prepared.Lam2_noise_1 * t6 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
@@ -988,8 +996,8 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 80 additions, 129 multiplications, 12 divisions, 3 square roots, 9 elementary
-/// functions, 10 comparisons and selections.
+/// Operations: 80 additions, 130 multiplications, 11 divisions, 3 square roots, 9 elementary
+/// functions, 9 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,

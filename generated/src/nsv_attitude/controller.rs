@@ -1,8 +1,8 @@
-// SHA-256 of the text below: fcca48481b9cd91d3cc367f569b0854ad4ebd60f720640e20bcf8aa461d68dbb
+// SHA-256 of the text below: 9d6304f45204d641b321d1ff225612c63679c76ca775abceb06df8059727023b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// initial: 74 additions, 116 multiplications, 8 divisions, 0 square roots, 20 elementary functions, 7 comparisons and selections
-// control: 553 additions, 839 multiplications, 14 divisions, 4 square roots, 26 elementary functions, 23 comparisons and selections
+// initial: 74 additions, 116 multiplications, 7 divisions, 0 square roots, 20 elementary functions, 6 comparisons and selections
+// control: 553 additions, 840 multiplications, 12 divisions, 4 square roots, 26 elementary functions, 21 comparisons and selections
 
 //! `nsv_attitude`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -365,8 +365,8 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 74 additions, 116 multiplications, 8 divisions, 0 square roots, 20 elementary
-/// functions, 7 comparisons and selections.
+/// Operations: 74 additions, 116 multiplications, 7 divisions, 0 square roots, 20 elementary
+/// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
     t: T,
@@ -482,10 +482,14 @@ pub fn initial<T: Real>(
     let G_norm2_1 = G1.sum_squares();
 
     // -- robust feedback of block 1 (31) (63) --
-    let t15 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
-        * real(1.0).min(real(1.5697963267948967) / E1_free);
+    let t15 = e1 * real(2.375)
+        * T::select(
+            E1_free.lt(real(1e-300)),
+            real(1.0),
+            E1.sin() * cosE1 * (real(1.0) / E1_free),
+        );
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(2.375) * t15 + e1 * real(2.0);
+    let Lam0_1 = t15 + e1 * real(2.0);
     // eta_1/2 c^T (36)
     let Lam1_disturbance = c1 * real(0.5);
     // eta_2/2 ||G||^2 c^T (37)
@@ -693,8 +697,8 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 548 additions, 808 multiplications, 14 divisions, 4 square roots, 17 elementary
-/// functions, 20 comparisons and selections.
+/// Operations: 548 additions, 809 multiplications, 12 divisions, 4 square roots, 17 elementary
+/// functions, 18 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 3>,
@@ -854,10 +858,14 @@ pub fn law<T: Real>(
 
     // -- robust feedback of block 1 (31) (63) --
     let [sin_E1, sin_E2] = t21.sin().0;
-    let t24 = T::select(E1.eq(real(0.0)), real(1.0), sin_E1 * cosE1 / E1)
-        * real(1.0).min(real(1.5697963267948967) / E1_free);
+    let t24 = e1 * real(2.375)
+        * T::select(
+            E1_free.lt(real(1e-300)),
+            real(1.0),
+            sin_E1 * cosE1 * (real(1.0) / E1_free),
+        );
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(2.375) * t24 + e1 * real(2.0);
+    let Lam0_1 = t24 + e1 * real(2.0);
     // eta_1/2 c^T (36)
     let Lam1_disturbance = c1 * real(0.5);
     // eta_2/2 ||G||^2 c^T (37)
@@ -922,8 +930,10 @@ pub fn law<T: Real>(
     let H_norm2_2 = H2.sum_squares();
     let t34 = real(3.0) * sec2E2;
     let t35 = real(8.0) * E2_free * sin_E2 * (cosE2 * (sec2E2 * sec2E2)) + t34;
+    // ||Ybar_2||^2
+    let Ybar_square2 = t35 * t35 + real(2.0) * (t34 * t34);
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = (t35 * t35 + real(2.0) * (t34 * t34)).sqrt();
+    let Ybar_norm2 = Ybar_square2.sqrt();
     // S_2 H_2
     let SH2 = Matrix::rows([
         [real(-1.5) * t10, real(-1.5) * t11, real(-1.5) * t12],
@@ -935,32 +945,36 @@ pub fn law<T: Real>(
     ]);
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t36 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t36 * t36 * real(0.5) + real(12.0)
+    let Psi2 = H_norm2_2 * H_norm2_2 * Ybar_square2 * real(0.5) + real(12.0)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
-    let t37 = T::select(E2.eq(real(0.0)), real(1.0), sin_E2 * cosE2 / E2)
-        * real(1.0).min(real(1.5697963267948967) / E2_free);
+    let t36 = e2 * real(2.5)
+        * T::select(
+            E2_free.lt(real(1e-300)),
+            real(1.0),
+            sin_E2 * cosE2 * (real(1.0) / E2_free),
+        );
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(2.5) * t37 + e2 * real(2.0);
+    let Lam0_2 = t36 + e2 * real(2.0);
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(75.0);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * (real(0.5) * sec2E2);
-    let t38 = (e2 * real(0.5)).tanh();
+    let t37 = (e2 * real(0.5)).tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t38 * state.eps2;
-    let t39 = G_norm2_1 * s_c1;
+    let Lam2_error_bound = t37 * state.eps2;
+    let t38 = G_norm2_1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t39 * t39) * real(0.25) * t22;
-    let t40 = s2 * s2;
+    let Lam2_coupling = e2 * (t38 * t38) * real(0.25) * t22;
+    let t39 = s2 * s2;
     // 1 / sqrt(s_2^2 + varsigma_2^2)
-    let s_scale2 = real(1.0) / (t40 + real(1.0)).sqrt();
+    let s_scale2 = real(1.0) / (t39 + real(1.0)).sqrt();
+    let t40 = H_norm2_2 * Ybar_norm2;
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t36 * state.sigma2 * s_scale2);
-    let t41 = Psi2 / (state.phi2 * state.phi2 + t40);
+    let Lam2_noise = e2 * (t40 * state.sigma2 * s_scale2);
+    let t41 = Psi2 / (state.phi2 * state.phi2 + t39);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
     let Lam2_diffusion = e2 * t41 * t22;
     // Lam_2, sum of the terms above
@@ -1013,12 +1027,12 @@ pub fn law<T: Real>(
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (t23 * e2.dot(t38) - state.eps2);
+    let eps2_dot = real(0.1) * (t23 * e2.dot(t37) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t36 * t40 * sec2E2 * s_scale2 - real(0.1) * state.sigma2;
+    let sigma2_dot = t40 * t39 * sec2E2 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
@@ -1094,8 +1108,8 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 553 additions, 839 multiplications, 14 divisions, 4 square roots, 26 elementary
-/// functions, 23 comparisons and selections.
+/// Operations: 553 additions, 840 multiplications, 12 divisions, 4 square roots, 26 elementary
+/// functions, 21 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 6bf28a52768ca076c122576a953fa994a8b4c3b9141d007a3b2919878c7940f4
+// SHA-256 of the text below: 58171cba85dedaeec596ad3a754335aecd254d0e9ca23e08550edffc46637244
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// initial: 5 additions, 19 multiplications, 5 divisions, 0 square roots, 5 elementary functions, 4 comparisons and selections
-// control: 40 additions, 63 multiplications, 8 divisions, 0 square roots, 6 elementary functions, 7 comparisons and selections
+// initial: 5 additions, 19 multiplications, 4 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
+// control: 40 additions, 63 multiplications, 7 divisions, 0 square roots, 6 elementary functions, 6 comparisons and selections
 
 //! `pendulum`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -313,8 +313,8 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 5 additions, 19 multiplications, 5 divisions, 0 square roots, 5 elementary
-/// functions, 4 comparisons and selections.
+/// Operations: 5 additions, 19 multiplications, 4 divisions, 0 square roots, 5 elementary
+/// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     let real = T::from_f64;
@@ -358,10 +358,14 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
-    let t2 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
-        * real(1.0).min(real(1.5697963267948967) / E1_free);
+    let t2 = e1 * real(5.0)
+        * T::select(
+            E1_free.lt(real(1e-300)),
+            real(1.0),
+            E1.sin() * cosE1 * (real(1.0) / E1_free),
+        );
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0) * t2 + e1 * real(4.0);
+    let Lam0_1 = t2 + e1 * real(4.0);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
     // Lam_1, sum of the terms above
@@ -487,8 +491,8 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 39 additions, 56 multiplications, 7 divisions, 0 square roots, 3 elementary
-/// functions, 7 comparisons and selections.
+/// Operations: 39 additions, 56 multiplications, 6 divisions, 0 square roots, 3 elementary
+/// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 1>,
@@ -534,10 +538,14 @@ pub fn law<T: Real>(
     let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
-    let t3 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
-        * real(1.0).min(real(1.5697963267948967) / E1_free);
+    let t3 = e1 * real(5.0)
+        * T::select(
+            E1_free.lt(real(1e-300)),
+            real(1.0),
+            E1.sin() * cosE1 * (real(1.0) / E1_free),
+        );
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0) * t3 + e1 * real(4.0);
+    let Lam0_1 = t3 + e1 * real(4.0);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
     // Lam_1, sum of the terms above
@@ -641,8 +649,8 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 40 additions, 63 multiplications, 8 divisions, 0 square roots, 6 elementary
-/// functions, 7 comparisons and selections.
+/// Operations: 40 additions, 63 multiplications, 7 divisions, 0 square roots, 6 elementary
+/// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 82fc4e51dbb5b7494e571ce34e63770eae3a963565caacdd16ddd3d7a6f3ecc6
+// SHA-256 of the text below: d8a89b8a564bc3e8fcffd9f9781ba39abd631f54ca3d95a3db811e1b21a914e0
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// initial: 13 additions, 32 multiplications, 4 divisions, 0 square roots, 5 elementary functions, 4 comparisons and selections
-// control: 204 additions, 297 multiplications, 14 divisions, 0 square roots, 11 elementary functions, 15 comparisons and selections
+// initial: 13 additions, 32 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
+// control: 204 additions, 297 multiplications, 12 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
 
 //! `two_link_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -325,8 +325,8 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 13 additions, 32 multiplications, 4 divisions, 0 square roots, 5 elementary
-/// functions, 4 comparisons and selections.
+/// Operations: 13 additions, 32 multiplications, 3 divisions, 0 square roots, 5 elementary
+/// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let real = T::from_f64;
@@ -368,10 +368,14 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
-    let t5 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
-        * real(1.0).min(real(1.5697963267948967) / E1_free);
+    let t5 = e1 * real(5.0)
+        * T::select(
+            E1_free.lt(real(1e-300)),
+            real(1.0),
+            E1.sin() * cosE1 * (real(1.0) / E1_free),
+        );
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0) * t5 + e1 * real(4.0);
+    let Lam0_1 = t5 + e1 * real(4.0);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
     // Lam_1, sum of the terms above
@@ -544,8 +548,8 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 198 additions, 280 multiplications, 14 divisions, 0 square roots, 8 elementary
-/// functions, 15 comparisons and selections.
+/// Operations: 198 additions, 280 multiplications, 12 divisions, 0 square roots, 8 elementary
+/// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 2>,
@@ -624,10 +628,14 @@ pub fn law<T: Real>(
 
     // -- robust feedback of block 1 (31) (63) --
     let [sin_E1, sin_E2] = t6.sin().0;
-    let t9 = T::select(E1.eq(real(0.0)), real(1.0), sin_E1 * cosE1 / E1)
-        * real(1.0).min(real(1.5697963267948967) / E1_free);
+    let t9 = e1 * real(5.0)
+        * T::select(
+            E1_free.lt(real(1e-300)),
+            real(1.0),
+            sin_E1 * cosE1 * (real(1.0) / E1_free),
+        );
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0) * t9 + e1 * real(4.0);
+    let Lam0_1 = t9 + e1 * real(4.0);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
     // Lam_1, sum of the terms above
@@ -672,10 +680,14 @@ pub fn law<T: Real>(
     let D_hat2 = Vector([w_hat2[0], w_hat2[2] + w_hat2[3]]);
 
     // -- robust feedback of block 2 (31) (63) --
-    let t11 = T::select(E2.eq(real(0.0)), real(1.0), sin_E2 * cosE2 / E2)
-        * real(1.0).min(real(1.5697963267948967) / E2_free);
+    let t11 = e2 * real(10.0)
+        * T::select(
+            E2_free.lt(real(1e-300)),
+            real(1.0),
+            sin_E2 * cosE2 * (real(1.0) / E2_free),
+        );
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(10.0) * t11 + e2 * real(8.0);
+    let Lam0_2 = t11 + e2 * real(8.0);
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(0.9999999999999998);
     // e / (2 cos^2 E) (63)
@@ -782,8 +794,8 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 204 additions, 297 multiplications, 14 divisions, 0 square roots, 11 elementary
-/// functions, 15 comparisons and selections.
+/// Operations: 204 additions, 297 multiplications, 12 divisions, 0 square roots, 11 elementary
+/// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,

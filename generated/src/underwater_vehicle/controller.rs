@@ -1,8 +1,8 @@
-// SHA-256 of the text below: d0a02000be9a764a0e30772170794a84c6ca6eab44efe5e27a7264fef2833acd
+// SHA-256 of the text below: 81a0b95f07a56cf56c40a96c840f42c1dfe120197cc1af64c68470e1c777a19f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
-// initial: 187 additions, 237 multiplications, 27 divisions, 0 square roots, 19 elementary functions, 19 comparisons and selections
-// control: 1680 additions, 2044 multiplications, 58 divisions, 3 square roots, 26 elementary functions, 50 comparisons and selections
+// initial: 187 additions, 237 multiplications, 26 divisions, 0 square roots, 19 elementary functions, 18 comparisons and selections
+// control: 1680 additions, 2045 multiplications, 57 divisions, 3 square roots, 26 elementary functions, 49 comparisons and selections
 
 //! `underwater_vehicle`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -357,8 +357,8 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 187 additions, 237 multiplications, 27 divisions, 0 square roots, 19 elementary
-/// functions, 19 comparisons and selections.
+/// Operations: 187 additions, 237 multiplications, 26 divisions, 0 square roots, 19 elementary
+/// functions, 18 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     let real = T::from_f64;
@@ -486,10 +486,14 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     let G_norm2_1 = J.sum_squares();
 
     // -- robust feedback of block 1 (31) (63) --
-    let t20 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
-        * real(1.0).min(real(1.5697963267948967) / E1_free);
+    let t20 = e1
+        * T::select(
+            E1_free.lt(real(1e-300)),
+            real(1.0),
+            E1.sin() * cosE1 * (real(1.0) / E1_free),
+        );
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * t20 + e1 * real(0.5);
+    let Lam0_1 = t20 + e1 * real(0.5);
     // eta_1/2 c^T (36)
     let Lam1_disturbance = c1 * real(0.5);
     // eta_2/2 ||G||^2 c^T (37)
@@ -541,17 +545,17 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
 pub struct Prepared<T> {
     /// `inverse_M`.
     pub inverse_M: Matrix<T, 6, 6>,
-    /// Part of `Psi2`.
-    pub Psi2_1: T,
     /// `Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)`
     pub Psi2: T,
+    /// Part of `Lam2_noise`.
+    pub Lam2_noise_1: T,
     /// `phi_min = sqrt(Psi_2 dt / 0.1) (E11)`
     pub phi2_min: T,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 654 additions, 768 multiplications, 8 divisions, 1 square roots, 0 elementary
+/// Operations: 654 additions, 769 multiplications, 8 divisions, 1 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -607,26 +611,26 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
+    // ||Ybar_2||^2
+    let Ybar_square2 = real(54.0);
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
     let Ybar_norm2 = real(7.3484692283495345);
     // S_2 H_2
     let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let Psi2_1 = H_norm2_2 * Ybar_norm2;
-
-    // -- noise terms of block 2 (58) (62) --
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = Psi2_1 * Psi2_1 * real(0.5) + real(0.30000000000000004)
-        + real(0.1) * (SH_norm2_2 * SH_norm2_2);
+    let Psi2 = H_norm2_2 * H_norm2_2 * Ybar_square2 * real(0.5)
+        + real(0.30000000000000004) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- states of block 2, one sample later --
     // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
     let phi2_min = (Psi2 * real(0.09999999999999999)).sqrt();
+    let Lam2_noise_1 = H_norm2_2 * Ybar_norm2;
     Prepared {
         inverse_M,
-        Psi2_1,
         Psi2,
+        Lam2_noise_1,
         phi2_min,
     }
 }
@@ -735,8 +739,8 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 1016 additions, 1231 multiplications, 50 divisions, 2 square roots, 18
-/// elementary functions, 50 comparisons and selections.
+/// Operations: 1016 additions, 1231 multiplications, 49 divisions, 2 square roots, 18
+/// elementary functions, 49 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 6>,
@@ -875,10 +879,14 @@ pub fn law<T: Real>(
     let G_norm2_1 = J.sum_squares();
 
     // -- robust feedback of block 1 (31) (63) --
-    let t15 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
-        * real(1.0).min(real(1.5697963267948967) / E1_free);
+    let t15 = e1
+        * T::select(
+            E1_free.lt(real(1e-300)),
+            real(1.0),
+            E1.sin() * cosE1 * (real(1.0) / E1_free),
+        );
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * t15 + e1 * real(0.5);
+    let Lam0_1 = t15 + e1 * real(0.5);
     // eta_1/2 c^T (36)
     let Lam1_disturbance = c1 * real(0.5);
     // eta_2/2 ||G||^2 c^T (37)
@@ -967,7 +975,7 @@ pub fn law<T: Real>(
     // 1 / sqrt(s_2^2 + varsigma_2^2)
     let s_scale2 = real(1.0) / (t20 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (prepared.Psi2_1 * state.sigma2 * s_scale2);
+    let Lam2_noise = e2 * (prepared.Lam2_noise_1 * state.sigma2 * s_scale2);
     let t21 = prepared.Psi2 / (state.phi2 * state.phi2 + t20);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
     let Lam2_diffusion = e2 * t21;
@@ -1032,7 +1040,7 @@ pub fn law<T: Real>(
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = prepared.Psi2_1 * t20 * s_scale2 - real(0.1) * state.sigma2;
+    let sigma2_dot = prepared.Lam2_noise_1 * t20 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
@@ -1108,8 +1116,8 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 1680 additions, 2044 multiplications, 58 divisions, 3 square roots, 26
-/// elementary functions, 50 comparisons and selections.
+/// Operations: 1680 additions, 2045 multiplications, 57 divisions, 3 square roots, 26
+/// elementary functions, 49 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,
