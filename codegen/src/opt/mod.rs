@@ -8,6 +8,7 @@ pub mod stage;
 
 mod angles;
 mod arrays;
+mod blocks;
 mod dead_code;
 mod divisors;
 mod elementary;
@@ -20,6 +21,7 @@ mod powers;
 mod reciprocals;
 mod rewrite;
 mod select;
+mod solve;
 mod sparse;
 mod structural_zeros;
 mod transposes;
@@ -65,7 +67,9 @@ pub static PASSES: [Pass; 15] = [
     },
     Pass {
         name: "structural_zeros",
-        kind: Kind::Reassociating("equal for finite values, up to the sign of a zero"),
+        kind: Kind::Reassociating(
+            "equal for finite values, up to the sign of a zero and the order of sums of eight terms or more; solutions to the roundings of their blocks and inverses",
+        ),
         run: structural_zeros::run,
     },
     Pass {
@@ -142,8 +146,9 @@ pub enum Arithmetic {
 /// find nearly all.
 const ROUNDS: usize = 6;
 
-/// The program with what is known of its literals done as on paper: `0 x = 0`, `x + 0 = x`, `x / c = (1/c) x`. Part of lowering: results are
-/// those of the program for all finite values, up to the sign of a zero and a rounding for each such quotient.
+/// The program with what is known of its literals done as on paper: `0 x = 0`, `x + 0 = x`, `x / c = (1/c) x`; equations are solved block by
+/// block, and what a run does not change is divided by or inverted once. Part of lowering: results are those of the program for all finite
+/// values, up to the sign of a zero, a rounding for each such quotient, and the roundings of solutions as `solve` states them.
 pub fn simplify(mut program: Program) -> Program {
     for _ in 0..ROUNDS {
         let before = program.clone();
@@ -209,5 +214,7 @@ impl Arithmetic {
     }
 }
 
+#[cfg(test)]
+mod structure_tests;
 #[cfg(test)]
 mod tests;

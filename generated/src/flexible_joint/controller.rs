@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 16061b710c24add325ff680fbdaa3e80fa0c3cc52f5b3bf32c40146d8e838d6e
+// SHA-256 of the text below: b19c95e2575f10e4bb500c6627eec7d22837fbebbb26cee86bfc3b8d67c7e524
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
-// initial: 25 additions, 58 multiplications, 7 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
-// control: 95 additions, 133 multiplications, 8 divisions, 0 square roots, 8 elementary functions, 6 comparisons and selections
+// initial: 25 additions, 60 multiplications, 5 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
+// control: 86 additions, 128 multiplications, 5 divisions, 0 square roots, 8 elementary functions, 6 comparisons and selections
 
 //! `flexible_joint`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -72,7 +72,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// motor_rate (v2).
     ///
-    /// `th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 v_4 - h_3' + C_4 zeta_4 + A_hat_4)`
+    /// `th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 u - h_3' + C_4 zeta_4 + A_hat_4) = M_4
+    /// w_hat_4 + S_4 Lam_4`
     pub th4: Vector<T, 3>,
 }
 
@@ -324,7 +325,7 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 25 additions, 58 multiplications, 7 divisions, 0 square roots, 8 elementary
+/// Operations: 25 additions, 60 multiplications, 5 divisions, 0 square roots, 8 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -337,10 +338,6 @@ pub fn initial<T: Real>(
 ) -> State<T> {
     let real = T::from_f64;
 
-    // -- known dynamics of block 1 (link_angle) (11) --
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
     // -- plant model --
     let q1 = x1[0];
 
@@ -349,20 +346,21 @@ pub fn initial<T: Real>(
     let F2 = Vector([
         -(params.weight * q1.sin() + params.stiffness * q1) * real(32.25806451612903),
     ]);
+    let t1 = params.stiffness * real(32.25806451612903);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix::rows([[params.stiffness * real(32.25806451612903)]]);
+    let G2 = Matrix::rows([[t1]]);
 
     // -- reference and constraints --
-    let t1 = real(1.0471975511965979) * t.sin();
-    let t2 = t * t;
-    let t3 = (real(-0.1) * (t2 * t)).exp();
-    let t4 = real(1.0) - t3;
+    let t2 = real(1.0471975511965979) * t.sin();
+    let t3 = t * t;
+    let t4 = (real(-0.1) * (t3 * t)).exp();
+    let t5 = real(1.0) - t4;
     // y_r(t)
-    let y_r = Vector([t1 * t4]);
+    let y_r = Vector([t2 * t5]);
     // y_r'
     let y_r_dot = Vector([
-        t4 * (real(1.0471975511965979) * t.cos())
-            - t1 * (t3 * (real(-0.1) * (real(3.0) * t2))),
+        t5 * (real(1.0471975511965979) * t.cos())
+            - t2 * (t4 * (real(-0.1) * (real(3.0) * t3))),
     ]);
     // k_1(t)
     let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
@@ -375,17 +373,17 @@ pub fn initial<T: Real>(
     let zeta1: Vector<T, 1> = Vector::zero();
     let zeta2: Vector<T, 1> = Vector::zero();
     let W2: Matrix<T, 6, 1> = Matrix::zero();
-    let t5 = x2 * real(40.0);
-    let th2 = -t5;
+    let t6 = x2 * real(40.0);
+    let th2 = -t6;
     let zeta3: Vector<T, 1> = Vector::zero();
     let zeta4: Vector<T, 1> = Vector::zero();
 
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t6 = s1 / (k1 * k1);
+    let t7 = s1 * (real(1.0) / (k1 * k1));
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t6 * t6);
+    let E1_free = real(FRAC_PI_2) * (t7 * t7);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
@@ -410,17 +408,16 @@ pub fn initial<T: Real>(
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = Lam1 - y_r_dot;
-    let t7 = G1.solve(bracket1);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t7;
+    let alpha1 = -bracket1;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (t7 - t7) * real(100.0);
+    let h1_dot = (bracket1 - bracket1) * real(100.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t7;
+    let e2 = x2 + bracket1;
 
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
@@ -430,7 +427,7 @@ pub fn initial<T: Real>(
 
     // -- disturbance observer of block 2 (20) (49) --
     // D_hat_2 = th_2 + S_2 x_2
-    let D_hat2 = t5 - t5;
+    let D_hat2 = t6 - t6;
 
     // -- norms of block 2 --
     // ||G_2||^2
@@ -453,7 +450,7 @@ pub fn initial<T: Real>(
     // -- virtual control (31) of block 2 --
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
     let bracket2 = F2 - h1_dot + D_hat2 + Lam2;
-    let t8 = G2.solve(bracket2);
+    let t8 = bracket2 * (real(1.0) / t1);
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -t8;
 
@@ -485,13 +482,12 @@ pub fn initial<T: Real>(
     // -- virtual control (31) of block 3 --
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
     let bracket3 = Lam3 - h2_dot;
-    let t10 = G1.solve(bracket3);
     // alpha_3 = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
-    let alpha3 = -t10;
+    let alpha3 = -bracket3;
 
     // -- error variable of block 4 (14) --
     // e_4 = x_4 - h_3 - zeta_4
-    let e4 = x4 + t10;
+    let e4 = x4 + bracket3;
 
     // -- disturbance observer of block 4 (20) (49) --
     // S_4, observer gain
@@ -522,28 +518,33 @@ pub struct Prepared<T> {
     pub G_norm2_2: T,
     /// Part of `Lam2_filter`.
     pub Lam2_filter_1: T,
+    /// Part of `alpha2`.
+    pub alpha2_1: T,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 0 additions, 3 multiplications, 0 divisions, 0 square roots, 0 elementary
+/// Operations: 0 additions, 3 multiplications, 1 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let real = T::from_f64;
 
     // -- known dynamics of block 2 (link_rate) (11) --
+    let t1 = params.stiffness * real(32.25806451612903);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix::rows([[params.stiffness * real(32.25806451612903)]]);
+    let G2 = Matrix::rows([[t1]]);
 
     // -- norms of block 2 --
     // ||G_2||^2
     let G_norm2_2 = G2.sum_squares();
     let Lam2_filter_1 = real(5e-5) * G_norm2_2;
+    let alpha2_1 = real(1.0) / t1;
     Prepared {
         G2,
         G_norm2_2,
         Lam2_filter_1,
+        alpha2_1,
     }
 }
 
@@ -563,7 +564,7 @@ pub struct Clock<T> {
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 3 additions, 14 multiplications, 0 divisions, 0 square roots, 4 elementary
+/// Operations: 3 additions, 14 multiplications, 1 divisions, 0 square roots, 4 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
@@ -583,7 +584,7 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     ]);
     // k_1(t)
     let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
-    let E1_free_1 = k1 * k1;
+    let E1_free_1 = real(1.0) / (k1 * k1);
     Clock {
         y_r,
         y_r_dot,
@@ -629,7 +630,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 92 additions, 116 multiplications, 8 divisions, 0 square roots, 4 elementary
+/// Operations: 83 additions, 111 multiplications, 3 divisions, 0 square roots, 4 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -643,10 +644,6 @@ pub fn law<T: Real>(
     clock: &Clock<T>,
 ) -> ControlOutputs<T> {
     let real = T::from_f64;
-
-    // -- known dynamics of block 1 (link_angle) (11) --
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
 
     // -- plant model --
     let q1 = x1[0];
@@ -664,8 +661,6 @@ pub fn law<T: Real>(
     // -- known dynamics of block 4 (motor_rate) (11) --
     // F_4(x_1 .. x_4)
     let F4 = Vector([-(real(0.007) * v2 + params.stiffness * (q2 - q1)) * real(250.0)]);
-    // G_4(x_1 .. x_4)
-    let G4: Matrix<T, 1, 1> = Matrix::from_f64([[250.0]]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -674,7 +669,7 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t2 = s1 / clock.E1_free_1;
+    let t2 = s1 * clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t2 * t2);
     // E_1 >= pi/2 - delta
@@ -705,7 +700,7 @@ pub fn law<T: Real>(
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = t3 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -G1.solve(bracket1);
+    let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
@@ -757,7 +752,7 @@ pub fn law<T: Real>(
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
     let bracket2 = t4 - h1_dot + t5 + D_hat2 + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let alpha2 = -prepared.G2.solve(bracket2);
+    let alpha2 = -(bracket2 * prepared.alpha2_1);
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
@@ -799,7 +794,7 @@ pub fn law<T: Real>(
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
     let bracket3 = t7 - h2_dot + Lam3;
     // alpha_3 = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
-    let alpha3 = -G1.solve(bracket3);
+    let alpha3 = -bracket3;
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 zeta_4
@@ -841,7 +836,7 @@ pub fn law<T: Real>(
     let t8 = state.zeta4 * real(200.0);
     // F_4 + A_hat_4 - h_3' + C_4 zeta_4 + D_hat_4 + Lam_4
     let bracket4 = F4 - h3_dot + t8 + D_hat4 + Lam4;
-    let t9 = G4.solve(bracket4);
+    let t9 = bracket4 * real(0.004);
     // u = -G_4^-1 [ F_4 + A_hat_4 - h_3' + C_4 zeta_4 + D_hat_4 + Lam_4 ]
     let u = -t9;
     // sat(u), each component limited to +-u_max (8)
@@ -852,14 +847,10 @@ pub fn law<T: Real>(
     let zeta4_dot = (u_sat + t9) * real(250.0) - t8;
 
     // -- observer dynamics of block 4 (21) (50) --
-    // M_4 - S_4 L_4
-    let w4_closed: Matrix<T, 3, 3> = Matrix::from_f64([
-        [-40.0, -40.0, 0.0],
-        [-20.0, -20.0, 20.0],
-        [-60.0, -80.0, 0.0],
-    ]);
-    // th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 v_4 - h_3' + C_4 zeta_4 + A_hat_4)
-    let th4_dot = w4_closed * w_hat4 - S4 * (F4 + u * real(250.0) - h3_dot + t8);
+    // th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 u - h_3' + C_4 zeta_4 + A_hat_4) = M_4
+    // w_hat_4 + S_4 Lam_4
+    let th4_dot = Vector([real(0.0), real(20.0) * w_hat4[2], real(-20.0) * w_hat4[1]])
+        + S4 * Lam4;
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'
@@ -927,7 +918,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 95 additions, 133 multiplications, 8 divisions, 0 square roots, 8 elementary
+/// Operations: 86 additions, 128 multiplications, 5 divisions, 0 square roots, 8 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: c7581fc32f008f7fd95096b6dcc18ee7347edf9941c6574afa9f387e3e7a3bec
+// SHA-256 of the text below: 1219d3d5230e8bcc8ee781c04430f26876ef0d5247494c89d230a716c5457275
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// initial: 26 additions, 60 multiplications, 10 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
-// control: 80 additions, 129 multiplications, 12 divisions, 3 square roots, 10 elementary functions, 9 comparisons and selections
+// initial: 26 additions, 63 multiplications, 9 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
+// control: 80 additions, 133 multiplications, 10 divisions, 3 square roots, 10 elementary functions, 9 comparisons and selections
 
 //! `motor_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -307,7 +307,7 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 26 additions, 60 multiplications, 10 divisions, 0 square roots, 8 elementary
+/// Operations: 26 additions, 63 multiplications, 9 divisions, 0 square roots, 8 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -319,10 +319,6 @@ pub fn initial<T: Real>(
 ) -> State<T> {
     let real = T::from_f64;
 
-    // -- known dynamics of block 1 (position) (11) --
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
     // -- plant model --
     let rate = x2[0];
     let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
@@ -332,22 +328,25 @@ pub fn initial<T: Real>(
 
     // -- known dynamics of block 2 (speed) (11) --
     // F_2(x_1 .. x_2)
-    let F2 = Vector([-(real(0.01625) * rate + weight * angle.sin()) / inertia]);
+    let F2 = Vector([
+        -(real(0.01625) * rate + weight * angle.sin()) * (real(1.0) / inertia),
+    ]);
+    let t1 = real(0.9) / inertia;
     // G_2(x_1 .. x_2)
-    let G2 = Matrix::rows([[real(0.9) / inertia]]);
+    let G2 = Matrix::rows([[t1]]);
     // H_2(x_1 .. x_2)
     let H2 = Matrix::rows([[real(0.01) / inertia]]);
 
     // -- reference and constraints --
-    let t1 = real(FRAC_PI_2) * t.sin();
-    let t2 = t * t;
-    let t3 = (real(-0.1) * (t2 * t)).exp();
-    let t4 = real(1.0) - t3;
+    let t2 = real(FRAC_PI_2) * t.sin();
+    let t3 = t * t;
+    let t4 = (real(-0.1) * (t3 * t)).exp();
+    let t5 = real(1.0) - t4;
     // y_r(t)
-    let y_r = Vector([t1 * t4]);
+    let y_r = Vector([t2 * t5]);
     // y_r'
     let y_r_dot = Vector([
-        t4 * (real(FRAC_PI_2) * t.cos()) - t1 * (t3 * (real(-0.1) * (real(3.0) * t2))),
+        t5 * (real(FRAC_PI_2) * t.cos()) - t2 * (t4 * (real(-0.1) * (real(3.0) * t3))),
     ]);
     // k_1(t)
     let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
@@ -369,9 +368,9 @@ pub fn initial<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t5 = s1 / (k1 * k1);
+    let t6 = s1 * (real(1.0) / (k1 * k1));
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t5 * t5);
+    let E1_free = real(FRAC_PI_2) * (t6 * t6);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
@@ -396,17 +395,16 @@ pub fn initial<T: Real>(
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = Lam1 - y_r_dot;
-    let t6 = G1.solve(bracket1);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t6;
+    let alpha1 = -bracket1;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (t6 - t6) * real(50.0);
+    let h1_dot = (bracket1 - bracket1) * real(50.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t6;
+    let e2 = x2 + bracket1;
 
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
@@ -462,7 +460,7 @@ pub fn initial<T: Real>(
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
     let bracket2 = F2 - h1_dot + w_hat2 + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let alpha2 = -G2.solve(bracket2);
+    let alpha2 = -(bracket2 * (real(1.0) / t1));
     State {
         zeta1,
         zeta2,
@@ -483,8 +481,8 @@ pub fn initial<T: Real>(
 pub struct Prepared<T> {
     /// `weight`.
     pub weight: T,
-    /// `inertia`.
-    pub inertia: T,
+    /// Part of `F2`.
+    pub F2_1: T,
     /// `G_2(x_1 .. x_2)`
     pub G2: Matrix<T, 1, 1>,
     /// `||G_2||^2`
@@ -495,13 +493,15 @@ pub struct Prepared<T> {
     pub Psi2: T,
     /// Part of `Lam2_filter`.
     pub Lam2_filter_1: T,
+    /// Part of `alpha2`.
+    pub alpha2_1: T,
     /// `phi_min = sqrt(Psi_2 dt / 0.1) (E11)`
     pub phi2_min: T,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 5 additions, 17 multiplications, 2 divisions, 1 square roots, 0 elementary
+/// Operations: 5 additions, 17 multiplications, 4 divisions, 1 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -513,8 +513,9 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
         + real(2.0) * params.load_mass * real(0.000529) * real(0.2);
 
     // -- known dynamics of block 2 (speed) (11) --
+    let t1 = real(0.9) / inertia;
     // G_2(x_1 .. x_2)
-    let G2 = Matrix::rows([[real(0.9) / inertia]]);
+    let G2 = Matrix::rows([[t1]]);
     // H_2(x_1 .. x_2)
     let H2 = Matrix::rows([[real(0.01) / inertia]]);
 
@@ -533,6 +534,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
+    let F2_1 = real(1.0) / inertia;
     let Psi2_1 = H_norm2_2 * Ybar_norm2;
 
     // -- noise terms of block 2 (58) (62) --
@@ -544,14 +546,16 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
     let phi2_min = (Psi2 * real(0.01)).sqrt();
     let Lam2_filter_1 = real(0.05) * G_norm2_2;
+    let alpha2_1 = real(1.0) / t1;
     Prepared {
         weight,
-        inertia,
+        F2_1,
         G2,
         G_norm2_2,
         Psi2_1,
         Psi2,
         Lam2_filter_1,
+        alpha2_1,
         phi2_min,
     }
 }
@@ -572,7 +576,7 @@ pub struct Clock<T> {
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 3 additions, 14 multiplications, 0 divisions, 0 square roots, 4 elementary
+/// Operations: 3 additions, 14 multiplications, 1 divisions, 0 square roots, 4 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
@@ -591,7 +595,7 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     ]);
     // k_1(t)
     let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
-    let E1_free_1 = k1 * k1;
+    let E1_free_1 = real(1.0) / (k1 * k1);
     Clock {
         y_r,
         y_r_dot,
@@ -633,7 +637,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 72 additions, 98 multiplications, 10 divisions, 2 square roots, 6 elementary
+/// Operations: 72 additions, 102 multiplications, 5 divisions, 2 square roots, 6 elementary
 /// functions, 9 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -646,10 +650,6 @@ pub fn law<T: Real>(
 ) -> ControlOutputs<T> {
     let real = T::from_f64;
 
-    // -- known dynamics of block 1 (position) (11) --
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
     // -- plant model --
     let rate = x2[0];
     let angle = x1[0];
@@ -658,13 +658,11 @@ pub fn law<T: Real>(
     // -- known dynamics of block 2 (speed) (11) --
     let t1 = angle.sin();
     // F_2(x_1 .. x_2)
-    let F2 = Vector([-(real(0.01625) * rate + prepared.weight * t1) / prepared.inertia]);
+    let F2 = Vector([-(real(0.01625) * rate + prepared.weight * t1) * prepared.F2_1]);
 
     // -- known dynamics of block 3 (current) (11) --
     // F_3(x_1 .. x_3)
     let F3 = Vector([-(real(5.0) * amps + real(0.9) * rate) * real(40.0)]);
-    // G_3(x_1 .. x_3)
-    let G3: Matrix<T, 1, 1> = Matrix::from_f64([[40.0]]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -673,7 +671,7 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t2 = s1 / clock.E1_free_1;
+    let t2 = s1 * clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t2 * t2);
     // E_1 >= pi/2 - delta
@@ -704,7 +702,7 @@ pub fn law<T: Real>(
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = t3 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -G1.solve(bracket1);
+    let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
@@ -770,7 +768,7 @@ pub fn law<T: Real>(
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
     let bracket2 = t7 - h1_dot + t8 + w_hat2 + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let alpha2 = -prepared.G2.solve(bracket2);
+    let alpha2 = -(bracket2 * prepared.alpha2_1);
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
@@ -827,7 +825,7 @@ pub fn law<T: Real>(
     let t10 = state.zeta3 * real(100.0);
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
     let bracket3 = F3 - h2_dot + t10 + D_hat3 + Lam3;
-    let t11 = G3.solve(bracket3);
+    let t11 = bracket3 * real(0.025);
     // u = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
     let u = -t11;
     // sat(u), each component limited to +-u_max (8)
@@ -905,7 +903,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 80 additions, 129 multiplications, 12 divisions, 3 square roots, 10 elementary
+/// Operations: 80 additions, 133 multiplications, 10 divisions, 3 square roots, 10 elementary
 /// functions, 9 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

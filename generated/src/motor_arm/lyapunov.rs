@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 10ecf3a5f757fa89594ae9a01b7048009cd2dc6645935492b77951031d609823
+// SHA-256 of the text below: fb2e267d56c7587eb6004c09526231e2423aa07e2c12ed642922855b8465fc43
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// lyapunov: 291 additions, 408 multiplications, 36 divisions, 2 square roots, 15 elementary functions, 13 comparisons and selections
+// lyapunov: 291 additions, 419 multiplications, 27 divisions, 2 square roots, 15 elementary functions, 13 comparisons and selections
 
 //! `motor_arm`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,7 +29,7 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 291 additions, 408 multiplications, 36 divisions, 2 square roots, 15 elementary
+/// Operations: 291 additions, 419 multiplications, 27 divisions, 2 square roots, 15 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
@@ -44,10 +44,6 @@ pub fn lyapunov<T: Real>(
 ) -> LyapunovOutputs<T> {
     let real = T::from_f64;
 
-    // -- known dynamics of block 1 (position) (11) --
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
     // -- plant model --
     let rate = x2[0];
     let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
@@ -59,40 +55,40 @@ pub fn lyapunov<T: Real>(
     // -- known dynamics of block 2 (speed) (11) --
     let t1 = real(0.01625) * rate;
     let t2 = angle.sin();
+    let t3 = real(1.0) / inertia;
     // F_2(x_1 .. x_2)
-    let F2 = Vector([-(t1 + weight * t2) / inertia]);
+    let F2 = Vector([-(t1 + weight * t2) * t3]);
+    let t4 = real(0.9) / inertia;
     // G_2(x_1 .. x_2)
-    let G2 = Matrix::rows([[real(0.9) / inertia]]);
+    let G2 = Matrix::rows([[t4]]);
     // H_2(x_1 .. x_2)
     let H2 = Matrix::rows([[real(0.01) / inertia]]);
 
     // -- known dynamics of block 3 (current) (11) --
     // F_3(x_1 .. x_3)
     let F3 = Vector([-(real(5.0) * amps + real(0.9) * rate) * real(40.0)]);
-    // G_3(x_1 .. x_3)
-    let G3: Matrix<T, 1, 1> = Matrix::from_f64([[40.0]]);
 
     // -- reference and constraints --
-    let t3 = real(20.0) * t;
-    let t4 = Vector([t, t3]);
-    let [sin_t, sin_t3] = t4.sin().0;
-    let t5 = real(FRAC_PI_2) * sin_t;
-    let t6 = t * t;
-    let t7 = (real(-0.1) * (t6 * t)).exp();
-    let t8 = real(1.0) - t7;
+    let t5 = real(20.0) * t;
+    let t6 = Vector([t, t5]);
+    let [sin_t, sin_t5] = t6.sin().0;
+    let t7 = real(FRAC_PI_2) * sin_t;
+    let t8 = t * t;
+    let t9 = (real(-0.1) * (t8 * t)).exp();
+    let t10 = real(1.0) - t9;
     // y_r(t)
-    let y_r = Vector([t5 * t8]);
-    let [cos_t, cos_t3] = t4.cos().0;
-    let t9 = real(FRAC_PI_2) * cos_t;
-    let t10 = real(-0.1) * (real(3.0) * t6);
-    let t11 = t7 * t10;
+    let y_r = Vector([t7 * t10]);
+    let [cos_t, cos_t5] = t6.cos().0;
+    let t11 = real(FRAC_PI_2) * cos_t;
+    let t12 = real(-0.1) * (real(3.0) * t8);
+    let t13 = t9 * t12;
     // y_r'
-    let y_r_dot = Vector([t8 * t9 - t5 * t11]);
-    let t12 = (real(-2.0) * t).exp();
+    let y_r_dot = Vector([t10 * t11 - t7 * t13]);
+    let t14 = (real(-2.0) * t).exp();
     // k_1(t)
-    let k1 = real(0.3) * t12 + real(0.05);
+    let k1 = real(0.3) * t14 + real(0.05);
     // k1'
-    let k1_dot = real(0.3) * (t12 * real(-2.0));
+    let k1_dot = real(0.3) * (t14 * real(-2.0));
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -101,26 +97,27 @@ pub fn lyapunov<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t13 = k1 * k1;
-    let t14 = s1 / t13;
+    let t15 = k1 * k1;
+    let t16 = real(1.0) / t15;
+    let t17 = s1 * t16;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t14 * t14);
+    let E1_free = real(FRAC_PI_2) * (t17 * t17);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t15 = cosE1 * cosE1;
+    let t18 = cosE1 * cosE1;
     // 1 / cos^2 E_1
-    let sec2E1 = real(1.0) / t15;
-    let t16 = s1 * sec2E1;
+    let sec2E1 = real(1.0) / t18;
+    let t19 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * t16;
+    let c1 = e1 * t19;
 
     // -- robust feedback of block 1 (31) (63) --
-    let t17 = kernel::sin_cos_over(E1);
-    let t18 = real(1.5697963267948967) / E1_free;
+    let t20 = kernel::sin_cos_over(E1);
+    let t21 = real(1.5697963267948967) / E1_free;
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(3.2199999999999998) * (t17 * real(1.0).min(t18))
+    let Lam0_1 = e1 * real(3.2199999999999998) * (t20 * real(1.0).min(t21))
         + e1 * real(1.72);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
@@ -130,16 +127,15 @@ pub fn lyapunov<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t19 = state.zeta1 * real(20.0);
+    let t22 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t19 - y_r_dot + Lam1;
-    let t20 = G1.solve(bracket1);
+    let bracket1 = t22 - y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t20;
+    let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t19;
+    let zeta1_dot = state.zeta2 - t22;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -160,9 +156,9 @@ pub fn lyapunov<T: Real>(
     let z2 = Vector([t2, rate]);
     // P_2 = P_m(z_2), 6 nodes
     let P2 = polynomials::basis2(z2);
-    let t21 = state.W2.transpose();
+    let t23 = state.W2.transpose();
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = t21 * P2;
+    let A_hat2 = t23 * P2;
 
     // -- disturbance observer of block 2 (20) (49) --
     // w_hat_2 = th_2 + S_2 e_2
@@ -183,39 +179,39 @@ pub fn lyapunov<T: Real>(
     let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t22 = H_norm2_2 * Ybar_norm2;
+    let t24 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t22 * t22 * real(0.5) + real(0.5) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
+    let Psi2 = t24 * t24 * real(0.5) + real(0.5) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
     let Lam0_2 = e2 * real(25.0) + e2 * real(20.0);
     // ||L||^2/(2 eta_1) c^T (63)
     let Lam2_disturbance = c2 * real(0.5);
-    let t23 = real(0.05) * G_norm2_2;
+    let t25 = real(0.05) * G_norm2_2;
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam2_filter = c2 * t23;
+    let Lam2_filter = c2 * t25;
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * real(0.5);
-    let t24 = e2.tanh();
+    let t26 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t24 * state.eps2;
-    let t25 = s_c1 * s_c1;
+    let Lam2_error_bound = t26 * state.eps2;
+    let t27 = s_c1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * t25 * real(0.25);
-    let t26 = s2 * s2;
-    let t27 = (t26 + real(1.0)).sqrt();
+    let Lam2_coupling = e2 * t27 * real(0.25);
+    let t28 = s2 * s2;
+    let t29 = (t28 + real(1.0)).sqrt();
     // 1 / sqrt(s_2^2 + varsigma_2^2)
-    let s_scale2 = real(1.0) / t27;
-    let t28 = t22 * state.sigma2;
-    let t29 = t28 * s_scale2;
+    let s_scale2 = real(1.0) / t29;
+    let t30 = t24 * state.sigma2;
+    let t31 = t30 * s_scale2;
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * t29;
-    let t30 = state.phi2 * state.phi2;
-    let t31 = t30 + t26;
-    let t32 = Psi2 / t31;
+    let Lam2_noise = e2 * t31;
+    let t32 = state.phi2 * state.phi2;
+    let t33 = t32 + t28;
+    let t34 = Psi2 / t33;
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t32;
+    let Lam2_diffusion = e2 * t34;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
@@ -223,17 +219,18 @@ pub fn lyapunov<T: Real>(
     let s_c2 = c2.sum_squares();
 
     // -- virtual control (31) of block 2 --
-    let t33 = F2 + A_hat2;
-    let t34 = state.zeta2 * real(50.0);
+    let t35 = F2 + A_hat2;
+    let t36 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t33 - h1_dot + t34 + w_hat2 + Lam2;
-    let t35 = G2.solve(bracket2);
+    let bracket2 = t35 - h1_dot + t36 + w_hat2 + Lam2;
+    let t37 = real(1.0) / t4;
+    let t38 = bracket2 * t37;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let alpha2 = -t35;
+    let alpha2 = -t38;
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
-    let zeta2_dot = G2 * state.zeta3 - t34;
+    let zeta2_dot = G2 * state.zeta3 - t36;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
@@ -242,20 +239,20 @@ pub fn lyapunov<T: Real>(
     // -- observer dynamics of block 2 (21) (50) --
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
     let th2_dot = w_hat2 * real(-12.0)
-        - (t33 + G2 * (x3 - state.zeta3) - h1_dot + t34) * real(10.0);
+        - (t35 + G2 * (x3 - state.zeta3) - h1_dot + t36) * real(10.0);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 * e2.dot(t24) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 * e2.dot(t26) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t22 * t26 * s_scale2 - real(0.1) * state.sigma2;
+    let sigma2_dot = t24 * t28 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t32 + real(0.5);
+    let phi2_decay = t34 + real(0.5);
     // phi_2' = -phi_2 Psi_2/(phi_2^2 + s_2^2) - kappa_phi phi_2 if ||e_2|| >= iota_phi, else 0
     let phi2_dot = T::select(
         s2.sqrt().ge(real(0.2)),
@@ -286,35 +283,36 @@ pub fn lyapunov<T: Real>(
     let Lam0_3 = e3 * real(125.0) + e3 * real(100.0);
     // eta_1/2 c^T (36)
     let Lam3_disturbance = c3 * real(0.5);
-    let t36 = G_norm2_2 * s_c2;
+    let t39 = G_norm2_2 * s_c2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam3_coupling = e3 * (t36 * t36) * real(0.015625);
+    let Lam3_coupling = e3 * (t39 * t39) * real(0.015625);
     // Lam_3, sum of the terms above
     let Lam3 = Lam0_3 + Lam3_disturbance + Lam3_coupling;
 
     // -- control (64) of block 3 --
-    let t37 = state.zeta3 * real(100.0);
+    let t40 = state.zeta3 * real(100.0);
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
-    let bracket3 = F3 - h2_dot + t37 + D_hat3 + Lam3;
-    let t38 = G3.solve(bracket3);
+    let bracket3 = F3 - h2_dot + t40 + D_hat3 + Lam3;
+    let t41 = bracket3 * real(0.025);
     // u = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
-    let u = -t38;
+    let u = -t41;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-40.0))).min(Vector::splat(real(40.0)));
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
-    let zeta3_dot = (u_sat + t38) * real(40.0) - t37;
+    let zeta3_dot = (u_sat + t41) * real(40.0) - t40;
 
     // -- true dynamics of block 2 (speed) (11) --
-    let t39 = real(0.017315216666666668) + plant.load_mass * real(0.093025)
+    let t42 = real(0.017315216666666668) + plant.load_mass * real(0.093025)
         + real(2.0) * plant.load_mass * real(0.000529) * real(0.2);
     // F_2 with the plant's parameters
     let F2_plant = Vector([
-        -(t1 + (real(0.253) + plant.load_mass) * real(0.305) * real(9.81) * t2) / t39,
+        -(t1 + (real(0.253) + plant.load_mass) * real(0.305) * real(9.81) * t2)
+            * (real(1.0) / t42),
     ]);
     // G_2 with the plant's parameters
-    let G2_plant = Matrix::rows([[real(0.9) / t39]]);
+    let G2_plant = Matrix::rows([[real(0.9) / t42]]);
     // w_2' = M_2 w_2 (12)
     let w2_flow = w2 * real(-2.0);
     // F_2 + G_2 x_3 + d_2
@@ -322,29 +320,29 @@ pub fn lyapunov<T: Real>(
 
     // -- true dynamics of block 3 (current) (11) --
     // d_3(t)
-    let d3 = Vector([real(0.5) * sin_t3 * real(40.0)]);
-    let t40 = u_sat * real(40.0);
+    let d3 = Vector([real(0.5) * sin_t5 * real(40.0)]);
+    let t43 = u_sat * real(40.0);
     // F_3 + G_3 x_4 + d_3
-    let x3_flow = F3 + t40 + d3;
+    let x3_flow = F3 + t43 + d3;
 
     // -- Lyapunov function of block 1 (23) (52) --
-    let t41 = t13 * t13 * real(0.15915494309189535);
-    let t42 = E1.tan();
+    let t44 = t15 * t15 * real(0.15915494309189535);
+    let t45 = E1.tan();
     // k_1^4/(2 pi) tan E_1
-    let V_T1 = t41 * t42;
+    let V_T1 = t44 * t45;
     // 1/2 ||zeta_1||^2
     let V_zeta1 = state.zeta1.sum_squares() * real(0.5);
     // chi_1 = h_1 - alpha_1 (34)
-    let chi1 = state.h1 + t20;
+    let chi1 = state.h1 + bracket1;
     // 1/2 ||chi_1||^2
     let V_chi1 = chi1.sum_squares() * real(0.5);
 
     // -- Lyapunov function of block 2 (23) (52) --
     // k_2^4/(2 pi) tan E_2
-    let V_T2 = t26 * real(0.25);
-    let t43 = t21 * state.W2;
+    let V_T2 = t28 * real(0.25);
+    let t46 = t23 * state.W2;
     // tr(W_2^T W_2)/(2 Gamma_2)
-    let V_W2 = t43[(0, 0)] * real(0.5);
+    let V_W2 = t46[(0, 0)] * real(0.5);
     // w_2 - w_hat_2
     let w_error2 = w2 - w_hat2;
     // 1/2 ||theta_2 - th_2||^2
@@ -352,16 +350,16 @@ pub fn lyapunov<T: Real>(
     // 1/2 ||zeta_2||^2
     let V_zeta2 = state.zeta2.sum_squares() * real(0.5);
     // chi_2 = h_2 - alpha_2 (34)
-    let chi2 = state.h2 + t35;
+    let chi2 = state.h2 + t38;
     // 1/2 ||chi_2||^2
     let V_chi2 = chi2.sum_squares() * real(0.5);
     // eps_hat_2^2/(2 iota_20)
     let V_eps2 = state.eps2 * state.eps2 * real(5.0);
-    let t44 = real(1.0) - state.sigma2;
+    let t47 = real(1.0) - state.sigma2;
     // (sigma_bar_2 - sigma_hat_2)^2/(2 taubar_2)
-    let V_sigma2 = t44 * t44 * real(0.5);
+    let V_sigma2 = t47 * t47 * real(0.5);
     // phi_2^2/2
-    let V_phi2 = t30 * real(0.5);
+    let V_phi2 = t32 * real(0.5);
 
     // -- Lyapunov function of block 3 (23) (52) --
     // k_3^4/(2 pi) tan E_3
@@ -374,22 +372,22 @@ pub fn lyapunov<T: Real>(
     let V_zeta3 = state.zeta3.sum_squares() * real(0.5);
 
     // -- Lyapunov function (52) --
-    let t45 = V_T1 + V_zeta1 + V_chi1 + V_T2 + V_W2 + V_D2 + V_zeta2 + V_chi2 + V_eps2;
+    let t48 = V_T1 + V_zeta1 + V_chi1 + V_T2 + V_W2 + V_D2 + V_zeta2 + V_chi2 + V_eps2;
     // V, sum of the parts above
-    let V = t45 + V_sigma2 + V_phi2 + V_T3 + V_D3 + V_zeta3;
+    let V = t48 + V_sigma2 + V_phi2 + V_T3 + V_D3 + V_zeta3;
 
     // -- Ito generator (2) --
-    let t46 = real(0.01) / t39;
+    let t49 = real(0.01) / t42;
     // column 1 of HSigma2
-    let HSigma2_1 = Vector([t46]);
+    let HSigma2_1 = Vector([t49]);
     // e1' along the flow
     let e1_flow = x2 - y_r_dot - zeta1_dot;
-    let t47 = e1_flow.dot(e1);
+    let t50 = e1_flow.dot(e1);
     // s1' along the flow
-    let s1_flow = t47 + t47;
-    let t48 = (t14 + t14) * (s1_flow / t13 - t14 / t13 * ((k1 + k1) * k1_dot));
+    let s1_flow = t50 + t50;
+    let t51 = (t17 + t17) * (s1_flow * t16 - t17 * t16 * ((k1 + k1) * k1_dot));
     // E1_free' along the flow
-    let E1_free_flow = real(FRAC_PI_2) * t48;
+    let E1_free_flow = real(FRAC_PI_2) * t51;
     // E1' along the flow
     let E1_flow = T::select(
         E1_free.lt(real(1.5697963267948967)),
@@ -397,76 +395,75 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t42 * (real(4.0) * (t13 * k1) * k1_dot * real(0.15915494309189535))
-        + t41 * (E1_flow / t15);
-    let t49 = zeta1_dot.dot(state.zeta1);
+    let V_T1_flow = t45 * (real(4.0) * (t15 * k1) * k1_dot * real(0.15915494309189535))
+        + t44 * (E1_flow / t18);
+    let t52 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
-    let V_zeta1_flow = (t49 + t49) * real(0.5);
-    let t50 = t9 * t11;
-    let t51 = t50 + t5 * (t10 * t11 + t7 * (real(-0.1) * (real(3.0) * (t + t))));
+    let V_zeta1_flow = (t52 + t52) * real(0.5);
+    let t53 = t11 * t13;
+    let t54 = t53 + t7 * (t12 * t13 + t9 * (real(-0.1) * (real(3.0) * (t + t))));
     // y_r''
-    let y_r_dot2 = Vector([t8 * (real(FRAC_PI_2) * -sin_t) - t50 - t51]);
-    let t52 = real(1.0).lt(t18);
-    let t53 = T::select(t52, real(1.0), t18);
-    let t54 = t53 * (kernel::sin_cos_over_d1(E1) * E1_flow)
-        + T::select(t52, real(0.0), -(t17 * (t18 / E1_free * E1_free_flow)));
+    let y_r_dot2 = Vector([t10 * (real(FRAC_PI_2) * -sin_t) - t53 - t54]);
+    let t55 = real(1.0).lt(t21);
+    let t56 = T::select(t55, real(1.0), t21);
+    let t57 = t56 * (kernel::sin_cos_over_d1(E1) * E1_flow)
+        + T::select(t55, real(0.0), -(t20 * (t21 / E1_free * E1_free_flow)));
     // Lam0_1' along the flow
     let Lam0_1_flow = Vector([
-        real(3.2199999999999998) * e1[0] * t54
-            + t17 * t53 * (real(3.2199999999999998) * e1_flow[0])
+        real(3.2199999999999998) * e1[0] * t57
+            + t20 * t56 * (real(3.2199999999999998) * e1_flow[0])
             + real(1.72) * e1_flow[0],
     ]);
     // cosE1' along the flow
     let cosE1_flow = -(E1.sin() * E1_flow);
     // sec2E1' along the flow
-    let sec2E1_flow = -(sec2E1 / t15 * ((cosE1 + cosE1) * cosE1_flow));
+    let sec2E1_flow = -(sec2E1 / t18 * ((cosE1 + cosE1) * cosE1_flow));
     // c1' along the flow
-    let c1_flow = e1 * (s1_flow * sec2E1 + s1 * sec2E1_flow) + e1_flow * t16;
+    let c1_flow = e1 * (s1_flow * sec2E1 + s1 * sec2E1_flow) + e1_flow * t19;
     // Lam1_filter' along the flow
     let Lam1_filter_flow = c1_flow * real(0.5);
     // Lam1' along the flow
     let Lam1_flow = Lam0_1_flow + Lam1_filter_flow;
     // bracket1' along the flow
     let bracket1_flow = zeta1_dot * real(20.0) - y_r_dot2 + Lam1_flow;
-    let t55 = G1.solve(bracket1_flow);
     // alpha1' along the flow
-    let alpha1_flow = -t55;
+    let alpha1_flow = -bracket1_flow;
     // chi1' along the flow
-    let chi1_flow = h1_dot + t55;
-    let t56 = chi1_flow.dot(chi1);
+    let chi1_flow = h1_dot + bracket1_flow;
+    let t58 = chi1_flow.dot(chi1);
     // V_chi1' along the flow
-    let V_chi1_flow = (t56 + t56) * real(0.5);
+    let V_chi1_flow = (t58 + t58) * real(0.5);
     // e2' along the flow
     let e2_flow = x2_flow - h1_dot - zeta2_dot;
-    let t57 = e2_flow.dot(e2);
+    let t59 = e2_flow.dot(e2);
     // s2' along the flow
-    let s2_flow = t57 + t57;
-    let t58 = s2_flow * s2;
+    let s2_flow = t59 + t59;
+    let t60 = s2_flow * s2;
     // V_T2' along the flow
-    let V_T2_flow = (t58 + t58) * real(0.25);
-    let t59 = W2_dot.transpose();
-    let t60 = t59 * state.W2 + t21 * W2_dot;
+    let V_T2_flow = (t60 + t60) * real(0.25);
+    let t61 = W2_dot.transpose();
+    let t62 = t61 * state.W2 + t23 * W2_dot;
     // V_W2' along the flow
-    let V_W2_flow = t60[(0, 0)] * real(0.5);
+    let V_W2_flow = t62[(0, 0)] * real(0.5);
     // w_hat2' along the flow
     let w_hat2_flow = th2_dot + e2_flow * real(10.0);
     // w_error2' along the flow
     let w_error2_flow = w2_flow - w_hat2_flow;
-    let t61 = w_error2_flow.dot(w_error2);
+    let t63 = w_error2_flow.dot(w_error2);
     // V_D2' along the flow
-    let V_D2_flow = (t61 + t61) * real(0.5);
-    let t62 = zeta2_dot.dot(state.zeta2);
+    let V_D2_flow = (t63 + t63) * real(0.5);
+    let t64 = zeta2_dot.dot(state.zeta2);
     // V_zeta2' along the flow
-    let V_zeta2_flow = (t62 + t62) * real(0.5);
-    let t63 = angle.cos() * x2[0];
+    let V_zeta2_flow = (t64 + t64) * real(0.5);
+    let t65 = angle.cos() * x2[0];
     // F2' along the flow
-    let F2_flow = Vector([-((real(0.01625) * x2_flow[0] + weight * t63) / inertia)]);
+    let F2_flow = Vector([-((real(0.01625) * x2_flow[0] + weight * t65) * t3)]);
     // z2' along the flow
-    let z2_flow = Vector([t63, x2_flow[0]]);
+    let z2_flow = Vector([t65, x2_flow[0]]);
     // P2' along the flow
     let P2_flow = polynomials::basis2_rate(z2, z2_flow);
     // A_hat2' along the flow
-    let A_hat2_flow = t59 * P2 + t21 * P2_flow;
+    let A_hat2_flow = t61 * P2 + t23 * P2_flow;
     // h1_dot' along the flow
     let h1_dot_flow = (alpha1_flow - h1_dot) * real(50.0);
     // Lam0_2' along the flow
@@ -476,35 +473,35 @@ pub fn lyapunov<T: Real>(
     // Lam2_disturbance' along the flow
     let Lam2_disturbance_flow = c2_flow * real(0.5);
     // Lam2_filter' along the flow
-    let Lam2_filter_flow = c2_flow * t23;
+    let Lam2_filter_flow = c2_flow * t25;
     // Lam2_network' along the flow
     let Lam2_network_flow = e2_flow * real(0.5);
-    let t64 = e2[0].tanh();
-    let t65 = real(1.0) - t64 * t64;
+    let t66 = e2[0].tanh();
+    let t67 = real(1.0) - t66 * t66;
     // Lam2_error_bound' along the flow
     let Lam2_error_bound_flow = Vector([
-        t64 * eps2_dot + state.eps2 * (t65 * e2_flow[0]),
+        t66 * eps2_dot + state.eps2 * (t67 * e2_flow[0]),
     ]);
-    let t66 = c1_flow.dot(c1);
+    let t68 = c1_flow.dot(c1);
     // s_c1' along the flow
-    let s_c1_flow = t66 + t66;
+    let s_c1_flow = t68 + t68;
     // Lam2_coupling' along the flow
     let Lam2_coupling_flow = Vector([
-        (e2[0] * ((s_c1 + s_c1) * s_c1_flow) + t25 * e2_flow[0]) * real(0.25),
+        (e2[0] * ((s_c1 + s_c1) * s_c1_flow) + t27 * e2_flow[0]) * real(0.25),
     ]);
-    let t67 = s_scale2 / t27;
-    let t68 = s2 + s2;
-    let t69 = t68 * s2_flow;
-    let t70 = t27 + t27;
+    let t69 = s_scale2 / t29;
+    let t70 = s2 + s2;
+    let t71 = t70 * s2_flow;
+    let t72 = t29 + t29;
     // s_scale2' along the flow
-    let s_scale2_flow = -(t67 * (t69 / t70));
+    let s_scale2_flow = -(t69 * (t71 / t72));
     // Lam2_noise' along the flow
-    let Lam2_noise_flow = e2 * (t22 * sigma2_dot * s_scale2 + t28 * s_scale2_flow)
-        + e2_flow * t29;
-    let t71 = t32 / t31;
+    let Lam2_noise_flow = e2 * (t24 * sigma2_dot * s_scale2 + t30 * s_scale2_flow)
+        + e2_flow * t31;
+    let t73 = t34 / t33;
     // Lam2_diffusion' along the flow
     let Lam2_diffusion_flow = Vector([
-        t32 * e2_flow[0] - e2[0] * (t71 * ((state.phi2 + state.phi2) * phi2_dot + t69)),
+        t34 * e2_flow[0] - e2[0] * (t73 * ((state.phi2 + state.phi2) * phi2_dot + t71)),
     ]);
     // Lam2' along the flow
     let Lam2_flow = Lam0_2_flow + Lam2_disturbance_flow + Lam2_filter_flow
@@ -514,61 +511,61 @@ pub fn lyapunov<T: Real>(
     let bracket2_flow = F2_flow + A_hat2_flow - h1_dot_flow + zeta2_dot * real(50.0)
         + w_hat2_flow + Lam2_flow;
     // chi2' along the flow
-    let chi2_flow = h2_dot + G2.solve(bracket2_flow);
-    let t72 = chi2_flow.dot(chi2);
+    let chi2_flow = h2_dot + bracket2_flow * t37;
+    let t74 = chi2_flow.dot(chi2);
     // V_chi2' along the flow
-    let V_chi2_flow = (t72 + t72) * real(0.5);
-    let t73 = eps2_dot * state.eps2;
+    let V_chi2_flow = (t74 + t74) * real(0.5);
+    let t75 = eps2_dot * state.eps2;
     // V_eps2' along the flow
-    let V_eps2_flow = (t73 + t73) * real(5.0);
-    let t74 = -sigma2_dot * t44;
+    let V_eps2_flow = (t75 + t75) * real(5.0);
+    let t76 = -sigma2_dot * t47;
     // V_sigma2' along the flow
-    let V_sigma2_flow = (t74 + t74) * real(0.5);
-    let t75 = phi2_dot * state.phi2;
+    let V_sigma2_flow = (t76 + t76) * real(0.5);
+    let t77 = phi2_dot * state.phi2;
     // V_phi2' along the flow
-    let V_phi2_flow = (t75 + t75) * real(0.5);
+    let V_phi2_flow = (t77 + t77) * real(0.5);
     // e3' along the flow
     let e3_flow = x3_flow - h2_dot - zeta3_dot;
-    let t76 = e3_flow.dot(e3);
+    let t78 = e3_flow.dot(e3);
     // s3' along the flow
-    let s3_flow = t76 + t76;
-    let t77 = s3_flow * s3;
+    let s3_flow = t78 + t78;
+    let t79 = s3_flow * s3;
     // V_T3' along the flow
-    let V_T3_flow = (t77 + t77) * real(0.25);
+    let V_T3_flow = (t79 + t79) * real(0.25);
     // d3'
-    let d3_dot = Vector([real(0.5) * (cos_t3 * real(20.0)) * real(40.0)]);
+    let d3_dot = Vector([real(0.5) * (cos_t5 * real(20.0)) * real(40.0)]);
     // D_hat3' along the flow
-    let D_hat3_flow = x3_flow * real(50.0) - (D_hat3 + F3 + t40) * real(50.0);
+    let D_hat3_flow = x3_flow * real(50.0) - (D_hat3 + F3 + t43) * real(50.0);
     // D_error3' along the flow
     let D_error3_flow = d3_dot - D_hat3_flow;
-    let t78 = D_error3_flow.dot(D_error3);
+    let t80 = D_error3_flow.dot(D_error3);
     // V_D3' along the flow
-    let V_D3_flow = (t78 + t78) * real(0.5);
-    let t79 = zeta3_dot.dot(state.zeta3);
+    let V_D3_flow = (t80 + t80) * real(0.5);
+    let t81 = zeta3_dot.dot(state.zeta3);
     // V_zeta3' along the flow
-    let V_zeta3_flow = (t79 + t79) * real(0.5);
-    let t80 = HSigma2_1.dot(e2);
+    let V_zeta3_flow = (t81 + t81) * real(0.5);
+    let t82 = HSigma2_1.dot(e2);
     // D^1 s2 along noise1
-    let s2_noise1_ = t80 + t80;
-    let t81 = HSigma2_1.sum_squares();
+    let s2_noise1_ = t82 + t82;
+    let t83 = HSigma2_1.sum_squares();
     // D^2 s2 along noise1
-    let s2_noise1_2 = t81 + t81;
-    let t82 = s2_noise1_2 * s2 + s2_noise1_ * s2_noise1_;
+    let s2_noise1_2 = t83 + t83;
+    let t84 = s2_noise1_2 * s2 + s2_noise1_ * s2_noise1_;
     // D^2 V_T2 along noise1
-    let V_T2_noise1_2 = (t82 + t82) * real(0.25);
+    let V_T2_noise1_2 = (t84 + t84) * real(0.25);
     // D^1 w_hat2 along noise1
     let w_hat2_noise1_ = HSigma2_1 * real(10.0);
-    let t83 = w_hat2_noise1_.sum_squares();
+    let t85 = w_hat2_noise1_.sum_squares();
     // D^2 V_D2 along noise1
-    let V_D2_noise1_2 = (t83 + t83) * real(0.5);
+    let V_D2_noise1_2 = (t85 + t85) * real(0.5);
     // D^1 F2 along noise1
-    let F2_noise1_ = Vector([-(real(0.01625) * t46 / inertia)]);
+    let F2_noise1_ = Vector([-(real(0.01625) * t49 / inertia)]);
     // D^1 z2 along noise1
-    let z2_noise1_ = Vector([real(0.0), t46]);
+    let z2_noise1_ = Vector([real(0.0), t49]);
     // D^1 P2 along noise1
     let P2_noise1_ = polynomials::basis2_rate(z2, z2_noise1_);
     // D^1 A_hat2 along noise1
-    let A_hat2_noise1_ = t21 * P2_noise1_;
+    let A_hat2_noise1_ = t23 * P2_noise1_;
     // D^1 Lam0_2 along noise1
     let Lam0_2_noise1_ = HSigma2_1 * real(25.0) + HSigma2_1 * real(20.0);
     // D^1 c2 along noise1
@@ -576,25 +573,25 @@ pub fn lyapunov<T: Real>(
     // D^1 Lam2_disturbance along noise1
     let Lam2_disturbance_noise1_ = c2_noise1_ * real(0.5);
     // D^1 Lam2_filter along noise1
-    let Lam2_filter_noise1_ = c2_noise1_ * t23;
+    let Lam2_filter_noise1_ = c2_noise1_ * t25;
     // D^1 Lam2_network along noise1
     let Lam2_network_noise1_ = HSigma2_1 * real(0.5);
-    let t84 = t65 * t46;
+    let t86 = t67 * t49;
     // D^1 Lam2_error_bound along noise1
-    let Lam2_error_bound_noise1_ = Vector([state.eps2 * t84]);
+    let Lam2_error_bound_noise1_ = Vector([state.eps2 * t86]);
     // D^1 Lam2_coupling along noise1
-    let Lam2_coupling_noise1_ = Vector([t25 * t46 * real(0.25)]);
-    let t85 = t68 * s2_noise1_;
-    let t86 = t85 / t70;
-    let t87 = t67 * t86;
+    let Lam2_coupling_noise1_ = Vector([t27 * t49 * real(0.25)]);
+    let t87 = t70 * s2_noise1_;
+    let t88 = t87 / t72;
+    let t89 = t69 * t88;
     // D^1 s_scale2 along noise1
-    let s_scale2_noise1_ = -t87;
-    let t88 = t28 * s_scale2_noise1_;
+    let s_scale2_noise1_ = -t89;
+    let t90 = t30 * s_scale2_noise1_;
     // D^1 Lam2_noise along noise1
-    let Lam2_noise_noise1_ = e2 * t88 + HSigma2_1 * t29;
-    let t89 = t71 * t85;
+    let Lam2_noise_noise1_ = e2 * t90 + HSigma2_1 * t31;
+    let t91 = t73 * t87;
     // D^1 Lam2_diffusion along noise1
-    let Lam2_diffusion_noise1_ = Vector([t32 * t46 - e2[0] * t89]);
+    let Lam2_diffusion_noise1_ = Vector([t34 * t49 - e2[0] * t91]);
     // D^1 Lam2 along noise1
     let Lam2_noise1_ = Lam0_2_noise1_ + Lam2_disturbance_noise1_ + Lam2_filter_noise1_
         + Lam2_network_noise1_ + Lam2_error_bound_noise1_ + Lam2_coupling_noise1_
@@ -602,48 +599,49 @@ pub fn lyapunov<T: Real>(
     // D^1 bracket2 along noise1
     let bracket2_noise1_ = F2_noise1_ + A_hat2_noise1_ + w_hat2_noise1_ + Lam2_noise1_;
     // D^1 chi2 along noise1
-    let chi2_noise1_ = G2.solve(bracket2_noise1_);
+    let chi2_noise1_ = bracket2_noise1_ * t37;
     // D^2 z2 along noise1
     let z2_noise1_2: Vector<T, 2> = Vector::zero();
     // D^2 P2 along noise1
     let P2_noise1_2 = polynomials::basis2_rate2(z2, z2_noise1_, z2_noise1_2);
     // D^2 A_hat2 along noise1
-    let A_hat2_noise1_2 = t21 * P2_noise1_2;
-    let t90 = HSigma2_1 * s2_noise1_;
+    let A_hat2_noise1_2 = t23 * P2_noise1_2;
+    let t92 = HSigma2_1 * s2_noise1_;
     // D^2 c2 along noise1
-    let c2_noise1_2 = e2 * s2_noise1_2 + t90 + t90;
+    let c2_noise1_2 = e2 * s2_noise1_2 + t92 + t92;
     // D^2 Lam2_disturbance along noise1
     let Lam2_disturbance_noise1_2 = c2_noise1_2 * real(0.5);
     // D^2 Lam2_filter along noise1
-    let Lam2_filter_noise1_2 = c2_noise1_2 * t23;
+    let Lam2_filter_noise1_2 = c2_noise1_2 * t25;
     // D^2 Lam2_error_bound along noise1
-    let Lam2_error_bound_noise1_2 = Vector([state.eps2 * -(t46 * ((t64 + t64) * t84))]);
-    let t91 = s2_noise1_ * (s2_noise1_ + s2_noise1_) + t68 * s2_noise1_2;
-    let t92 = t67 * (t91 / t70 - t86 / t70 * (t86 + t86));
+    let Lam2_error_bound_noise1_2 = Vector([state.eps2 * -(t49 * ((t66 + t66) * t86))]);
+    let t93 = s2_noise1_ * (s2_noise1_ + s2_noise1_) + t70 * s2_noise1_2;
+    let t94 = t69 * (t93 / t72 - t88 / t72 * (t88 + t88));
     // D^2 s_scale2 along noise1
-    let s_scale2_noise1_2 = -(t92 - t86 * (t87 / t27 + t67 / t27 * t86));
-    let t93 = HSigma2_1 * t88;
+    let s_scale2_noise1_2 = -(t94 - t88 * (t89 / t29 + t69 / t29 * t88));
+    let t95 = HSigma2_1 * t90;
     // D^2 Lam2_noise along noise1
-    let Lam2_noise_noise1_2 = e2 * (t28 * s_scale2_noise1_2) + t93 + t93;
-    let t94 = t46 * t89;
-    let t95 = e2[0] * (t71 * t91 - t85 * (t89 / t31 + t71 / t31 * t85));
+    let Lam2_noise_noise1_2 = e2 * (t30 * s_scale2_noise1_2) + t95 + t95;
+    let t96 = t49 * t91;
+    let t97 = e2[0] * (t73 * t93 - t87 * (t91 / t33 + t73 / t33 * t87));
     // D^2 Lam2_diffusion along noise1
-    let Lam2_diffusion_noise1_2 = Vector([-t94 - (t94 + t95)]);
+    let Lam2_diffusion_noise1_2 = Vector([-t96 - (t96 + t97)]);
     // D^2 Lam2 along noise1
     let Lam2_noise1_2 = Lam2_disturbance_noise1_2 + Lam2_filter_noise1_2
         + Lam2_error_bound_noise1_2 + Lam2_noise_noise1_2 + Lam2_diffusion_noise1_2;
     // D^2 bracket2 along noise1
     let bracket2_noise1_2 = A_hat2_noise1_2 + Lam2_noise1_2;
     // D^2 chi2 along noise1
-    let chi2_noise1_2 = G2.solve(bracket2_noise1_2);
-    let t96 = chi2_noise1_2.dot(chi2) + chi2_noise1_.sum_squares();
+    let chi2_noise1_2 = bracket2_noise1_2 * t37;
+    let t98 = chi2_noise1_2.dot(chi2) + chi2_noise1_.sum_squares();
     // D^2 V_chi2 along noise1
-    let V_chi2_noise1_2 = (t96 + t96) * real(0.5);
-    let t97 = V_T1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow + V_W2_flow + V_D2_flow
+    let V_chi2_noise1_2 = (t98 + t98) * real(0.5);
+    let t99 = V_T1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow + V_W2_flow + V_D2_flow
         + V_zeta2_flow + V_chi2_flow + V_eps2_flow;
-    let t98 = t97 + V_sigma2_flow + V_phi2_flow + V_T3_flow + V_D3_flow + V_zeta3_flow
+    let t100 = t99 + V_sigma2_flow + V_phi2_flow + V_T3_flow + V_D3_flow + V_zeta3_flow
         + V_T2_noise1_2 * real(0.5);
     // LV = V_t + V_x f + 1/2 sum_j g_j^T V_xx g_j
-    let LV = t98 + V_D2_noise1_2 * real(0.5) + V_chi2_noise1_2 * real(0.5) + real(0.125);
+    let LV = t100 + V_D2_noise1_2 * real(0.5) + V_chi2_noise1_2 * real(0.5)
+        + real(0.125);
     LyapunovOutputs { V, LV }
 }

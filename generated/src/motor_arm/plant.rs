@@ -1,7 +1,7 @@
-// SHA-256 of the text below: d0024a7456dcbdb7ebce07bd94174c40a2e9e912fe2c1aba5ff71e69aeeb4eed
+// SHA-256 of the text below: 8345de965630a3c7abeb8abbc561531d9f1690c456417fe21f254d97e03749b3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// plant: 9 additions, 17 multiplications, 3 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 9 additions, 18 multiplications, 3 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `motor_arm`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -119,8 +119,8 @@ fn diffuse<T: Real>(
 pub struct Prepared<T> {
     /// `weight`.
     pub weight: T,
-    /// `inertia`.
-    pub inertia: T,
+    /// Part of `F2_plant`.
+    pub F2_plant_1: T,
     /// `G_2 with the plant's parameters`
     pub G2_plant: Matrix<T, 1, 1>,
     /// `columns: one per Wiener process`
@@ -129,7 +129,7 @@ pub struct Prepared<T> {
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 3 additions, 6 multiplications, 2 divisions, 0 square roots, 0 elementary
+/// Operations: 3 additions, 6 multiplications, 3 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -152,9 +152,10 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
         [real(0.0), real(0.0)],
         [real(0.0), real(0.5)],
     ]);
+    let F2_plant_1 = real(1.0) / inertia;
     Prepared {
         weight,
-        inertia,
+        F2_plant_1,
         G2_plant,
         diffusion,
     }
@@ -197,7 +198,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 6 additions, 8 multiplications, 1 divisions, 0 square roots, 1 elementary
+/// Operations: 6 additions, 9 multiplications, 0 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -216,7 +217,7 @@ pub fn dynamics<T: Real>(
     // -- true dynamics of block 2 (speed) (11) --
     // F_2 with the plant's parameters
     let F2_plant = Vector([
-        -(real(0.01625) * rate + prepared.weight * angle.sin()) / prepared.inertia,
+        -(real(0.01625) * rate + prepared.weight * angle.sin()) * prepared.F2_plant_1,
     ]);
 
     // -- given --
@@ -248,7 +249,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 9 additions, 17 multiplications, 3 divisions, 0 square roots, 2 elementary
+/// Operations: 9 additions, 18 multiplications, 3 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 54d05e3a5a4db51878c7cc8220c3fa194816b2927e51bb38b89552c7d565a01d
+// SHA-256 of the text below: c54100375e32c139339c9dc62a157fd3bab8c86e33ce1b605aac080b9e8a7892
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// initial: 74 additions, 116 multiplications, 8 divisions, 0 square roots, 21 elementary functions, 6 comparisons and selections
-// control: 553 additions, 839 multiplications, 14 divisions, 4 square roots, 29 elementary functions, 21 comparisons and selections
+// initial: 72 additions, 109 multiplications, 9 divisions, 0 square roots, 21 elementary functions, 6 comparisons and selections
+// control: 538 additions, 826 multiplications, 15 divisions, 4 square roots, 29 elementary functions, 21 comparisons and selections
 
 //! `nsv_attitude`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -67,7 +67,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// rates (p, q, r).
     ///
-    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)`
+    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    /// w_hat_2 + S_2 Lam_2`
     pub th2: Vector<T, 6>,
     /// Bound eps_hat of the approximation error (66): rates (p, q, r).
     ///
@@ -291,7 +292,7 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 74 additions, 116 multiplications, 8 divisions, 0 square roots, 21 elementary
+/// Operations: 72 additions, 109 multiplications, 9 divisions, 0 square roots, 21 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -389,7 +390,7 @@ pub fn initial<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t15 = s1 / (k1 * k1);
+    let t15 = s1 * (real(1.0) / (k1 * k1));
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t15 * t15);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
@@ -424,27 +425,24 @@ pub fn initial<T: Real>(
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = F1 - y_r_dot + D_hat1 + Lam1;
-    let t16 = t6 * t7 - sin_alpha * t8;
-    let t17 = real(1.0) / t16;
-    let t18 = (-t8 * bracket1[1] + t6 * bracket1[2]) * t17;
-    let t19 = t16 * bracket1[0] + (t8 * t4 - t7 * t5) * bracket1[1];
-    let t20 = (t19 + (t5 * sin_alpha - t4 * t6) * bracket1[2]) * t17;
-    let t21 = (t7 * bracket1[1] + -sin_alpha * bracket1[2]) * t17;
-    let t22 = Vector([t18, t20, t21]);
+    let t16 = Matrix::rows([[sin_alpha, t6], [t7, t8]])
+        .solve(Vector([bracket1[1], bracket1[2]]));
+    let t17 = bracket1[0] - t4 * t16[0] - t5 * t16[1];
+    let t18 = Vector([t16[0], t17, t16[1]]);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t22;
+    let alpha1 = -t18;
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t22;
+    let e2 = x2 + t18;
 
     // -- given --
-    let t23 = real(-1.5) * e2[0];
-    let t24 = real(1.5) * e2[0];
-    let t25 = real(1.5) * e2[1];
-    let t26 = real(-2.0) * e2[2];
-    let t27 = real(4.0) * e2[2];
-    let th2 = -Vector([t23, t24, t25, e2[1], t26, t27]);
+    let t19 = real(-1.5) * e2[0];
+    let t20 = real(1.5) * e2[0];
+    let t21 = real(1.5) * e2[1];
+    let t22 = real(-2.0) * e2[2];
+    let t23 = real(4.0) * e2[2];
+    let th2 = -Vector([t19, t20, t21, e2[1], t22, t23]);
     State {
         zeta1,
         zeta2,
@@ -523,7 +521,7 @@ pub struct Clock<T> {
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 5 additions, 24 multiplications, 0 divisions, 0 square roots, 9 elementary
+/// Operations: 5 additions, 24 multiplications, 2 divisions, 0 square roots, 9 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
@@ -562,8 +560,8 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     let k2 = real(3.0) * (-t).exp() + real(0.5);
     // k_1(t)
     let k1 = k2 * real(0.017453292519943295);
-    let E1_free_1 = k1 * k1;
-    let E2_free_1 = k2 * k2;
+    let E1_free_1 = real(1.0) / (k1 * k1);
+    let E2_free_1 = real(1.0) / (k2 * k2);
     Clock {
         y_r,
         y_r_dot,
@@ -605,7 +603,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 548 additions, 808 multiplications, 14 divisions, 4 square roots, 20 elementary
+/// Operations: 533 additions, 795 multiplications, 13 divisions, 4 square roots, 20 elementary
 /// functions, 18 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -711,7 +709,7 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t20 = s1 / clock.E1_free_1;
+    let t20 = s1 * clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t20 * t20);
     // E_1 >= pi/2 - delta
@@ -758,14 +756,11 @@ pub fn law<T: Real>(
     let t22 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = t21 - clock.y_r_dot + t22 + D_hat1 + Lam1;
-    let t23 = t8 * t9 - sin_alpha * t10;
-    let t24 = real(1.0) / t23;
-    let t25 = (-t10 * bracket1[1] + t8 * bracket1[2]) * t24;
-    let t26 = t23 * bracket1[0] + (t10 * t6 - t9 * t7) * bracket1[1];
-    let t27 = (t26 + (t7 * sin_alpha - t6 * t8) * bracket1[2]) * t24;
-    let t28 = (t9 * bracket1[1] + -sin_alpha * bracket1[2]) * t24;
+    let t23 = Matrix::rows([[sin_alpha, t8], [t9, t10]])
+        .solve(Vector([bracket1[1], bracket1[2]]));
+    let t24 = bracket1[0] - t6 * t23[0] - t7 * t23[1];
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -Vector([t25, t27, t28]);
+    let alpha1 = -Vector([t23[0], t24, t23[1]]);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
@@ -786,21 +781,21 @@ pub fn law<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t29 = s2 / clock.E2_free_1;
+    let t25 = s2 * clock.E2_free_1;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t29 * t29);
+    let E2_free = real(FRAC_PI_2) * (t25 * t25);
     // E_2 >= pi/2 - delta
     let violated2 = E2_free.ge(real(1.5697963267948967));
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
     // cos E_2
     let cosE2 = E2.cos();
-    let t30 = cosE2 * cosE2;
+    let t26 = cosE2 * cosE2;
     // 1 / cos^2 E_2
-    let sec2E2 = real(1.0) / t30;
-    let t31 = s2 * sec2E2;
+    let sec2E2 = real(1.0) / t26;
+    let t27 = s2 * sec2E2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * t31;
+    let c2 = e2 * t27;
 
     // -- MTPN of block 2 (4) (16) --
     // P_2 = P_m(z_2), 19 nodes
@@ -809,7 +804,7 @@ pub fn law<T: Real>(
     let A_hat2 = state.W2.transpose_mul(P2) * real(0.1);
 
     // -- disturbance observer of block 2 (20) (49) --
-    let t32 = Vector([
+    let t28 = Vector([
         real(-1.5) * e2[0],
         real(1.5) * e2[0],
         real(1.5) * e2[1],
@@ -818,7 +813,7 @@ pub fn law<T: Real>(
         real(4.0) * e2[2],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t32;
+    let w_hat2 = state.th2 + t28;
     // d_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([
         real(2.0) * w_hat2[1],
@@ -829,10 +824,10 @@ pub fn law<T: Real>(
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
-    let t33 = real(3.0) * sec2E2;
-    let t34 = real(8.0) * E2_free * E2.sin() * (cosE2 * (sec2E2 * sec2E2)) + t33;
+    let t29 = real(3.0) * sec2E2;
+    let t30 = real(8.0) * E2_free * E2.sin() * (cosE2 * (sec2E2 * sec2E2)) + t29;
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = (t34 * t34 + real(2.0) * (t33 * t33)).sqrt();
+    let Ybar_norm2 = (t30 * t30 + real(2.0) * (t29 * t29)).sqrt();
     // S_2 H_2
     let SH2 = Matrix::rows([
         [real(-1.5) * t11, real(-1.5) * t12, real(-1.5) * t13],
@@ -844,9 +839,9 @@ pub fn law<T: Real>(
     ]);
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t35 = H_norm2_2 * Ybar_norm2;
+    let t31 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t35 * t35 * real(0.5) + real(12.0)
+    let Psi2 = t31 * t31 * real(0.5) + real(12.0)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
@@ -858,80 +853,78 @@ pub fn law<T: Real>(
     let Lam2_disturbance = c2 * real(75.0);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * (real(0.5) * sec2E2);
-    let t36 = (e2 * real(0.5)).tanh();
+    let t32 = (e2 * real(0.5)).tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t36 * state.eps2;
-    let t37 = G_norm2_1 * s_c1;
+    let Lam2_error_bound = t32 * state.eps2;
+    let t33 = G_norm2_1 * s_c1;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t37 * t37) * real(0.25) * t30;
-    let t38 = s2 * s2;
+    let Lam2_coupling = e2 * (t33 * t33) * real(0.25) * t26;
+    let t34 = s2 * s2;
     // 1 / sqrt(s_2^2 + varsigma_2^2)
-    let s_scale2 = real(1.0) / (t38 + real(1.0)).sqrt();
+    let s_scale2 = real(1.0) / (t34 + real(1.0)).sqrt();
     // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t35 * state.sigma2 * s_scale2);
-    let t39 = Psi2 / (state.phi2 * state.phi2 + t38);
+    let Lam2_noise = e2 * (t31 * state.sigma2 * s_scale2);
+    let t35 = Psi2 / (state.phi2 * state.phi2 + t34);
     // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t39 * t30;
+    let Lam2_diffusion = e2 * t35 * t26;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling + Lam2_noise + Lam2_diffusion;
 
     // -- control (64) of block 2 --
-    let t40 = F2 + A_hat2;
-    let t41 = state.zeta2 * real(50.0);
+    let t36 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t40 - h1_dot + t41 + D_hat2 + Lam2;
-    let t42 = bracket2
+    let bracket2 = F2 + A_hat2 - h1_dot + t36 + D_hat2 + Lam2;
+    let t37 = bracket2
         .hadamard(Vector::<T, 3>::from_f64([1355818.0, 13558180.0, 13558180.0]));
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t42;
+    let u = -t37;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
         .min(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
-    let t43: Vector<T, 3> = Vector::from_f64([
-        7.375621211696555e-7,
-        7.375621211696555e-8,
-        7.375621211696555e-8,
-    ]);
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = t43.hadamard(u_sat + t42) - t41;
+    let zeta2_dot = Vector::<
+        T,
+        3,
+    >::from_f64([7.375621211696555e-7, 7.375621211696555e-8, 7.375621211696555e-8])
+        .hadamard(u_sat + t37) - t36;
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t44 = Vector([
-        real(6.0) * w_hat2[1],
-        real(-3.0) * w_hat2[0] + real(-3.0) * w_hat2[1],
-        real(-4.5) * w_hat2[2] + real(3.0) * w_hat2[3],
-        real(-6.0) * w_hat2[2],
-        real(2.0) * w_hat2[4] + real(5.0) * w_hat2[5],
-        real(-7.0) * w_hat2[4] + real(-4.0) * w_hat2[5],
+    let t38 = Vector([
+        real(3.0) * w_hat2[1],
+        real(-3.0) * w_hat2[0],
+        real(3.0) * w_hat2[3],
+        real(-3.0) * w_hat2[2],
+        real(3.0) * w_hat2[5],
+        real(-3.0) * w_hat2[4],
     ]);
-    let t45 = t40 + t43.hadamard(u) - h1_dot + t41;
-    let t46 = Vector([
-        real(-1.5) * t45[0],
-        real(1.5) * t45[0],
-        real(1.5) * t45[1],
-        t45[1],
-        real(-2.0) * t45[2],
-        real(4.0) * t45[2],
+    let t39 = Vector([
+        real(-1.5) * Lam2[0],
+        real(1.5) * Lam2[0],
+        real(1.5) * Lam2[1],
+        Lam2[1],
+        real(-2.0) * Lam2[2],
+        real(4.0) * Lam2[2],
     ]);
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = t44 - t46;
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    // w_hat_2 + S_2 Lam_2
+    let th2_dot = t38 + t39;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (t31 * e2.dot(t36) - state.eps2);
+    let eps2_dot = real(0.1) * (t27 * e2.dot(t32) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t35 * t38 * sec2E2 * s_scale2 - real(0.1) * state.sigma2;
+    let sigma2_dot = t31 * t34 * sec2E2 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t39 + real(2.0);
+    let phi2_decay = t35 + real(2.0);
 
     // -- status --
     // some E_i >= pi/2 - delta
@@ -951,7 +944,7 @@ pub fn law<T: Real>(
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
     let zeta2_next = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
-    let t47 = Vector([
+    let t40 = Vector([
         real(0.0019999760360430705) * th2_dot[0]
             + real(1.1975964129556617e-5) * th2_dot[1],
         real(-5.9879820647783075e-6) * th2_dot[0]
@@ -966,7 +959,7 @@ pub fn law<T: Real>(
             + real(0.0019919747640585435) * th2_dot[5],
     ]);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + t47;
+    let th2_next = state.th2 + t40;
     // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
     let W2_next = state.W2 * real(0.9998000199986667)
         + P2.outer(c2 * real(0.00019998000133326671));
@@ -1012,7 +1005,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 553 additions, 839 multiplications, 14 divisions, 4 square roots, 29 elementary
+/// Operations: 538 additions, 826 multiplications, 15 divisions, 4 square roots, 29 elementary
 /// functions, 21 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

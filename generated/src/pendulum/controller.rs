@@ -1,8 +1,8 @@
-// SHA-256 of the text below: dd27705badc6acad9ce1fbb9984f80d84893cdf3d7f7555c9c000aed422a5c83
+// SHA-256 of the text below: 8adf9d76d31aad4204ea3c92ff1177ba05a9da2ea1d688cde009cd888804a16b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// initial: 5 additions, 19 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
-// control: 40 additions, 63 multiplications, 8 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
+// initial: 5 additions, 20 multiplications, 4 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// control: 40 additions, 66 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
 
 //! `pendulum`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -241,15 +241,11 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 5 additions, 19 multiplications, 5 divisions, 0 square roots, 6 elementary
+/// Operations: 5 additions, 20 multiplications, 4 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     let real = T::from_f64;
-
-    // -- known dynamics of block 1 (position) (11) --
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
 
     // -- reference and constraints --
     // y_r(t)
@@ -273,7 +269,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t1 = s1 / (k1 * k1);
+    let t1 = s1 * (real(1.0) / (k1 * k1));
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t1 * t1);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
@@ -299,7 +295,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = Lam1 - y_r_dot;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -G1.solve(bracket1);
+    let alpha1 = -bracket1;
     State {
         zeta1,
         zeta2,
@@ -312,15 +308,17 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prepared<T> {
-    /// `inertia`.
-    pub inertia: T,
+    /// Part of `F2`.
+    pub F2_1: T,
     /// `G_2(x_1 .. x_2)`
     pub G2: Matrix<T, 1, 1>,
+    /// Part of `u`.
+    pub u_1: T,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 0 additions, 1 multiplications, 1 divisions, 0 square roots, 0 elementary
+/// Operations: 0 additions, 1 multiplications, 2 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -328,11 +326,13 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
     // -- plant model --
     let inertia = params.mass * real(0.25);
+    let F2_1 = real(1.0) / inertia;
 
     // -- known dynamics of block 2 (speed) (11) --
     // G_2(x_1 .. x_2)
-    let G2 = Matrix::rows([[real(1.0) / inertia]]);
-    Prepared { inertia, G2 }
+    let G2 = Matrix::rows([[F2_1]]);
+    let u_1 = real(1.0) / F2_1;
+    Prepared { F2_1, G2, u_1 }
 }
 
 /// Values of [`clock`].
@@ -351,7 +351,7 @@ pub struct Clock<T> {
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 1 additions, 6 multiplications, 0 divisions, 0 square roots, 3 elementary
+/// Operations: 1 additions, 6 multiplications, 1 divisions, 0 square roots, 3 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
@@ -365,7 +365,7 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     // k_1(t)
     let k1 = (real(30.0) * (real(-2.0) * t).exp() + real(6.0))
         * real(0.017453292519943295);
-    let E1_free_1 = k1 * k1;
+    let E1_free_1 = real(1.0) / (k1 * k1);
     Clock {
         y_r,
         y_r_dot,
@@ -401,7 +401,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 39 additions, 56 multiplications, 7 divisions, 0 square roots, 4 elementary
+/// Operations: 39 additions, 59 multiplications, 3 divisions, 0 square roots, 4 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -413,10 +413,6 @@ pub fn law<T: Real>(
 ) -> ControlOutputs<T> {
     let real = T::from_f64;
 
-    // -- known dynamics of block 1 (position) (11) --
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
     // -- plant model --
     let theta = x1[0];
     let omega = x2[0];
@@ -424,7 +420,7 @@ pub fn law<T: Real>(
     // -- known dynamics of block 2 (speed) (11) --
     let t1 = theta.sin();
     // F_2(x_1 .. x_2)
-    let F2 = Vector([real(-19.62) * t1 - real(0.1) * omega / prepared.inertia]);
+    let F2 = Vector([real(-19.62) * t1 - real(0.1) * omega * prepared.F2_1]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -433,7 +429,7 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t2 = s1 / clock.E1_free_1;
+    let t2 = s1 * clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t2 * t2);
     // E_1 >= pi/2 - delta
@@ -464,7 +460,7 @@ pub fn law<T: Real>(
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = t3 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -G1.solve(bracket1);
+    let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
@@ -511,7 +507,7 @@ pub fn law<T: Real>(
     let t5 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
     let bracket2 = t4 - h1_dot + t5 + D_hat2 + Lam2;
-    let t6 = prepared.G2.solve(bracket2);
+    let t6 = bracket2 * prepared.u_1;
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let u = -t6;
     // sat(u), each component limited to +-u_max (8)
@@ -561,7 +557,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 40 additions, 63 multiplications, 8 divisions, 0 square roots, 7 elementary
+/// Operations: 40 additions, 66 multiplications, 6 divisions, 0 square roots, 7 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: e81d3fbe948dbbbaef97441d51ff190574bdff4bc8a9c34837a7f4b9edcebb45
+// SHA-256 of the text below: cf3af7411c90ffdd871c68bbcc988862e5c7201d5087b40bedcded7d919f7a8a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// plant: 4 additions, 6 multiplications, 2 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 4 additions, 7 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `pendulum`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -60,8 +60,8 @@ impl<T: Real> Part for Drift<'_, T> {
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prepared<T> {
-    /// `inertia`.
-    pub inertia: T,
+    /// Part of `F2_plant`.
+    pub F2_plant_1: T,
     /// `G_2 with the plant's parameters`
     pub G2_plant: Matrix<T, 1, 1>,
 }
@@ -76,11 +76,12 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
     // -- plant model --
     let inertia = params.mass * real(0.25);
+    let F2_plant_1 = real(1.0) / inertia;
 
     // -- true dynamics of block 2 (speed) (11) --
     // G_2 with the plant's parameters
-    let G2_plant = Matrix::rows([[real(1.0) / inertia]]);
-    Prepared { inertia, G2_plant }
+    let G2_plant = Matrix::rows([[F2_plant_1]]);
+    Prepared { F2_plant_1, G2_plant }
 }
 
 /// Values of [`clock`].
@@ -116,7 +117,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 3 additions, 3 multiplications, 1 divisions, 0 square roots, 1 elementary
+/// Operations: 3 additions, 4 multiplications, 0 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -134,7 +135,7 @@ pub fn dynamics<T: Real>(
     // -- true dynamics of block 2 (speed) (11) --
     // F_2 with the plant's parameters
     let F2_plant = Vector([
-        real(-19.62) * theta.sin() - real(0.1) * omega / prepared.inertia,
+        real(-19.62) * theta.sin() - real(0.1) * omega * prepared.F2_plant_1,
     ]);
     // F_2 + G_2 x_3 + d_2
     let x2_flow = F2_plant + prepared.G2_plant * u_sat + clock.d2;
@@ -150,7 +151,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 4 additions, 6 multiplications, 2 divisions, 0 square roots, 2 elementary
+/// Operations: 4 additions, 7 multiplications, 1 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 1a32f0fa1230e5f10a207212baf098d3c88bb02d7e0779e23d3be19ddc192415
+// SHA-256 of the text below: 235dac8dbb7d234ff00ac4037a7a977f31010dd78b45f43fe5ebd11beb544db1
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// initial: 13 additions, 32 multiplications, 4 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
-// control: 204 additions, 297 multiplications, 14 divisions, 0 square roots, 13 elementary functions, 13 comparisons and selections
+// initial: 13 additions, 33 multiplications, 4 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// control: 191 additions, 288 multiplications, 14 divisions, 0 square roots, 13 elementary functions, 13 comparisons and selections
 
 //! `two_link_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -52,7 +52,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// rates (v1, v2).
     ///
-    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)`
+    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    /// w_hat_2 + S_2 Lam_2`
     pub th2: Vector<T, 5>,
     /// Bound eps_hat of the approximation error (66): rates (v1, v2).
     ///
@@ -252,7 +253,7 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 13 additions, 32 multiplications, 4 divisions, 0 square roots, 6 elementary
+/// Operations: 13 additions, 33 multiplications, 4 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
@@ -282,7 +283,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t4 = s1 / (k1 * k1);
+    let t4 = s1 * (real(1.0) / (k1 * k1));
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t4 * t4);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
@@ -395,7 +396,7 @@ pub struct Clock<T> {
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 3 additions, 11 multiplications, 0 divisions, 0 square roots, 3 elementary
+/// Operations: 3 additions, 11 multiplications, 2 divisions, 0 square roots, 3 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
@@ -414,8 +415,8 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     let k1 = real(0.3) * t4 + real(0.05);
     // k_2(t)
     let k2 = real(4.0) * t4 + real(1.0);
-    let E1_free_1 = k1 * k1;
-    let E2_free_1 = k2 * k2;
+    let E1_free_1 = real(1.0) / (k1 * k1);
+    let E2_free_1 = real(1.0) / (k2 * k2);
     Clock {
         y_r,
         y_r_dot,
@@ -455,7 +456,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 198 additions, 280 multiplications, 14 divisions, 0 square roots, 10 elementary
+/// Operations: 185 additions, 271 multiplications, 12 divisions, 0 square roots, 10 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -492,7 +493,7 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t4 = s1 / clock.E1_free_1;
+    let t4 = s1 * clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t4 * t4);
     // E_1 >= pi/2 - delta
@@ -540,7 +541,7 @@ pub fn law<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t6 = s2 / clock.E2_free_1;
+    let t6 = s2 * clock.E2_free_1;
     // pi s_2^2 / (2 k_2^4), before the clamp
     let E2_free = real(FRAC_PI_2) * (t6 * t6);
     // E_2 >= pi/2 - delta
@@ -596,13 +597,12 @@ pub fn law<T: Real>(
         + Lam2_coupling;
 
     // -- control (64) of block 2 --
-    let t10 = F2 + A_hat2;
-    let t11 = state.zeta2 * real(50.0);
+    let t10 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t10 - h1_dot + t11 + D_hat2 + Lam2;
-    let t12 = inverse_M.solve(bracket2);
+    let bracket2 = F2 + A_hat2 - h1_dot + t10 + D_hat2 + Lam2;
+    let t11 = inverse_M.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t12;
+    let u = -t11;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
@@ -610,26 +610,25 @@ pub fn law<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = inverse_M * (u_sat + t12) - t11;
+    let zeta2_dot = inverse_M * (u_sat + t11) - t10;
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t13 = Vector([
-        real(-12.0) * w_hat2[0] + w_hat2[1],
-        real(-36.0) * w_hat2[0],
-        real(-8.0) * w_hat2[2] + real(-8.0) * w_hat2[3],
-        real(-2.0) * w_hat2[2] + real(-2.0) * w_hat2[3] + real(3.0) * w_hat2[4],
-        real(-11.0) * w_hat2[2] + real(-14.0) * w_hat2[3],
+    let t12 = Vector([
+        real(12.0) * Lam2[0],
+        real(36.0) * Lam2[0],
+        real(8.0) * Lam2[1],
+        real(2.0) * Lam2[1],
+        real(11.0) * Lam2[1],
     ]);
-    let t14 = t10 + inverse_M * u - h1_dot + t11;
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = t13
-        - Vector([
-            real(12.0) * t14[0],
-            real(36.0) * t14[0],
-            real(8.0) * t14[1],
-            real(2.0) * t14[1],
-            real(11.0) * t14[1],
-        ]);
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    // w_hat_2 + S_2 Lam_2
+    let th2_dot = Vector([
+        w_hat2[1],
+        real(0.0),
+        real(0.0),
+        real(3.0) * w_hat2[4],
+        real(-3.0) * w_hat2[3],
+    ]) + t12;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
@@ -693,7 +692,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 204 additions, 297 multiplications, 14 divisions, 0 square roots, 13 elementary
+/// Operations: 191 additions, 288 multiplications, 14 divisions, 0 square roots, 13 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 84e58b79cb805fb74e80832abae653f72ec4af478ba06a4df90aeaac5d10a529
+// SHA-256 of the text below: f6869f14a4ddb997ce0269f0e770a7c7d37f5d37f9eb85055ef07053358a5b15
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// lyapunov: 522 additions, 648 multiplications, 26 divisions, 0 square roots, 16 elementary functions, 18 comparisons and selections
+// lyapunov: 509 additions, 643 multiplications, 22 divisions, 0 square roots, 16 elementary functions, 18 comparisons and selections
 
 //! `two_link_arm`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,7 +29,7 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 522 additions, 648 multiplications, 26 divisions, 0 square roots, 16 elementary
+/// Operations: 509 additions, 643 multiplications, 22 divisions, 0 square roots, 16 elementary
 /// functions, 18 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
@@ -96,25 +96,26 @@ pub fn lyapunov<T: Real>(
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
     let t13 = k1 * k1;
-    let t14 = s1 / t13;
+    let t14 = real(1.0) / t13;
+    let t15 = s1 * t14;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t14 * t14);
+    let E1_free = real(FRAC_PI_2) * (t15 * t15);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
-    let t15 = cosE1 * cosE1;
+    let t16 = cosE1 * cosE1;
     // 1 / cos^2 E_1
-    let sec2E1 = real(1.0) / t15;
-    let t16 = s1 * sec2E1;
+    let sec2E1 = real(1.0) / t16;
+    let t17 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * t16;
+    let c1 = e1 * t17;
 
     // -- robust feedback of block 1 (31) (63) --
-    let t17 = kernel::sin_cos_over(E1);
-    let t18 = real(1.5697963267948967) / E1_free;
+    let t18 = kernel::sin_cos_over(E1);
+    let t19 = real(1.5697963267948967) / E1_free;
     // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0) * (t17 * real(1.0).min(t18)) + e1 * real(4.0);
+    let Lam0_1 = e1 * real(5.0) * (t18 * real(1.0).min(t19)) + e1 * real(4.0);
     // eta_2/2 ||G||^2 c^T (37)
     let Lam1_filter = c1 * real(0.5);
     // Lam_1, sum of the terms above
@@ -123,15 +124,15 @@ pub fn lyapunov<T: Real>(
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t19 = state.zeta1 * real(20.0);
+    let t20 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t19 - y_r_dot + Lam1;
+    let bracket1 = t20 - y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t19;
+    let zeta1_dot = state.zeta2 - t20;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -144,29 +145,30 @@ pub fn lyapunov<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t20 = k2 * k2;
-    let t21 = s2 / t20;
+    let t21 = k2 * k2;
+    let t22 = real(1.0) / t21;
+    let t23 = s2 * t22;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t21 * t21);
+    let E2_free = real(FRAC_PI_2) * (t23 * t23);
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
     // cos E_2
     let cosE2 = E2.cos();
-    let t22 = cosE2 * cosE2;
+    let t24 = cosE2 * cosE2;
     // 1 / cos^2 E_2
-    let sec2E2 = real(1.0) / t22;
-    let t23 = s2 * sec2E2;
+    let sec2E2 = real(1.0) / t24;
+    let t25 = s2 * sec2E2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * t23;
+    let c2 = e2 * t25;
 
     // -- MTPN of block 2 (4) (16) --
     // z_2, network inputs
     let z2 = Vector([v1, v2, q2]);
     // P_2 = P_m(z_2), 20 nodes
     let P2 = polynomials::basis2(z2);
-    let t24 = state.W2.transpose();
+    let t26 = state.W2.transpose();
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = t24 * P2;
+    let A_hat2 = t26 * P2;
 
     // -- disturbance observer of block 2 (20) (49) --
     // w_hat_2 = th_2 + S_2 e_2
@@ -190,23 +192,22 @@ pub fn lyapunov<T: Real>(
     let Lam2_disturbance = c2 * real(0.9999999999999998);
     // e / (2 cos^2 E) (63)
     let Lam2_network = e2 * (real(0.5) * sec2E2);
-    let t25 = e2.tanh();
+    let t27 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t25 * state.eps2;
+    let Lam2_error_bound = t27 * state.eps2;
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25) * t22;
+    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25) * t24;
     // Lam_2, sum of the terms above
     let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
         + Lam2_coupling;
 
     // -- control (64) of block 2 --
-    let t26 = F2 + A_hat2;
-    let t27 = state.zeta2 * real(50.0);
+    let t28 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t26 - h1_dot + t27 + D_hat2 + Lam2;
-    let t28 = inverse_M.solve(bracket2);
+    let bracket2 = F2 + A_hat2 - h1_dot + t28 + D_hat2 + Lam2;
+    let t29 = inverse_M.solve(bracket2);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t28;
+    let u = -t29;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
@@ -214,34 +215,33 @@ pub fn lyapunov<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = inverse_M * (u_sat + t28) - t27;
+    let zeta2_dot = inverse_M * (u_sat + t29) - t28;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t29 = Vector([
-        real(-12.0) * w_hat2[0] + w_hat2[1],
-        real(-36.0) * w_hat2[0],
-        real(-8.0) * w_hat2[2] + real(-8.0) * w_hat2[3],
-        real(-2.0) * w_hat2[2] + real(-2.0) * w_hat2[3] + real(3.0) * w_hat2[4],
-        real(-11.0) * w_hat2[2] + real(-14.0) * w_hat2[3],
+    let t30 = Vector([
+        real(12.0) * Lam2[0],
+        real(36.0) * Lam2[0],
+        real(8.0) * Lam2[1],
+        real(2.0) * Lam2[1],
+        real(11.0) * Lam2[1],
     ]);
-    let t30 = t26 + inverse_M * u - h1_dot + t27;
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = t29
-        - Vector([
-            real(12.0) * t30[0],
-            real(36.0) * t30[0],
-            real(8.0) * t30[1],
-            real(2.0) * t30[1],
-            real(11.0) * t30[1],
-        ]);
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    // w_hat_2 + S_2 Lam_2
+    let th2_dot = Vector([
+        w_hat2[1],
+        real(0.0),
+        real(0.0),
+        real(3.0) * w_hat2[4],
+        real(-3.0) * w_hat2[3],
+    ]) + t30;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (t23 * e2.dot(t25) - state.eps2);
+    let eps2_dot = real(0.1) * (t25 * e2.dot(t27) - state.eps2);
 
     // -- true dynamics of block 2 (rates) (11) --
     let t31 = plant.m_e * real(0.36);
@@ -283,11 +283,11 @@ pub fn lyapunov<T: Real>(
     let V_chi1 = chi1.sum_squares() * real(0.5);
 
     // -- Lyapunov function of block 2 (23) (52) --
-    let t42 = t20 * t20 * real(0.15915494309189535);
+    let t42 = t21 * t21 * real(0.15915494309189535);
     let t43 = E2.tan();
     // k_2^4/(2 pi) tan E_2
     let V_T2 = t42 * t43;
-    let t44 = t24 * state.W2;
+    let t44 = t26 * state.W2;
     // tr(W_2^T W_2)/(2 Gamma_2)
     let V_W2 = (t44[(0, 0)] + t44[(1, 1)]) * real(0.5);
     // w_2 - w_hat_2
@@ -309,7 +309,7 @@ pub fn lyapunov<T: Real>(
     let t45 = e1_flow.dot(e1);
     // s1' along the flow
     let s1_flow = t45 + t45;
-    let t46 = (t14 + t14) * (s1_flow / t13 - t14 / t13 * ((k1 + k1) * k1_dot));
+    let t46 = (t15 + t15) * (s1_flow * t14 - t15 * t14 * ((k1 + k1) * k1_dot));
     // E1_free' along the flow
     let E1_free_flow = real(FRAC_PI_2) * t46;
     // E1' along the flow
@@ -320,18 +320,18 @@ pub fn lyapunov<T: Real>(
     );
     // V_T1' along the flow
     let V_T1_flow = t41 * (real(4.0) * (t13 * k1) * k1_dot * real(0.15915494309189535))
-        + t40 * (E1_flow / t15);
+        + t40 * (E1_flow / t16);
     let t47 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
     let V_zeta1_flow = (t47 + t47) * real(0.5);
     let t48 = real(2.0) * (t8 * real(2.0));
     // y_r''
     let y_r_dot2 = Vector([real(0.5235987755982989) * t48, real(FRAC_PI_4) * t48]);
-    let t49 = real(1.0).lt(t18);
-    let t50 = T::select(t49, real(1.0), t18);
+    let t49 = real(1.0).lt(t19);
+    let t50 = T::select(t49, real(1.0), t19);
     let t51 = t50 * (kernel::sin_cos_over_d1(E1) * E1_flow)
-        + T::select(t49, real(0.0), -(t17 * (t18 / E1_free * E1_free_flow)));
-    let t52 = t17 * t50;
+        + T::select(t49, real(0.0), -(t18 * (t19 / E1_free * E1_free_flow)));
+    let t52 = t18 * t50;
     // Lam0_1' along the flow
     let Lam0_1_flow = Vector([
         real(5.0) * e1[0] * t51 + t52 * (real(5.0) * e1_flow[0])
@@ -341,9 +341,9 @@ pub fn lyapunov<T: Real>(
     // cosE1' along the flow
     let cosE1_flow = -(E1.sin() * E1_flow);
     // sec2E1' along the flow
-    let sec2E1_flow = -(sec2E1 / t15 * ((cosE1 + cosE1) * cosE1_flow));
+    let sec2E1_flow = -(sec2E1 / t16 * ((cosE1 + cosE1) * cosE1_flow));
     // c1' along the flow
-    let c1_flow = e1 * (s1_flow * sec2E1 + s1 * sec2E1_flow) + e1_flow * t16;
+    let c1_flow = e1 * (s1_flow * sec2E1 + s1 * sec2E1_flow) + e1_flow * t17;
     // Lam1_filter' along the flow
     let Lam1_filter_flow = c1_flow * real(0.5);
     // Lam1' along the flow
@@ -360,7 +360,7 @@ pub fn lyapunov<T: Real>(
     let t54 = e2_flow.dot(e2);
     // s2' along the flow
     let s2_flow = t54 + t54;
-    let t55 = (t21 + t21) * (s2_flow / t20 - t21 / t20 * ((k2 + k2) * k2_dot));
+    let t55 = (t23 + t23) * (s2_flow * t22 - t23 * t22 * ((k2 + k2) * k2_dot));
     // E2_free' along the flow
     let E2_free_flow = real(FRAC_PI_2) * t55;
     // E2' along the flow
@@ -370,9 +370,9 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T2' along the flow
-    let V_T2_flow = t43 * (real(4.0) * (t20 * k2) * k2_dot * real(0.15915494309189535))
-        + t42 * (E2_flow / t22);
-    let t56 = W2_dot.transpose() * state.W2 + t24 * W2_dot;
+    let V_T2_flow = t43 * (real(4.0) * (t21 * k2) * k2_dot * real(0.15915494309189535))
+        + t42 * (E2_flow / t24);
+    let t56 = W2_dot.transpose() * state.W2 + t26 * W2_dot;
     // V_W2' along the flow
     let V_W2_flow = (t56[(0, 0)] + t56[(1, 1)]) * real(0.5);
     // w_hat2' along the flow
