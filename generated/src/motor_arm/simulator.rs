@@ -1,4 +1,4 @@
-// SHA-256 of the text below: b19d9d392c1ec4d1ba616ac37aa1112e6ec6a169be7d9fcdf4352be7de76d1e7
+// SHA-256 of the text below: 21a72ae142cc810190052228eaf21cfaf92a13ac08d4bba0cbda437fcf867bd9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 
@@ -169,6 +169,8 @@ impl<T: Real> Runs<T> for Simulator<T> {
         self.output = self.controller.step(t, self.x1(), self.x2(), self.x3());
     }
 
+    /// Platen's scheme: no state changes the diffusion, so that its correction is 0 and the scheme
+    /// of Euler and Maruyama is of strong order 1 too.
     #[inline(always)]
     fn advance(&mut self) {
         let plant = Plant {
@@ -180,7 +182,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
             let step = self.sample * u64::from(SUBSTEPS) + u64::from(substep);
             let dw = self.draw(step) * T::from_f64(SUBSTEP).sqrt();
             self.x = sde::step(
-                Scheme::Platen,
+                Scheme::EulerMaruyama,
                 &plant,
                 t,
                 &self.x,

