@@ -12,9 +12,11 @@ mod blocks;
 mod dead_code;
 mod divisors;
 mod elementary;
+mod factors;
 mod families;
 mod fold;
 mod identities;
+mod inverse;
 mod linear;
 mod polynomials;
 mod powers;
@@ -49,7 +51,7 @@ pub struct Pass {
 }
 
 /// All passes, in the order of a round.
-pub static PASSES: [Pass; 15] = [
+pub static PASSES: [Pass; 16] = [
     Pass {
         name: "fold",
         kind: Kind::Exact,
@@ -83,6 +85,13 @@ pub static PASSES: [Pass; 15] = [
             "a sum of n terms c x is off by at most (n + 4) 2^-53 sum |c x|, with the factors of every term as they were",
         ),
         run: linear::run,
+    },
+    Pass {
+        name: "factors",
+        kind: Kind::Reassociating(
+            "a sum of n multiples of arrays is off by at most (n + 2) 2^-53 of the sum of their magnitudes, before and after",
+        ),
+        run: factors::run,
     },
     Pass {
         name: "arrays",
@@ -146,17 +155,19 @@ pub enum Arithmetic {
 /// find nearly all.
 const ROUNDS: usize = 6;
 
-/// The program with what is known of its literals done as on paper: `0 x = 0`, `x + 0 = x`, `x / c = (1/c) x`; equations are solved block by
-/// block, and what a run does not change is divided by or inverted once. Part of lowering: results are those of the program for all finite
-/// values, up to the sign of a zero, a rounding for each such quotient, and the roundings of solutions as `solve` states them.
+/// The program done as on paper: `0 x = 0`, `x + 0 = x`, `x / c = (1/c) x`, `x s + x t = x (s + t)`; equations are solved block by block, and
+/// what a run does not change is divided by or inverted once. Part of lowering: results are those of the program for all finite values, up to
+/// the sign of a zero, a rounding for each quotient, and the roundings of sums and solutions as `factors` and `solve` state them.
 pub fn simplify(mut program: Program) -> Program {
     for _ in 0..ROUNDS {
         let before = program.clone();
         let passes = [
             fold::run,
             identities::run,
+            factors::run,
             structural_zeros::run,
             divisors::run,
+            reciprocals::run,
             arrays::run,
             dead_code::run_for_names,
         ];

@@ -1,7 +1,7 @@
 //! Matrices with zeros in all places, against the evaluator.
 
 use super::{cost, simplify};
-use crate::ir::{Input, Op, Program, Shape, ValueId, Values, eval};
+use crate::ir::{Function, Input, Op, Operator, Program, Shape, ValueId, Values, eval};
 
 /// Draws for patterns and numbers.
 struct Draws(u64);
@@ -102,8 +102,8 @@ fn products_with_zeros_keep_their_sums() {
         let a = matrix(&mut program, values[0], (rows, inner), full, &mut draws);
         let b = matrix(&mut program, values[1], (inner, columns), full, &mut draws);
         let (scaled, negative) = (
-            program.binary(crate::ir::Operator::Mul, a, values[3]),
-            program.push(Op::Apply(crate::ir::Function::Neg, a)),
+            program.binary(Operator::Mul, a, values[3]),
+            program.push(Op::Apply(Function::Neg, a)),
         );
         let turned = program.push(Op::Transpose(negative));
         for (name, op) in [
@@ -208,4 +208,74 @@ fn a_literal_is_inverted_if_it_is_well_conditioned() {
     assert_eq!(left((0..16).map(hilbert).collect()), 1);
     let dominant = |i: usize| hilbert(i) + f64::from(u8::from(i.is_multiple_of(5)));
     assert_eq!(left((0..16).map(dominant).collect()), 0);
+}
+
+#[test]
+fn the_inverse_of_an_inverse_is_the_matrix() {
+    for power in [false, true] {
+        let (mut program, inputs) =
+            with_inputs(&[("m", Shape::Vector(3)), ("b", Shape::Vector(2))]);
+        let [m11, m12, m22] = [0, 1, 2].map(|at| program.push(Op::Element(inputs[0], at, 0)));
+        let first = program.binary(Operator::Mul, m22, m11);
+        let second = match power {
+            true => program.push(Op::PowInt(m12, 2)),
+            false => program.binary(Operator::Mul, m12, m12),
+        };
+        let determinant = program.binary(Operator::Sub, first, second);
+        let off = program.push(Op::Apply(Function::Neg, m12));
+        let adjugate = program.array(Shape::Matrix(2, 2), vec![m22, off, off, m11]);
+        let inverse = program.binary(Operator::Div, adjugate, determinant);
+        let x = program.push(Op::Solve(inverse, inputs[1]));
+        program.outputs.push(("x".into(), x));
+        let inputs: Values = [
+            ("m".to_string(), vec![3.0, -1.25, 2.0]),
+            ("b".to_string(), vec![0.3, -0.7]),
+        ]
+        .into();
+        let simple = assert_close(&program, &inputs, 1e-14, "two rows");
+        assert_eq!(solves(&simple), 0);
+        assert_eq!(cost::count(&simple).divisions, 0);
+    }
+}
+
+/// A sum of multiples of two vectors and of a third term, in random order and with random signs.
+#[test]
+fn multiples_of_one_array_are_added_as_scalars() {
+    let mut draws = Draws(3);
+    for case in 0..200 {
+        let (mut program, values) = with_inputs(&[
+            ("x", Shape::Vector(3)),
+            ("y", Shape::Vector(3)),
+            ("s", Shape::Vector(4)),
+        ]);
+        let scalars = [0, 1, 2, 3].map(|at| program.push(Op::Element(values[2], at, 0)));
+        let mut sum = program.push(Op::Apply(Function::Tanh, values[0]));
+        let terms = 1 + draws.below(9);
+        for _ in 0..terms {
+            let mut term = values[usize::try_from(draws.below(2)).unwrap()];
+            for _ in 0..draws.below(3) {
+                let factor = scalars[usize::try_from(draws.below(4)).unwrap()];
+                term = program.binary(Operator::Mul, term, factor);
+            }
+            let operator = [Operator::Add, Operator::Sub][usize::from(draws.below(2) == 0)];
+            sum = program.binary(operator, sum, term);
+        }
+        program.outputs.push(("sum".into(), sum));
+        let inputs: Values = [("x", 3), ("y", 3), ("s", 4)]
+            .map(|(name, count)| (name.to_string(), numbers(count, &mut draws)))
+            .into();
+        let expected = eval::eval(&program, &inputs).unwrap()["sum"].clone();
+        let simple = simplify(program.clone());
+        let found = &eval::eval(&simple, &inputs).unwrap()["sum"];
+        // Terms are below 8, and each of the sums rounds.
+        let bound = 8.0 * (terms + 1) as f64 * (terms + 2) as f64 * f64::EPSILON;
+        for (a, b) in expected.iter().zip(found) {
+            assert!((a - b).abs() <= bound, "case {case}\n{program}\n{simple}");
+        }
+        let (before, after) = (cost::count(&program), cost::count(&simple));
+        assert!(
+            after.flops() <= before.flops(),
+            "case {case}\n{program}\n{simple}"
+        );
+    }
 }

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 1219d3d5230e8bcc8ee781c04430f26876ef0d5247494c89d230a716c5457275
+// SHA-256 of the text below: 394d3532f3dfc2ed025702f9589454317d09323a9177044d5da6d93f27287ed3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// initial: 26 additions, 63 multiplications, 9 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
-// control: 80 additions, 133 multiplications, 10 divisions, 3 square roots, 10 elementary functions, 9 comparisons and selections
+// initial: 23 additions, 59 multiplications, 7 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
+// control: 78 additions, 126 multiplications, 8 divisions, 3 square roots, 10 elementary functions, 9 comparisons and selections
 
 //! `motor_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -77,7 +77,7 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// current (amps).
     ///
-    /// `th_3' = -S_3 (D_hat_3 + F_3 + G_3 x_4 + A_hat_3)`
+    /// `th3(t + dt) = th3 + Gamma th3'`
     pub th3: Vector<T, 1>,
 }
 
@@ -307,7 +307,7 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 26 additions, 63 multiplications, 9 divisions, 0 square roots, 8 elementary
+/// Operations: 23 additions, 59 multiplications, 7 divisions, 0 square roots, 8 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -327,26 +327,25 @@ pub fn initial<T: Real>(
         + real(2.0) * params.load_mass * real(0.000529) * real(0.2);
 
     // -- known dynamics of block 2 (speed) (11) --
+    let t1 = real(1.0) / inertia;
     // F_2(x_1 .. x_2)
-    let F2 = Vector([
-        -(real(0.01625) * rate + weight * angle.sin()) * (real(1.0) / inertia),
-    ]);
-    let t1 = real(0.9) / inertia;
+    let F2 = Vector([-(real(0.01625) * rate + weight * angle.sin()) * t1]);
+    let t2 = real(0.9) * t1;
     // G_2(x_1 .. x_2)
-    let G2 = Matrix::rows([[t1]]);
+    let G2 = Matrix::rows([[t2]]);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix::rows([[real(0.01) / inertia]]);
+    let H2 = Matrix::rows([[real(0.01) * t1]]);
 
     // -- reference and constraints --
-    let t2 = real(FRAC_PI_2) * t.sin();
-    let t3 = t * t;
-    let t4 = (real(-0.1) * (t3 * t)).exp();
-    let t5 = real(1.0) - t4;
+    let t3 = real(FRAC_PI_2) * t.sin();
+    let t4 = t * t;
+    let t5 = (real(-0.1) * (t4 * t)).exp();
+    let t6 = real(1.0) - t5;
     // y_r(t)
-    let y_r = Vector([t2 * t5]);
+    let y_r = Vector([t3 * t6]);
     // y_r'
     let y_r_dot = Vector([
-        t5 * (real(FRAC_PI_2) * t.cos()) - t2 * (t4 * (real(-0.1) * (real(3.0) * t3))),
+        t6 * (real(FRAC_PI_2) * t.cos()) - t3 * (t5 * (real(-0.1) * (real(3.0) * t4))),
     ]);
     // k_1(t)
     let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
@@ -368,27 +367,26 @@ pub fn initial<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t6 = s1 * (real(1.0) / (k1 * k1));
+    let t7 = s1 * (real(1.0) / (k1 * k1));
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t6 * t6);
+    let E1_free = real(FRAC_PI_2) * (t7 * t7);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
+    let t8 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
+    let c1 = e1 * t8;
 
     // -- robust feedback of block 1 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(3.2199999999999998)
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(1.72);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1
+        * (real(3.2199999999999998)
+            * (kernel::sin_cos_over(E1)
+                * real(1.0).min(real(1.5697963267948967) / E1_free)) + real(1.72)
+            + t8 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
@@ -409,16 +407,9 @@ pub fn initial<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * s2;
 
     // -- given --
-    let t7 = e2 * real(10.0);
-    let th2 = -t7;
-
-    // -- disturbance observer of block 2 (20) (49) --
-    // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = t7 - t7;
+    let th2 = -(e2 * real(10.0));
 
     // -- norms of block 2 --
     // ||G_2||^2
@@ -435,32 +426,23 @@ pub fn initial<T: Real>(
     let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t8 = H_norm2_2 * Ybar_norm2;
+    let t9 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t8 * t8 * real(0.5) + real(0.5) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
+    let Psi2 = t9 * t9 * real(0.5) + real(0.5) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(25.0) + e2 * real(20.0);
-    // ||L||^2/(2 eta_1) c^T (63)
-    let Lam2_disturbance = c2 * real(0.5);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam2_filter = c2 * (real(0.05) * G_norm2_2);
-    // e / (2 cos^2 E) (63)
-    let Lam2_network = e2 * real(0.5);
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
-    // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * (Psi2 / (real(100.0) + s2 * s2));
-    // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_network + Lam2_coupling
-        + Lam2_diffusion;
+    let t10 = real(45.0) + s2 * real(0.5) + s2 * (real(0.05) * G_norm2_2) + real(0.5);
+    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
+    // (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
+    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
+    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    let Lam2 = e2 * (t10 + s_c1 * s_c1 * real(0.25) + Psi2 / (real(100.0) + s2 * s2));
 
     // -- virtual control (31) of block 2 --
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 - h1_dot + w_hat2 + Lam2;
+    let bracket2 = F2 - h1_dot + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let alpha2 = -(bracket2 * (real(1.0) / t1));
+    let alpha2 = -(bracket2 * (real(1.0) / t2));
     State {
         zeta1,
         zeta2,
@@ -491,8 +473,8 @@ pub struct Prepared<T> {
     pub Psi2_1: T,
     /// `Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)`
     pub Psi2: T,
-    /// Part of `Lam2_filter`.
-    pub Lam2_filter_1: T,
+    /// Part of `Lam2`.
+    pub Lam2_1: T,
     /// Part of `alpha2`.
     pub alpha2_1: T,
     /// `phi_min = sqrt(Psi_2 dt / 0.1) (E11)`
@@ -501,7 +483,7 @@ pub struct Prepared<T> {
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 5 additions, 17 multiplications, 4 divisions, 1 square roots, 0 elementary
+/// Operations: 5 additions, 19 multiplications, 2 divisions, 1 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -512,12 +494,19 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
         + real(2.0) * params.load_mass * real(0.000529) * real(0.2);
 
+    // -- noise terms of block 2 (58) (62) --
+    // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
+    let Ybar_norm2 = real(3.0);
+    // S_2
+    let S2: Matrix<T, 1, 1> = Matrix::from_f64([[10.0]]);
+    let F2_1 = real(1.0) / inertia;
+
     // -- known dynamics of block 2 (speed) (11) --
-    let t1 = real(0.9) / inertia;
+    let t1 = real(0.9) * F2_1;
     // G_2(x_1 .. x_2)
     let G2 = Matrix::rows([[t1]]);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix::rows([[real(0.01) / inertia]]);
+    let H2 = Matrix::rows([[real(0.01) * F2_1]]);
 
     // -- norms of block 2 --
     // ||G_2||^2
@@ -526,15 +515,10 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
-    // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = real(3.0);
-    // S_2
-    let S2: Matrix<T, 1, 1> = Matrix::from_f64([[10.0]]);
     // S_2 H_2
     let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let F2_1 = real(1.0) / inertia;
     let Psi2_1 = H_norm2_2 * Ybar_norm2;
 
     // -- noise terms of block 2 (58) (62) --
@@ -545,7 +529,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     // -- states of block 2, one sample later --
     // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
     let phi2_min = (Psi2 * real(0.01)).sqrt();
-    let Lam2_filter_1 = real(0.05) * G_norm2_2;
+    let Lam2_1 = real(0.05) * G_norm2_2;
     let alpha2_1 = real(1.0) / t1;
     Prepared {
         weight,
@@ -554,7 +538,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
         G_norm2_2,
         Psi2_1,
         Psi2,
-        Lam2_filter_1,
+        Lam2_1,
         alpha2_1,
         phi2_min,
     }
@@ -637,7 +621,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 72 additions, 102 multiplications, 5 divisions, 2 square roots, 6 elementary
+/// Operations: 70 additions, 93 multiplications, 5 divisions, 2 square roots, 6 elementary
 /// functions, 9 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -682,31 +666,30 @@ pub fn law<T: Real>(
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
+    let t3 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
+    let c1 = e1 * t3;
 
     // -- robust feedback of block 1 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(3.2199999999999998)
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(1.72);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1
+        * (real(3.2199999999999998)
+            * (kernel::sin_cos_over(E1)
+                * real(1.0).min(real(1.5697963267948967) / E1_free)) + real(1.72)
+            + t3 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t3 = state.zeta1 * real(20.0);
+    let t4 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t3 - clock.y_r_dot + Lam1;
+    let bracket1 = t4 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t3;
+    let zeta1_dot = state.zeta2 - t4;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -735,62 +718,53 @@ pub fn law<T: Real>(
     let w_hat2 = state.th2 + e2 * real(10.0);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(25.0) + e2 * real(20.0);
-    // ||L||^2/(2 eta_1) c^T (63)
-    let Lam2_disturbance = c2 * real(0.5);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam2_filter = c2 * prepared.Lam2_filter_1;
-    // e / (2 cos^2 E) (63)
-    let Lam2_network = e2 * real(0.5);
-    let t4 = e2.tanh();
+    let t5 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t4 * state.eps2;
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
-    let t5 = s2 * s2;
+    let Lam2_error_bound = t5 * state.eps2;
+    let t6 = s2 * s2;
     // 1 / sqrt(s_2^2 + varsigma_2^2)
-    let s_scale2 = real(1.0) / (t5 + real(1.0)).sqrt();
-    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (prepared.Psi2_1 * state.sigma2 * s_scale2);
-    let t6 = prepared.Psi2 / (state.phi2 * state.phi2 + t5);
-    // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t6;
-    // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_network + Lam2_error_bound
-        + Lam2_coupling + Lam2_noise + Lam2_diffusion;
+    let s_scale2 = real(1.0) / (t6 + real(1.0)).sqrt();
+    let t7 = prepared.Psi2 / (state.phi2 * state.phi2 + t6);
+    let t8 = real(45.0) + s2 * real(0.5) + s2 * prepared.Lam2_1 + real(0.5)
+        + s_c1 * s_c1 * real(0.25);
+    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
+    // (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
+    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
+    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    let Lam2 = e2 * (t8 + prepared.Psi2_1 * state.sigma2 * s_scale2 + t7)
+        + Lam2_error_bound;
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
 
     // -- virtual control (31) of block 2 --
-    let t7 = F2 + A_hat2;
-    let t8 = state.zeta2 * real(50.0);
+    let t9 = F2 + A_hat2;
+    let t10 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t7 - h1_dot + t8 + w_hat2 + Lam2;
+    let bracket2 = t9 - h1_dot + t10 + w_hat2 + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -(bracket2 * prepared.alpha2_1);
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
-    let zeta2_dot = prepared.G2 * state.zeta3 - t8;
+    let zeta2_dot = prepared.G2 * state.zeta3 - t10;
 
     // -- observer dynamics of block 2 (21) (50) --
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
     let th2_dot = w_hat2 * real(-12.0)
-        - (t7 + prepared.G2 * (x3 - state.zeta3) - h1_dot + t8) * real(10.0);
+        - (t9 + prepared.G2 * (x3 - state.zeta3) - h1_dot + t10) * real(10.0);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 * e2.dot(t4) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 * e2.dot(t5) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = prepared.Psi2_1 * t5 * s_scale2 - real(0.1) * state.sigma2;
+    let sigma2_dot = prepared.Psi2_1 * t6 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t6 + real(0.5);
+    let phi2_decay = t7 + real(0.5);
 
     // -- dynamic surface filter of block 2 (33) --
     // h_2' = (alpha_2 - h_2) / Fl_2
@@ -803,41 +777,30 @@ pub fn law<T: Real>(
     // -- barrier of block 3 (23) (26) --
     // s_3 = e_3^T e_3
     let s3 = e3.sum_squares();
-    // c_3 = s_3 e_3^T / cos^2 E_3
-    let c3 = e3 * s3;
 
     // -- disturbance observer of block 3 (20) (49) --
     // D_hat_3 = th_3 + S_3 x_3
     let D_hat3 = state.th3 + x3 * real(50.0);
 
     // -- robust feedback of block 3 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_3 = e3 * real(125.0) + e3 * real(100.0);
-    // eta_1/2 c^T (36)
-    let Lam3_disturbance = c3 * real(0.5);
-    let t9 = prepared.G_norm2_2 * s_c2;
+    let t11 = prepared.G_norm2_2 * s_c2;
+    // Lam_3 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam3_coupling = e3 * (t9 * t9) * real(0.015625);
-    // Lam_3, sum of the terms above
-    let Lam3 = Lam0_3 + Lam3_disturbance + Lam3_coupling;
+    let Lam3 = e3 * (real(225.0) + s3 * real(0.5) + t11 * t11 * real(0.015625));
 
     // -- control (64) of block 3 --
-    let t10 = state.zeta3 * real(100.0);
+    let t12 = state.zeta3 * real(100.0);
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
-    let bracket3 = F3 - h2_dot + t10 + D_hat3 + Lam3;
-    let t11 = bracket3 * real(0.025);
+    let bracket3 = F3 - h2_dot + t12 + D_hat3 + Lam3;
+    let t13 = bracket3 * real(0.025);
     // u = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
-    let u = -t11;
+    let u = -t13;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-40.0))).min(Vector::splat(real(40.0)));
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
-    let zeta3_dot = (u_sat + t11) * real(40.0) - t10;
-
-    // -- observer dynamics of block 3 (21) (50) --
-    // th_3' = -S_3 (D_hat_3 + F_3 + G_3 x_4 + A_hat_3)
-    let th3_dot = -((D_hat3 + F3 + u_sat * real(40.0)) * real(50.0));
+    let zeta3_dot = (u_sat + t13) * real(40.0) - t12;
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'
@@ -871,7 +834,8 @@ pub fn law<T: Real>(
     // zeta3(t + dt) = zeta3 + Gamma zeta3'
     let zeta3_next = state.zeta3 + zeta3_dot * real(0.0009516258196404043);
     // th3(t + dt) = th3 + Gamma th3'
-    let th3_next = state.th3 + th3_dot * real(0.0009754115099857198);
+    let th3_next = state.th3
+        - (D_hat3 + F3 + u_sat * real(40.0)) * real(50.0) * real(0.0009754115099857198);
     ControlOutputs {
         u,
         u_sat,
@@ -903,7 +867,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 80 additions, 133 multiplications, 10 divisions, 3 square roots, 10 elementary
+/// Operations: 78 additions, 126 multiplications, 8 divisions, 3 square roots, 10 elementary
 /// functions, 9 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 8345de965630a3c7abeb8abbc561531d9f1690c456417fe21f254d97e03749b3
+// SHA-256 of the text below: 6e62927923768ae261e380e44ba1eda1624361c4ba3106731f56c836cd2ec823
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// plant: 9 additions, 18 multiplications, 3 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 9 additions, 20 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `motor_arm`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -129,7 +129,7 @@ pub struct Prepared<T> {
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 3 additions, 6 multiplications, 3 divisions, 0 square roots, 0 elementary
+/// Operations: 3 additions, 8 multiplications, 1 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -139,20 +139,20 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
     let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
         + real(2.0) * params.load_mass * real(0.000529) * real(0.2);
+    let F2_plant_1 = real(1.0) / inertia;
 
     // -- true dynamics of block 2 (speed) (11) --
     // G_2 with the plant's parameters
-    let G2_plant = Matrix::rows([[real(0.9) / inertia]]);
+    let G2_plant = Matrix::rows([[real(0.9) * F2_plant_1]]);
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // columns: one per Wiener process
     let diffusion = Matrix::rows([
         [real(0.0), real(0.0)],
-        [real(0.01) / inertia, real(0.0)],
+        [real(0.01) * F2_plant_1, real(0.0)],
         [real(0.0), real(0.0)],
         [real(0.0), real(0.5)],
     ]);
-    let F2_plant_1 = real(1.0) / inertia;
     Prepared {
         weight,
         F2_plant_1,
@@ -249,7 +249,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 9 additions, 18 multiplications, 3 divisions, 0 square roots, 2 elementary
+/// Operations: 9 additions, 20 multiplications, 1 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: c54100375e32c139339c9dc62a157fd3bab8c86e33ce1b605aac080b9e8a7892
+// SHA-256 of the text below: bc24fdc6ec9df151abfbc7cedbb124ca87683741b7e6ae412de7baa91fcc16be
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// initial: 72 additions, 109 multiplications, 9 divisions, 0 square roots, 21 elementary functions, 6 comparisons and selections
-// control: 538 additions, 826 multiplications, 15 divisions, 4 square roots, 29 elementary functions, 21 comparisons and selections
+// initial: 60 additions, 99 multiplications, 8 divisions, 0 square roots, 21 elementary functions, 6 comparisons and selections
+// control: 520 additions, 794 multiplications, 14 divisions, 4 square roots, 29 elementary functions, 21 comparisons and selections
 
 //! `nsv_attitude`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -50,7 +50,7 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// attitude (alpha, beta, mu).
     ///
-    /// `th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)`
+    /// `th1(t + dt) = th1 + Gamma th1'`
     pub th1: Vector<T, 3>,
     /// Filtered virtual control h (33): rates (p, q, r).
     ///
@@ -292,7 +292,7 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 72 additions, 109 multiplications, 9 divisions, 0 square roots, 21 elementary
+/// Operations: 60 additions, 99 multiplications, 8 divisions, 0 square roots, 21 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -331,43 +331,44 @@ pub fn initial<T: Real>(
     let t4 = t3 * cos_alpha;
     let t5 = t3 * sin_alpha;
     let t6 = -cos_alpha;
-    let t7 = cos_alpha / cos_beta;
-    let t8 = sin_alpha / cos_beta;
+    let t7 = real(1.0) / cos_beta;
+    let t8 = cos_alpha * t7;
+    let t9 = sin_alpha * t7;
     // G_1(x_1 .. x_1)
     let G1 = Matrix::rows([
         [t4, real(1.0), t5],
         [sin_alpha, real(0.0), t6],
-        [t7, real(0.0), t8],
+        [t8, real(0.0), t9],
     ]);
 
     // -- reference and constraints --
-    let t9 = t.le(real(4.0));
-    let t10 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
-    let t11 = real(0.5) * t;
-    let t12 = real(0.9424777960769379) * t;
-    let t13 = Vector([t, t10, t12, t11]);
-    let [sin_t, sin_t10, sin_t12, sin_t11] = t13.sin().0;
-    let [cos_t, cos_t10, cos_t12, cos_t11] = t13.cos().0;
+    let t10 = t.le(real(4.0));
+    let t11 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
+    let t12 = real(0.5) * t;
+    let t13 = real(0.9424777960769379) * t;
+    let t14 = Vector([t, t11, t13, t12]);
+    let [sin_t, sin_t11, sin_t13, sin_t12] = t14.sin().0;
+    let [cos_t, cos_t11, cos_t13, cos_t12] = t14.cos().0;
     // y_r(t)
     let y_r = Vector([
         T::select(
-            t9,
-            (real(2.5) * sin_t10 + real(1.5)) * real(0.017453292519943295),
+            t10,
+            (real(2.5) * sin_t11 + real(1.5)) * real(0.017453292519943295),
             real(0.06981317007977318),
         ),
-        real(0.5) * sin_t12 * real(0.017453292519943295),
-        (real(-2.0) * sin_t + real(0.5) * cos_t11) * real(0.017453292519943295),
+        real(0.5) * sin_t13 * real(0.017453292519943295),
+        (real(-2.0) * sin_t + real(0.5) * cos_t12) * real(0.017453292519943295),
     ]);
     // y_r'
     let y_r_dot = Vector([
         T::select(
-            t9,
-            real(0.017453292519943295) * (real(2.5) * (cos_t10 * real(FRAC_PI_4))),
+            t10,
+            real(0.017453292519943295) * (real(2.5) * (cos_t11 * real(FRAC_PI_4))),
             real(0.0),
         ),
-        real(0.017453292519943295) * (real(0.5) * (cos_t12 * real(0.9424777960769379))),
+        real(0.017453292519943295) * (real(0.5) * (cos_t13 * real(0.9424777960769379))),
         real(0.017453292519943295)
-            * (real(-2.0) * cos_t - real(0.5) * (sin_t11 * real(0.5))),
+            * (real(-2.0) * cos_t - real(0.5) * (sin_t12 * real(0.5))),
     ]);
     // k_1(t)
     let k1 = (real(3.0) * (-t).exp() + real(0.5)) * real(0.017453292519943295);
@@ -379,8 +380,7 @@ pub fn initial<T: Real>(
     // -- given --
     let zeta1: Vector<T, 3> = Vector::zero();
     let W1: Matrix<T, 19, 3> = Matrix::zero();
-    let t14 = x1 * real(10.0);
-    let th1 = -t14;
+    let th1 = -(x1 * real(10.0));
     let zeta2: Vector<T, 3> = Vector::zero();
     let W2: Matrix<T, 19, 3> = Matrix::zero();
     let eps2 = real(0.0);
@@ -399,50 +399,41 @@ pub fn initial<T: Real>(
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
-    // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
-
-    // -- disturbance observer of block 1 (20) (49) --
-    // D_hat_1 = th_1 + S_1 x_1
-    let D_hat1 = t14 - t14;
 
     // -- norms of block 1 --
     // ||G_1||^2
     let G_norm2_1 = G1.sum_squares();
 
     // -- robust feedback of block 1 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(2.375)
+    let t16 = s1 * sec2E1;
+    let t17 = real(2.375)
         * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(2.0);
-    // eta_1/2 c^T (36)
-    let Lam1_disturbance = c1 * real(0.5);
+        + real(2.0) + t16 * real(0.5);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * (real(0.5) * G_norm2_1);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_disturbance + Lam1_filter;
+    let Lam1 = e1 * (t17 + t16 * (real(0.5) * G_norm2_1));
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + D_hat1 + Lam1;
-    let t16 = Matrix::rows([[sin_alpha, t6], [t7, t8]])
+    let bracket1 = F1 - y_r_dot + Lam1;
+    let t18 = Matrix::rows([[sin_alpha, t6], [t8, t9]])
         .solve(Vector([bracket1[1], bracket1[2]]));
-    let t17 = bracket1[0] - t4 * t16[0] - t5 * t16[1];
-    let t18 = Vector([t16[0], t17, t16[1]]);
+    let t19 = bracket1[0] - t4 * t18[0] - t5 * t18[1];
+    let t20 = Vector([t18[0], t19, t18[1]]);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t18;
+    let alpha1 = -t20;
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t18;
+    let e2 = x2 + t20;
 
     // -- given --
-    let t19 = real(-1.5) * e2[0];
-    let t20 = real(1.5) * e2[0];
-    let t21 = real(1.5) * e2[1];
-    let t22 = real(-2.0) * e2[2];
-    let t23 = real(4.0) * e2[2];
-    let th2 = -Vector([t19, t20, t21, e2[1], t22, t23]);
+    let t21 = real(-1.5) * e2[0];
+    let t22 = real(1.5) * e2[0];
+    let t23 = real(1.5) * e2[1];
+    let t24 = real(-2.0) * e2[2];
+    let t25 = real(4.0) * e2[2];
+    let th2 = -Vector([t21, t22, t23, e2[1], t24, t25]);
     State {
         zeta1,
         zeta2,
@@ -603,7 +594,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 533 additions, 795 multiplications, 13 divisions, 4 square roots, 20 elementary
+/// Operations: 515 additions, 763 multiplications, 12 divisions, 4 square roots, 20 elementary
 /// functions, 18 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -674,13 +665,14 @@ pub fn law<T: Real>(
     let t6 = t5 * cos_alpha;
     let t7 = t5 * sin_alpha;
     let t8 = -cos_alpha;
-    let t9 = cos_alpha / cos_beta;
-    let t10 = sin_alpha / cos_beta;
+    let t9 = real(1.0) / cos_beta;
+    let t10 = cos_alpha * t9;
+    let t11 = sin_alpha * t9;
     // G_1(x_1 .. x_1)
     let G1 = Matrix::rows([
         [t6, real(1.0), t7],
         [sin_alpha, real(0.0), t8],
-        [t9, real(0.0), t10],
+        [t10, real(0.0), t11],
     ]);
 
     // -- known dynamics of block 2 (rates) (11) --
@@ -690,17 +682,17 @@ pub fn law<T: Real>(
         (real(12202362.0) * p * r + pitch) * real(7.375621211696555e-8),
         (real(-12202362.0) * p * q + yaw) * real(7.375621211696555e-8),
     ]);
-    let t11 = roll_delta[0] * real(7.375621211696555e-7);
-    let t12 = roll_delta[1] * real(7.375621211696555e-7);
-    let t13 = roll_delta[2] * real(7.375621211696555e-7);
-    let t14 = pitch_delta[0] * real(7.375621211696555e-8);
-    let t15 = pitch_delta[1] * real(7.375621211696555e-8);
-    let t16 = pitch_delta[2] * real(7.375621211696555e-8);
-    let t17 = yaw_delta[0] * real(7.375621211696555e-8);
-    let t18 = yaw_delta[1] * real(7.375621211696555e-8);
-    let t19 = yaw_delta[2] * real(7.375621211696555e-8);
+    let t12 = roll_delta[0] * real(7.375621211696555e-7);
+    let t13 = roll_delta[1] * real(7.375621211696555e-7);
+    let t14 = roll_delta[2] * real(7.375621211696555e-7);
+    let t15 = pitch_delta[0] * real(7.375621211696555e-8);
+    let t16 = pitch_delta[1] * real(7.375621211696555e-8);
+    let t17 = pitch_delta[2] * real(7.375621211696555e-8);
+    let t18 = yaw_delta[0] * real(7.375621211696555e-8);
+    let t19 = yaw_delta[1] * real(7.375621211696555e-8);
+    let t20 = yaw_delta[2] * real(7.375621211696555e-8);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix::rows([[t11, t12, t13], [t14, t15, t16], [t17, t18, t19]]);
+    let H2 = Matrix::rows([[t12, t13, t14], [t15, t16, t17], [t18, t19, t20]]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -709,9 +701,9 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t20 = s1 * clock.E1_free_1;
+    let t21 = s1 * clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t20 * t20);
+    let E1_free = real(FRAC_PI_2) * (t21 * t21);
     // E_1 >= pi/2 - delta
     let violated1 = E1_free.ge(real(1.5697963267948967));
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
@@ -720,8 +712,9 @@ pub fn law<T: Real>(
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
+    let t22 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
+    let c1 = e1 * t22;
 
     // -- MTPN of block 1 (4) (16) --
     // P_1 = P_m(z_1), 19 nodes
@@ -738,37 +731,29 @@ pub fn law<T: Real>(
     let G_norm2_1 = G1.sum_squares();
 
     // -- robust feedback of block 1 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(2.375)
+    let t23 = real(2.375)
         * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(2.0);
-    // eta_1/2 c^T (36)
-    let Lam1_disturbance = c1 * real(0.5);
+        + real(2.0) + t22 * real(0.5);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * (real(0.5) * G_norm2_1);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_disturbance + Lam1_filter;
+    let Lam1 = e1 * (t23 + t22 * (real(0.5) * G_norm2_1));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t21 = F1 + A_hat1;
-    let t22 = state.zeta1 * real(20.0);
+    let t24 = F1 + A_hat1;
+    let t25 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t21 - clock.y_r_dot + t22 + D_hat1 + Lam1;
-    let t23 = Matrix::rows([[sin_alpha, t8], [t9, t10]])
+    let bracket1 = t24 - clock.y_r_dot + t25 + D_hat1 + Lam1;
+    let t26 = Matrix::rows([[sin_alpha, t8], [t10, t11]])
         .solve(Vector([bracket1[1], bracket1[2]]));
-    let t24 = bracket1[0] - t6 * t23[0] - t7 * t23[1];
+    let t27 = bracket1[0] - t6 * t26[0] - t7 * t26[1];
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -Vector([t23[0], t24, t23[1]]);
+    let alpha1 = -Vector([t26[0], t27, t26[1]]);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t22;
-
-    // -- observer dynamics of block 1 (21) (50) --
-    // th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)
-    let th1_dot = -((D_hat1 + t21 + G1 * x2) * real(10.0));
+    let zeta1_dot = G1 * state.zeta2 - t25;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -781,21 +766,21 @@ pub fn law<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t25 = s2 * clock.E2_free_1;
+    let t28 = s2 * clock.E2_free_1;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t25 * t25);
+    let E2_free = real(FRAC_PI_2) * (t28 * t28);
     // E_2 >= pi/2 - delta
     let violated2 = E2_free.ge(real(1.5697963267948967));
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
     // cos E_2
     let cosE2 = E2.cos();
-    let t26 = cosE2 * cosE2;
+    let t29 = cosE2 * cosE2;
     // 1 / cos^2 E_2
-    let sec2E2 = real(1.0) / t26;
-    let t27 = s2 * sec2E2;
+    let sec2E2 = real(1.0) / t29;
+    let t30 = s2 * sec2E2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * t27;
+    let c2 = e2 * t30;
 
     // -- MTPN of block 2 (4) (16) --
     // P_2 = P_m(z_2), 19 nodes
@@ -804,7 +789,7 @@ pub fn law<T: Real>(
     let A_hat2 = state.W2.transpose_mul(P2) * real(0.1);
 
     // -- disturbance observer of block 2 (20) (49) --
-    let t28 = Vector([
+    let t31 = Vector([
         real(-1.5) * e2[0],
         real(1.5) * e2[0],
         real(1.5) * e2[1],
@@ -813,7 +798,7 @@ pub fn law<T: Real>(
         real(4.0) * e2[2],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t28;
+    let w_hat2 = state.th2 + t31;
     // d_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([
         real(2.0) * w_hat2[1],
@@ -824,61 +809,53 @@ pub fn law<T: Real>(
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
-    let t29 = real(3.0) * sec2E2;
-    let t30 = real(8.0) * E2_free * E2.sin() * (cosE2 * (sec2E2 * sec2E2)) + t29;
+    let t32 = real(3.0) * sec2E2;
+    let t33 = real(8.0) * E2_free * E2.sin() * (cosE2 * (sec2E2 * sec2E2)) + t32;
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = (t30 * t30 + real(2.0) * (t29 * t29)).sqrt();
+    let Ybar_norm2 = (t33 * t33 + real(2.0) * (t32 * t32)).sqrt();
     // S_2 H_2
     let SH2 = Matrix::rows([
-        [real(-1.5) * t11, real(-1.5) * t12, real(-1.5) * t13],
-        [real(1.5) * t11, real(1.5) * t12, real(1.5) * t13],
-        [real(1.5) * t14, real(1.5) * t15, real(1.5) * t16],
-        [t14, t15, t16],
-        [real(-2.0) * t17, real(-2.0) * t18, real(-2.0) * t19],
-        [real(4.0) * t17, real(4.0) * t18, real(4.0) * t19],
+        [real(-1.5) * t12, real(-1.5) * t13, real(-1.5) * t14],
+        [real(1.5) * t12, real(1.5) * t13, real(1.5) * t14],
+        [real(1.5) * t15, real(1.5) * t16, real(1.5) * t17],
+        [t15, t16, t17],
+        [real(-2.0) * t18, real(-2.0) * t19, real(-2.0) * t20],
+        [real(4.0) * t18, real(4.0) * t19, real(4.0) * t20],
     ]);
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t31 = H_norm2_2 * Ybar_norm2;
+    let t34 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t31 * t31 * real(0.5) + real(12.0)
+    let Psi2 = t34 * t34 * real(0.5) + real(12.0)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(2.5)
-        * (kernel::sin_cos_over(E2) * real(1.0).min(real(1.5697963267948967) / E2_free))
-        + e2 * real(2.0);
-    // ||L||^2/(2 eta_1) c^T (63)
-    let Lam2_disturbance = c2 * real(75.0);
-    // e / (2 cos^2 E) (63)
-    let Lam2_network = e2 * (real(0.5) * sec2E2);
-    let t32 = (e2 * real(0.5)).tanh();
+    let t35 = (e2 * real(0.5)).tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t32 * state.eps2;
-    let t33 = G_norm2_1 * s_c1;
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t33 * t33) * real(0.25) * t26;
-    let t34 = s2 * s2;
+    let Lam2_error_bound = t35 * state.eps2;
+    let t36 = s2 * s2;
     // 1 / sqrt(s_2^2 + varsigma_2^2)
-    let s_scale2 = real(1.0) / (t34 + real(1.0)).sqrt();
-    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t31 * state.sigma2 * s_scale2);
-    let t35 = Psi2 / (state.phi2 * state.phi2 + t34);
-    // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t35 * t26;
-    // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
-        + Lam2_coupling + Lam2_noise + Lam2_diffusion;
+    let s_scale2 = real(1.0) / (t36 + real(1.0)).sqrt();
+    let t37 = G_norm2_1 * s_c1;
+    let t38 = Psi2 / (state.phi2 * state.phi2 + t36);
+    let t39 = real(2.5)
+        * (kernel::sin_cos_over(E2) * real(1.0).min(real(1.5697963267948967) / E2_free))
+        + real(2.0) + t30 * real(75.0);
+    let t40 = t39 + real(0.5) * sec2E2 + t37 * t37 * real(0.25) * t29;
+    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
+    // (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4
+    // eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 +
+    // varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    let Lam2 = e2 * (t40 + t34 * state.sigma2 * s_scale2 + t38 * t29) + Lam2_error_bound;
 
     // -- control (64) of block 2 --
-    let t36 = state.zeta2 * real(50.0);
+    let t41 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 + A_hat2 - h1_dot + t36 + D_hat2 + Lam2;
-    let t37 = bracket2
+    let bracket2 = F2 + A_hat2 - h1_dot + t41 + D_hat2 + Lam2;
+    let t42 = bracket2
         .hadamard(Vector::<T, 3>::from_f64([1355818.0, 13558180.0, 13558180.0]));
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t37;
+    let u = -t42;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
@@ -890,10 +867,10 @@ pub fn law<T: Real>(
         T,
         3,
     >::from_f64([7.375621211696555e-7, 7.375621211696555e-8, 7.375621211696555e-8])
-        .hadamard(u_sat + t37) - t36;
+        .hadamard(u_sat + t42) - t41;
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t38 = Vector([
+    let t43 = Vector([
         real(3.0) * w_hat2[1],
         real(-3.0) * w_hat2[0],
         real(3.0) * w_hat2[3],
@@ -901,7 +878,7 @@ pub fn law<T: Real>(
         real(3.0) * w_hat2[5],
         real(-3.0) * w_hat2[4],
     ]);
-    let t39 = Vector([
+    let t44 = Vector([
         real(-1.5) * Lam2[0],
         real(1.5) * Lam2[0],
         real(1.5) * Lam2[1],
@@ -911,20 +888,20 @@ pub fn law<T: Real>(
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
     // w_hat_2 + S_2 Lam_2
-    let th2_dot = t38 + t39;
+    let th2_dot = t43 + t44;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (t27 * e2.dot(t32) - state.eps2);
+    let eps2_dot = real(0.1) * (t30 * e2.dot(t35) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t31 * t34 * sec2E2 * s_scale2 - real(0.1) * state.sigma2;
+    let sigma2_dot = t34 * t36 * sec2E2 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t35 + real(2.0);
+    let phi2_decay = t38 + real(2.0);
 
     // -- status --
     // some E_i >= pi/2 - delta
@@ -936,7 +913,8 @@ pub fn law<T: Real>(
     // h1(t + dt) = h1 + Gamma h1'
     let h1_next = state.h1 + h1_dot * real(0.00198013266932447);
     // th1(t + dt) = th1 + Gamma th1'
-    let th1_next = state.th1 + th1_dot * real(0.00198013266932447);
+    let th1_next = state.th1
+        - (D_hat1 + t24 + G1 * x2) * real(10.0) * real(0.00198013266932447);
     // W_1(t + dt) = (1 - Gamma Gamma_1 lambda_1) W_1 + Gamma Gamma_1 P_1 c_1 I_1
     let W1_next = state.W1 * real(0.9998000199986667)
         + P1.outer(c1 * real(0.00019998000133326671));
@@ -944,7 +922,7 @@ pub fn law<T: Real>(
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
     let zeta2_next = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
-    let t40 = Vector([
+    let t45 = Vector([
         real(0.0019999760360430705) * th2_dot[0]
             + real(1.1975964129556617e-5) * th2_dot[1],
         real(-5.9879820647783075e-6) * th2_dot[0]
@@ -959,7 +937,7 @@ pub fn law<T: Real>(
             + real(0.0019919747640585435) * th2_dot[5],
     ]);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + t40;
+    let th2_next = state.th2 + t45;
     // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
     let W2_next = state.W2 * real(0.9998000199986667)
         + P2.outer(c2 * real(0.00019998000133326671));
@@ -1005,7 +983,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 538 additions, 826 multiplications, 15 divisions, 4 square roots, 29 elementary
+/// Operations: 520 additions, 794 multiplications, 14 divisions, 4 square roots, 29 elementary
 /// functions, 21 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 2d37731b8c1c84ebf0cd627a58950d17a1b34ef0538df81e2953c2407e31fe8b
+// SHA-256 of the text below: 66abd80120f1d646c1042a21d2d586215235ddec2002e7642bf8bbf5df3f5d1a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// plant: 131 additions, 194 multiplications, 3 divisions, 0 square roots, 12 elementary functions, 0 comparisons and selections
+// plant: 131 additions, 196 multiplications, 2 divisions, 0 square roots, 12 elementary functions, 0 comparisons and selections
 
 //! `nsv_attitude`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -185,7 +185,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 131 additions, 181 multiplications, 3 divisions, 0 square roots, 9 elementary
+/// Operations: 131 additions, 183 multiplications, 2 divisions, 0 square roots, 9 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -252,11 +252,12 @@ pub fn dynamics<T: Real>(
         (lift * tan_beta - t4 * tan_beta) * real(2.4362909905959168e-9),
     ]);
     let t5 = -tan_beta;
+    let t6 = real(1.0) / cos_beta;
     // G_1 with the plant's parameters
     let G1_plant = Matrix::rows([
         [t5 * cos_alpha, real(1.0), t5 * sin_alpha],
         [sin_alpha, real(0.0), -cos_alpha],
-        [cos_alpha / cos_beta, real(0.0), sin_alpha / cos_beta],
+        [cos_alpha * t6, real(0.0), sin_alpha * t6],
     ]);
 
     // -- given --
@@ -282,7 +283,7 @@ pub fn dynamics<T: Real>(
             3,
         >::from_f64([7.375621211696555e-7, 7.375621211696555e-8, 7.375621211696555e-8])
             .hadamard(u_sat) + d2;
-    let t6 = Matrix::rows([
+    let t7 = Matrix::rows([
         [
             roll_delta[0] * real(7.375621211696555e-7),
             roll_delta[1] * real(7.375621211696555e-7),
@@ -300,7 +301,7 @@ pub fn dynamics<T: Real>(
         ],
     ]);
     // H_2 Sigma_2
-    let HSigma2 = t6 * real(0.05);
+    let HSigma2 = t7 * real(0.05);
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // dx/dt without noise
@@ -463,7 +464,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 131 additions, 194 multiplications, 3 divisions, 0 square roots, 12 elementary
+/// Operations: 131 additions, 196 multiplications, 2 divisions, 0 square roots, 12 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(

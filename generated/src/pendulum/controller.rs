@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 8adf9d76d31aad4204ea3c92ff1177ba05a9da2ea1d688cde009cd888804a16b
+// SHA-256 of the text below: b7ec34c8544e7bf7304e2136269cc6d143915ab773b47e5141703fa8ab5a31c7
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// initial: 5 additions, 20 multiplications, 4 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
-// control: 40 additions, 66 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
+// initial: 5 additions, 18 multiplications, 4 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// control: 39 additions, 63 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
 
 //! `pendulum`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -51,7 +51,7 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// speed (omega).
     ///
-    /// `th_2' = -S_2 (D_hat_2 + F_2 + G_2 x_3 + A_hat_2)`
+    /// `th2(t + dt) = th2 + Gamma th2'`
     pub th2: Vector<T, 1>,
 }
 
@@ -241,7 +241,7 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 5 additions, 20 multiplications, 4 divisions, 0 square roots, 6 elementary
+/// Operations: 5 additions, 18 multiplications, 4 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
@@ -278,18 +278,13 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
-    // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0)
+    let t2 = real(5.0)
         * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(4.0);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
+        + real(4.0) + s1 * sec2E1 * real(0.5);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1 * t2;
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
@@ -401,7 +396,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 39 additions, 59 multiplications, 3 divisions, 0 square roots, 4 elementary
+/// Operations: 38 additions, 56 multiplications, 3 divisions, 0 square roots, 4 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -440,31 +435,30 @@ pub fn law<T: Real>(
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
+    let t3 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
+    let c1 = e1 * t3;
 
     // -- robust feedback of block 1 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0)
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(4.0);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1
+        * (real(5.0)
+            * (kernel::sin_cos_over(E1)
+                * real(1.0).min(real(1.5697963267948967) / E1_free)) + real(4.0)
+            + t3 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t3 = state.zeta1 * real(20.0);
+    let t4 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t3 - clock.y_r_dot + Lam1;
+    let bracket1 = t4 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t3;
+    let zeta1_dot = state.zeta2 - t4;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -493,33 +487,24 @@ pub fn law<T: Real>(
     let D_hat2 = state.th2 + x2 * real(20.0);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(12.5) + e2 * real(10.0);
-    // eta_1/2 c^T (36)
-    let Lam2_disturbance = c2 * real(0.5);
+    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
-    // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_coupling;
+    let Lam2 = e2 * (real(22.5) + s2 * real(0.5) + s_c1 * s_c1 * real(0.25));
 
     // -- control (64) of block 2 --
-    let t4 = F2 + A_hat2;
-    let t5 = state.zeta2 * real(50.0);
+    let t5 = F2 + A_hat2;
+    let t6 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t4 - h1_dot + t5 + D_hat2 + Lam2;
-    let t6 = bracket2 * prepared.u_1;
+    let bracket2 = t5 - h1_dot + t6 + D_hat2 + Lam2;
+    let t7 = bracket2 * prepared.u_1;
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t6;
+    let u = -t7;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-8.0))).min(Vector::splat(real(8.0)));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = prepared.G2 * (u_sat + t6) - t5;
-
-    // -- observer dynamics of block 2 (21) (50) --
-    // th_2' = -S_2 (D_hat_2 + F_2 + G_2 x_3 + A_hat_2)
-    let th2_dot = -((D_hat2 + t4 + prepared.G2 * u_sat) * real(20.0));
+    let zeta2_dot = prepared.G2 * (u_sat + t7) - t6;
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'
@@ -531,7 +516,8 @@ pub fn law<T: Real>(
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
     let zeta2_next = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + th2_dot * real(0.0019605280423838395);
+    let th2_next = state.th2
+        - (D_hat2 + t5 + prepared.G2 * u_sat) * real(20.0) * real(0.0019605280423838395);
     // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
     let W2_next = state.W2 * real(0.9998000199986667)
         + P2.outer(c2 * real(0.001999800013332667));
@@ -557,7 +543,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 40 additions, 66 multiplications, 6 divisions, 0 square roots, 7 elementary
+/// Operations: 39 additions, 63 multiplications, 6 divisions, 0 square roots, 7 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

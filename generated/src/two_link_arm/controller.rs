@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 235dac8dbb7d234ff00ac4037a7a977f31010dd78b45f43fe5ebd11beb544db1
+// SHA-256 of the text below: 4211ea75ce4182f6d7f8ed213100f182c416d54c8160fa550fe41e7cdca25fd8
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// initial: 13 additions, 33 multiplications, 4 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
-// control: 191 additions, 288 multiplications, 14 divisions, 0 square roots, 13 elementary functions, 13 comparisons and selections
+// initial: 11 additions, 27 multiplications, 4 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// control: 184 additions, 276 multiplications, 9 divisions, 0 square roots, 13 elementary functions, 13 comparisons and selections
 
 //! `two_link_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -253,7 +253,7 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 13 additions, 33 multiplications, 4 divisions, 0 square roots, 6 elementary
+/// Operations: 11 additions, 27 multiplications, 4 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
@@ -292,18 +292,13 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
-    // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0)
+    let t5 = real(5.0)
         * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(4.0);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
+        + real(4.0) + s1 * sec2E1 * real(0.5);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1 * t5;
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
@@ -316,12 +311,12 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let e2 = x2 + bracket1;
 
     // -- given --
-    let t5 = real(12.0) * e2[0];
-    let t6 = real(36.0) * e2[0];
-    let t7 = real(8.0) * e2[1];
-    let t8 = real(2.0) * e2[1];
-    let t9 = real(11.0) * e2[1];
-    let th2 = -Vector([t5, t6, t7, t8, t9]);
+    let t6 = real(12.0) * e2[0];
+    let t7 = real(36.0) * e2[0];
+    let t8 = real(8.0) * e2[1];
+    let t9 = real(2.0) * e2[1];
+    let t10 = real(11.0) * e2[1];
+    let th2 = -Vector([t6, t7, t8, t9, t10]);
     State {
         zeta1,
         zeta2,
@@ -456,7 +451,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 185 additions, 271 multiplications, 12 divisions, 0 square roots, 10 elementary
+/// Operations: 178 additions, 259 multiplications, 7 divisions, 0 square roots, 10 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -476,7 +471,7 @@ pub fn law<T: Real>(
     let M_11 = prepared.a_1 + prepared.M_11_1 * t1 + prepared.M_11_2 * t2;
     let det_M = M_11 * prepared.a_2 - M_12 * M_12;
     let t3 = -M_12;
-    let inverse_M = Matrix::rows([[prepared.a_2, t3], [t3, M_11]]) / det_M;
+    let inverse_M = Matrix::rows([[prepared.a_2, t3], [t3, M_11]]) * (real(1.0) / det_M);
     let coriolis = prepared.a_3 * t2 - prepared.a_4 * t1;
     let v2 = x2[1];
     let v1 = x2[0];
@@ -504,31 +499,30 @@ pub fn law<T: Real>(
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
+    let t5 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
+    let c1 = e1 * t5;
 
     // -- robust feedback of block 1 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0)
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(4.0);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1
+        * (real(5.0)
+            * (kernel::sin_cos_over(E1)
+                * real(1.0).min(real(1.5697963267948967) / E1_free)) + real(4.0)
+            + t5 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t5 = state.zeta1 * real(20.0);
+    let t6 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t5 - clock.y_r_dot + Lam1;
+    let bracket1 = t6 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t5;
+    let zeta1_dot = state.zeta2 - t6;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -541,21 +535,21 @@ pub fn law<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t6 = s2 * clock.E2_free_1;
+    let t7 = s2 * clock.E2_free_1;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t6 * t6);
+    let E2_free = real(FRAC_PI_2) * (t7 * t7);
     // E_2 >= pi/2 - delta
     let violated2 = E2_free.ge(real(1.5697963267948967));
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
     // cos E_2
     let cosE2 = E2.cos();
-    let t7 = cosE2 * cosE2;
+    let t8 = cosE2 * cosE2;
     // 1 / cos^2 E_2
-    let sec2E2 = real(1.0) / t7;
-    let t8 = s2 * sec2E2;
+    let sec2E2 = real(1.0) / t8;
+    let t9 = s2 * sec2E2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * t8;
+    let c2 = e2 * t9;
 
     // -- MTPN of block 2 (4) (16) --
     // z_2, network inputs
@@ -579,30 +573,25 @@ pub fn law<T: Real>(
     let D_hat2 = Vector([w_hat2[0], w_hat2[2] + w_hat2[3]]);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(10.0)
-        * (kernel::sin_cos_over(E2) * real(1.0).min(real(1.5697963267948967) / E2_free))
-        + e2 * real(8.0);
-    // ||L||^2/(2 eta_1) c^T (63)
-    let Lam2_disturbance = c2 * real(0.9999999999999998);
-    // e / (2 cos^2 E) (63)
-    let Lam2_network = e2 * (real(0.5) * sec2E2);
-    let t9 = e2.tanh();
+    let t10 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t9 * state.eps2;
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25) * t7;
-    // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
-        + Lam2_coupling;
+    let Lam2_error_bound = t10 * state.eps2;
+    let t11 = real(10.0)
+        * (kernel::sin_cos_over(E2) * real(1.0).min(real(1.5697963267948967) / E2_free))
+        + real(8.0) + t9 * real(0.9999999999999998);
+    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
+    // (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4
+    // eta_3^4), G, c, eta_3 of the outer block (38)
+    let Lam2 = e2 * (t11 + real(0.5) * sec2E2 + s_c1 * s_c1 * real(0.25) * t8)
+        + Lam2_error_bound;
 
     // -- control (64) of block 2 --
-    let t10 = state.zeta2 * real(50.0);
+    let t12 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 + A_hat2 - h1_dot + t10 + D_hat2 + Lam2;
-    let t11 = inverse_M.solve(bracket2);
+    let bracket2 = F2 + A_hat2 - h1_dot + t12 + D_hat2 + Lam2;
+    let t13 = Matrix::rows([[M_11, M_12], [M_12, prepared.a_2]]) * bracket2;
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t11;
+    let u = -t13;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
@@ -610,10 +599,10 @@ pub fn law<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = inverse_M * (u_sat + t11) - t10;
+    let zeta2_dot = inverse_M * (u_sat + t13) - t12;
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t12 = Vector([
+    let t14 = Vector([
         real(12.0) * Lam2[0],
         real(36.0) * Lam2[0],
         real(8.0) * Lam2[1],
@@ -628,11 +617,11 @@ pub fn law<T: Real>(
         real(0.0),
         real(3.0) * w_hat2[4],
         real(-3.0) * w_hat2[3],
-    ]) + t12;
+    ]) + t14;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (t8 * e2.dot(t9) - state.eps2);
+    let eps2_dot = real(0.1) * (t9 * e2.dot(t10) - state.eps2);
 
     // -- status --
     // some E_i >= pi/2 - delta
@@ -692,7 +681,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 191 additions, 288 multiplications, 14 divisions, 0 square roots, 13 elementary
+/// Operations: 184 additions, 276 multiplications, 9 divisions, 0 square roots, 13 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: f6869f14a4ddb997ce0269f0e770a7c7d37f5d37f9eb85055ef07053358a5b15
+// SHA-256 of the text below: c8915a52093403e035b4a4f4a6bab1b0ae14b479c15f3c735d251764ffddcd02
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// lyapunov: 509 additions, 643 multiplications, 22 divisions, 0 square roots, 16 elementary functions, 18 comparisons and selections
+// lyapunov: 502 additions, 638 multiplications, 12 divisions, 0 square roots, 16 elementary functions, 18 comparisons and selections
 
 //! `two_link_arm`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,7 +29,7 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 509 additions, 643 multiplications, 22 divisions, 0 square roots, 16 elementary
+/// Operations: 502 additions, 638 multiplications, 12 divisions, 0 square roots, 16 elementary
 /// functions, 18 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
@@ -57,7 +57,7 @@ pub fn lyapunov<T: Real>(
     let M_11 = a_1 + real(2.0) * a_3 * t3 + real(2.0) * a_4 * t4;
     let det_M = M_11 * a_2 - M_12 * M_12;
     let t5 = -M_12;
-    let inverse_M = Matrix::rows([[a_2, t5], [t5, M_11]]) / det_M;
+    let inverse_M = Matrix::rows([[a_2, t5], [t5, M_11]]) * (real(1.0) / det_M);
     let coriolis = a_3 * t4 - a_4 * t3;
     let v2 = x2[1];
     let v1 = x2[0];
@@ -113,26 +113,24 @@ pub fn lyapunov<T: Real>(
 
     // -- robust feedback of block 1 (31) (63) --
     let t18 = kernel::sin_cos_over(E1);
-    let t19 = real(1.5697963267948967) / E1_free;
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1 * real(5.0) * (t18 * real(1.0).min(t19)) + e1 * real(4.0);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
+    let t19 = real(1.0) / E1_free;
+    let t20 = real(1.5697963267948967) * t19;
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1
+        * (real(5.0) * (t18 * real(1.0).min(t20)) + real(4.0) + t17 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t20 = state.zeta1 * real(20.0);
+    let t21 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t20 - y_r_dot + Lam1;
+    let bracket1 = t21 - y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t20;
+    let zeta1_dot = state.zeta2 - t21;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -145,30 +143,30 @@ pub fn lyapunov<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t21 = k2 * k2;
-    let t22 = real(1.0) / t21;
-    let t23 = s2 * t22;
+    let t22 = k2 * k2;
+    let t23 = real(1.0) / t22;
+    let t24 = s2 * t23;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t23 * t23);
+    let E2_free = real(FRAC_PI_2) * (t24 * t24);
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
     // cos E_2
     let cosE2 = E2.cos();
-    let t24 = cosE2 * cosE2;
+    let t25 = cosE2 * cosE2;
     // 1 / cos^2 E_2
-    let sec2E2 = real(1.0) / t24;
-    let t25 = s2 * sec2E2;
+    let sec2E2 = real(1.0) / t25;
+    let t26 = s2 * sec2E2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * t25;
+    let c2 = e2 * t26;
 
     // -- MTPN of block 2 (4) (16) --
     // z_2, network inputs
     let z2 = Vector([v1, v2, q2]);
     // P_2 = P_m(z_2), 20 nodes
     let P2 = polynomials::basis2(z2);
-    let t26 = state.W2.transpose();
+    let t27 = state.W2.transpose();
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = t26 * P2;
+    let A_hat2 = t27 * P2;
 
     // -- disturbance observer of block 2 (20) (49) --
     // w_hat_2 = th_2 + S_2 e_2
@@ -184,30 +182,25 @@ pub fn lyapunov<T: Real>(
     let D_hat2 = Vector([w_hat2[0], w_hat2[2] + w_hat2[3]]);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(10.0)
-        * (kernel::sin_cos_over(E2) * real(1.0).min(real(1.5697963267948967) / E2_free))
-        + e2 * real(8.0);
-    // ||L||^2/(2 eta_1) c^T (63)
-    let Lam2_disturbance = c2 * real(0.9999999999999998);
-    // e / (2 cos^2 E) (63)
-    let Lam2_network = e2 * (real(0.5) * sec2E2);
-    let t27 = e2.tanh();
+    let t28 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t27 * state.eps2;
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25) * t24;
-    // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
-        + Lam2_coupling;
+    let Lam2_error_bound = t28 * state.eps2;
+    let t29 = real(10.0)
+        * (kernel::sin_cos_over(E2) * real(1.0).min(real(1.5697963267948967) / E2_free))
+        + real(8.0) + t26 * real(0.9999999999999998);
+    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
+    // (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4
+    // eta_3^4), G, c, eta_3 of the outer block (38)
+    let Lam2 = e2 * (t29 + real(0.5) * sec2E2 + s_c1 * s_c1 * real(0.25) * t25)
+        + Lam2_error_bound;
 
     // -- control (64) of block 2 --
-    let t28 = state.zeta2 * real(50.0);
+    let t30 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 + A_hat2 - h1_dot + t28 + D_hat2 + Lam2;
-    let t29 = inverse_M.solve(bracket2);
+    let bracket2 = F2 + A_hat2 - h1_dot + t30 + D_hat2 + Lam2;
+    let t31 = Matrix::rows([[M_11, M_12], [M_12, a_2]]) * bracket2;
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t29;
+    let u = -t31;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
@@ -215,14 +208,14 @@ pub fn lyapunov<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = inverse_M * (u_sat + t29) - t28;
+    let zeta2_dot = inverse_M * (u_sat + t31) - t30;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t30 = Vector([
+    let t32 = Vector([
         real(12.0) * Lam2[0],
         real(36.0) * Lam2[0],
         real(8.0) * Lam2[1],
@@ -237,26 +230,26 @@ pub fn lyapunov<T: Real>(
         real(0.0),
         real(3.0) * w_hat2[4],
         real(-3.0) * w_hat2[3],
-    ]) + t30;
+    ]) + t32;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (t25 * e2.dot(t27) - state.eps2);
+    let eps2_dot = real(0.1) * (t26 * e2.dot(t28) - state.eps2);
 
     // -- true dynamics of block 2 (rates) (11) --
-    let t31 = plant.m_e * real(0.36);
-    let t32 = real(0.25) + t31;
-    let t33 = plant.m_e * real(0.6);
-    let t34 = t33 * real(0.8660254037844386);
-    let t35 = t33 * real(0.5);
-    let t36 = t32 + t34 * t3 + t35 * t4;
-    let t37 = -t36;
-    let t38 = real(0.62) + t31 + plant.m_e + real(2.0) * t34 * t3 + real(2.0) * t35 * t4;
-    let t39 = t38 * t32 - t36 * t36;
+    let t33 = plant.m_e * real(0.36);
+    let t34 = real(0.25) + t33;
+    let t35 = plant.m_e * real(0.6);
+    let t36 = t35 * real(0.8660254037844386);
+    let t37 = t35 * real(0.5);
+    let t38 = t34 + t36 * t3 + t37 * t4;
+    let t39 = -t38;
+    let t40 = real(0.62) + t33 + plant.m_e + real(2.0) * t36 * t3 + real(2.0) * t37 * t4;
     // G_2 with the plant's parameters
-    let G2_plant = Matrix::rows([[t32, t37], [t37, t38]]) / t39;
+    let G2_plant = Matrix::rows([[t34, t39], [t39, t40]])
+        * (real(1.0) / (t40 * t34 - t38 * t38));
     // F_2 with the plant's parameters
-    let F2_plant = -G2_plant * (t6 * (t34 * t4 - t35 * t3));
+    let F2_plant = -G2_plant * (t6 * (t36 * t4 - t37 * t3));
     // d_2 = L_2 w_2 (12)
     let d2 = Vector([w2[0], w2[2] + w2[3]]);
     // w_2' = M_2 w_2 (12)
@@ -271,10 +264,10 @@ pub fn lyapunov<T: Real>(
     let x2_flow = F2_plant + G2_plant * u_sat + d2;
 
     // -- Lyapunov function of block 1 (23) (52) --
-    let t40 = t13 * t13 * real(0.15915494309189535);
-    let t41 = E1.tan();
+    let t41 = t13 * t13 * real(0.15915494309189535);
+    let t42 = E1.tan();
     // k_1^4/(2 pi) tan E_1
-    let V_T1 = t40 * t41;
+    let V_T1 = t41 * t42;
     // 1/2 ||zeta_1||^2
     let V_zeta1 = state.zeta1.sum_squares() * real(0.5);
     // chi_1 = h_1 - alpha_1 (34)
@@ -283,13 +276,13 @@ pub fn lyapunov<T: Real>(
     let V_chi1 = chi1.sum_squares() * real(0.5);
 
     // -- Lyapunov function of block 2 (23) (52) --
-    let t42 = t21 * t21 * real(0.15915494309189535);
-    let t43 = E2.tan();
+    let t43 = t22 * t22 * real(0.15915494309189535);
+    let t44 = E2.tan();
     // k_2^4/(2 pi) tan E_2
-    let V_T2 = t42 * t43;
-    let t44 = t26 * state.W2;
+    let V_T2 = t43 * t44;
+    let t45 = t27 * state.W2;
     // tr(W_2^T W_2)/(2 Gamma_2)
-    let V_W2 = (t44[(0, 0)] + t44[(1, 1)]) * real(0.5);
+    let V_W2 = (t45[(0, 0)] + t45[(1, 1)]) * real(0.5);
     // w_2 - w_hat_2
     let w_error2 = w2 - w_hat2;
     // 1/2 ||theta_2 - th_2||^2
@@ -306,12 +299,12 @@ pub fn lyapunov<T: Real>(
     // -- Ito generator (2) --
     // e1' along the flow
     let e1_flow = x2 - y_r_dot - zeta1_dot;
-    let t45 = e1_flow.dot(e1);
+    let t46 = e1_flow.dot(e1);
     // s1' along the flow
-    let s1_flow = t45 + t45;
-    let t46 = (t15 + t15) * (s1_flow * t14 - t15 * t14 * ((k1 + k1) * k1_dot));
+    let s1_flow = t46 + t46;
+    let t47 = (t15 + t15) * (s1_flow * t14 - t15 * t14 * ((k1 + k1) * k1_dot));
     // E1_free' along the flow
-    let E1_free_flow = real(FRAC_PI_2) * t46;
+    let E1_free_flow = real(FRAC_PI_2) * t47;
     // E1' along the flow
     let E1_flow = T::select(
         E1_free.lt(real(1.5697963267948967)),
@@ -319,31 +312,31 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t41 * (real(4.0) * (t13 * k1) * k1_dot * real(0.15915494309189535))
-        + t40 * (E1_flow / t16);
-    let t47 = zeta1_dot.dot(state.zeta1);
+    let V_T1_flow = t42 * (real(4.0) * (t13 * k1) * k1_dot * real(0.15915494309189535))
+        + t41 * (E1_flow / t16);
+    let t48 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
-    let V_zeta1_flow = (t47 + t47) * real(0.5);
-    let t48 = real(2.0) * (t8 * real(2.0));
+    let V_zeta1_flow = (t48 + t48) * real(0.5);
+    let t49 = real(2.0) * (t8 * real(2.0));
     // y_r''
-    let y_r_dot2 = Vector([real(0.5235987755982989) * t48, real(FRAC_PI_4) * t48]);
-    let t49 = real(1.0).lt(t19);
-    let t50 = T::select(t49, real(1.0), t19);
-    let t51 = t50 * (kernel::sin_cos_over_d1(E1) * E1_flow)
-        + T::select(t49, real(0.0), -(t18 * (t19 / E1_free * E1_free_flow)));
-    let t52 = t18 * t50;
+    let y_r_dot2 = Vector([real(0.5235987755982989) * t49, real(FRAC_PI_4) * t49]);
+    let t50 = real(1.0).lt(t20);
+    let t51 = T::select(t50, real(1.0), t20);
+    let t52 = t51 * (kernel::sin_cos_over_d1(E1) * E1_flow)
+        + T::select(t50, real(0.0), -(t18 * (t20 * t19 * E1_free_flow)));
+    let t53 = t18 * t51;
     // Lam0_1' along the flow
     let Lam0_1_flow = Vector([
-        real(5.0) * e1[0] * t51 + t52 * (real(5.0) * e1_flow[0])
+        real(5.0) * e1[0] * t52 + t53 * (real(5.0) * e1_flow[0])
             + real(4.0) * e1_flow[0],
-        real(5.0) * e1[1] * t51 + t52 * (real(5.0) * e1_flow[1]) + real(4.0) * e1_flow[1],
+        real(5.0) * e1[1] * t52 + t53 * (real(5.0) * e1_flow[1]) + real(4.0) * e1_flow[1],
     ]);
     // cosE1' along the flow
     let cosE1_flow = -(E1.sin() * E1_flow);
-    // sec2E1' along the flow
-    let sec2E1_flow = -(sec2E1 / t16 * ((cosE1 + cosE1) * cosE1_flow));
+    let t54 = e1
+        * (s1_flow * sec2E1 - s1 * (sec2E1 * sec2E1 * ((cosE1 + cosE1) * cosE1_flow)));
     // c1' along the flow
-    let c1_flow = e1 * (s1_flow * sec2E1 + s1 * sec2E1_flow) + e1_flow * t17;
+    let c1_flow = t54 + e1_flow * t17;
     // Lam1_filter' along the flow
     let Lam1_filter_flow = c1_flow * real(0.5);
     // Lam1' along the flow
@@ -352,17 +345,17 @@ pub fn lyapunov<T: Real>(
     let bracket1_flow = zeta1_dot * real(20.0) - y_r_dot2 + Lam1_flow;
     // chi1' along the flow
     let chi1_flow = h1_dot + bracket1_flow;
-    let t53 = chi1_flow.dot(chi1);
+    let t55 = chi1_flow.dot(chi1);
     // V_chi1' along the flow
-    let V_chi1_flow = (t53 + t53) * real(0.5);
+    let V_chi1_flow = (t55 + t55) * real(0.5);
     // e2' along the flow
     let e2_flow = x2_flow - h1_dot - zeta2_dot;
-    let t54 = e2_flow.dot(e2);
+    let t56 = e2_flow.dot(e2);
     // s2' along the flow
-    let s2_flow = t54 + t54;
-    let t55 = (t23 + t23) * (s2_flow * t22 - t23 * t22 * ((k2 + k2) * k2_dot));
+    let s2_flow = t56 + t56;
+    let t57 = (t24 + t24) * (s2_flow * t23 - t24 * t23 * ((k2 + k2) * k2_dot));
     // E2_free' along the flow
-    let E2_free_flow = real(FRAC_PI_2) * t55;
+    let E2_free_flow = real(FRAC_PI_2) * t57;
     // E2' along the flow
     let E2_flow = T::select(
         E2_free.lt(real(1.5697963267948967)),
@@ -370,11 +363,11 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T2' along the flow
-    let V_T2_flow = t43 * (real(4.0) * (t21 * k2) * k2_dot * real(0.15915494309189535))
-        + t42 * (E2_flow / t24);
-    let t56 = W2_dot.transpose() * state.W2 + t26 * W2_dot;
+    let V_T2_flow = t44 * (real(4.0) * (t22 * k2) * k2_dot * real(0.15915494309189535))
+        + t43 * (E2_flow / t25);
+    let t58 = W2_dot.transpose() * state.W2 + t27 * W2_dot;
     // V_W2' along the flow
-    let V_W2_flow = (t56[(0, 0)] + t56[(1, 1)]) * real(0.5);
+    let V_W2_flow = (t58[(0, 0)] + t58[(1, 1)]) * real(0.5);
     // w_hat2' along the flow
     let w_hat2_flow = th2_dot
         + Vector([
@@ -386,15 +379,15 @@ pub fn lyapunov<T: Real>(
         ]);
     // w_error2' along the flow
     let w_error2_flow = w2_flow - w_hat2_flow;
-    let t57 = w_error2_flow.dot(w_error2);
+    let t59 = w_error2_flow.dot(w_error2);
     // V_D2' along the flow
-    let V_D2_flow = (t57 + t57) * real(0.5);
-    let t58 = zeta2_dot.dot(state.zeta2);
+    let V_D2_flow = (t59 + t59) * real(0.5);
+    let t60 = zeta2_dot.dot(state.zeta2);
     // V_zeta2' along the flow
-    let V_zeta2_flow = (t58 + t58) * real(0.5);
-    let t59 = eps2_dot * state.eps2;
+    let V_zeta2_flow = (t60 + t60) * real(0.5);
+    let t61 = eps2_dot * state.eps2;
     // V_eps2' along the flow
-    let V_eps2_flow = (t59 + t59) * real(5.0);
+    let V_eps2_flow = (t61 + t61) * real(5.0);
     // LV = V_t + V_x f + 1/2 sum_j g_j^T V_xx g_j
     let LV = V_T1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow + V_W2_flow + V_D2_flow
         + V_zeta2_flow + V_eps2_flow;

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 113f435d7cf6a5a578420195759aa03bb8a22bb815e3a09c2a5815b2a1e21887
+// SHA-256 of the text below: 26fbe18ce4768075d3763e654ef95268030eca290ba7379e7fca1e4e7e95a800
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// plant: 20 additions, 29 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 20 additions, 33 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `two_link_arm`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -113,7 +113,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 17 additions, 23 multiplications, 4 divisions, 0 square roots, 2 elementary
+/// Operations: 17 additions, 27 multiplications, 1 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -133,7 +133,7 @@ pub fn dynamics<T: Real>(
     let M_11 = prepared.a_1 + prepared.M_11_1 * t1 + prepared.M_11_2 * t2;
     let det_M = M_11 * prepared.a_2 - M_12 * M_12;
     let t3 = -M_12;
-    let inverse_M = Matrix::rows([[prepared.a_2, t3], [t3, M_11]]) / det_M;
+    let inverse_M = Matrix::rows([[prepared.a_2, t3], [t3, M_11]]) * (real(1.0) / det_M);
     let coriolis = prepared.a_3 * t2 - prepared.a_4 * t1;
     let torque = Vector([-v2 * v1 - (v1 + v2) * v2, v1 * v1]) * coriolis;
 
@@ -163,7 +163,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 20 additions, 29 multiplications, 4 divisions, 0 square roots, 2 elementary
+/// Operations: 20 additions, 33 multiplications, 1 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(

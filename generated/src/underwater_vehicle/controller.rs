@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 2aee240a9a313e80dc707ad7f58e9ae288d11f543b0717df7e6dd64154d3248c
+// SHA-256 of the text below: a172a726d416819170657b458eb458ef873168863fe093df14736c523e8e8dd2
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
-// initial: 104 additions, 170 multiplications, 11 divisions, 0 square roots, 20 elementary functions, 3 comparisons and selections
-// control: 760 additions, 1080 multiplications, 25 divisions, 3 square roots, 27 elementary functions, 19 comparisons and selections
+// initial: 89 additions, 150 multiplications, 10 divisions, 0 square roots, 20 elementary functions, 3 comparisons and selections
+// control: 714 additions, 1032 multiplications, 20 divisions, 3 square roots, 27 elementary functions, 19 comparisons and selections
 
 //! `underwater_vehicle`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -42,7 +42,7 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// pose (north, east, down, phi, theta, psi).
     ///
-    /// `th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)`
+    /// `th1(t + dt) = th1 + Gamma th1'`
     pub th1: Vector<T, 6>,
     /// Filtered virtual control h (33): velocity (surge, sway, heave, p, q, r).
     ///
@@ -285,7 +285,7 @@ impl<T: Real> Part for Begin<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 104 additions, 170 multiplications, 11 divisions, 0 square roots, 20 elementary
+/// Operations: 89 additions, 150 multiplications, 10 divisions, 0 square roots, 20 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
@@ -353,8 +353,6 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
-    // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
 
     // -- disturbance observer of block 1 (20) (49) --
     // D_hat_1 = th_1 + S_1 x_1
@@ -377,58 +375,56 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     let [_, tan_theta, _] = t17.tan().0;
     let t28 = sin_phi * tan_theta;
     let t29 = cos_phi * tan_theta;
-    let t30 = sin_phi / cos_theta;
-    let t31 = cos_phi / cos_theta;
-    let t32 = t22 * t22 + t24 * t24 + t25 * t25;
-    let t33 = t18 * t18 + t20 * t20 + t21 * t21 + t32;
-    let t34 = t33 + (sin_theta * sin_theta + t26 * t26 + t27 * t27);
-    let t35 = t34 + (real(1.0) + t28 * t28 + t29 * t29);
+    let t30 = real(1.0) / cos_theta;
+    let t31 = sin_phi * t30;
+    let t32 = cos_phi * t30;
+    let t33 = t22 * t22 + t24 * t24 + t25 * t25;
+    let t34 = t18 * t18 + t20 * t20 + t21 * t21 + t33;
+    let t35 = t34 + (sin_theta * sin_theta + t26 * t26 + t27 * t27);
+    let t36 = t35 + (real(1.0) + t28 * t28 + t29 * t29);
     // ||G_1||^2
-    let G_norm2_1 = t35 + (cos_phi * cos_phi + sin_phi * sin_phi)
-        + (t30 * t30 + t31 * t31);
+    let G_norm2_1 = t36 + (cos_phi * cos_phi + sin_phi * sin_phi)
+        + (t31 * t31 + t32 * t32);
 
     // -- robust feedback of block 1 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(0.5);
-    // eta_1/2 c^T (36)
-    let Lam1_disturbance = c1 * real(0.5);
+    let t37 = s1 * sec2E1;
+    let t38 = kernel::sin_cos_over(E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free) + real(0.5)
+        + t37 * real(0.5);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * (real(0.5) * G_norm2_1);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_disturbance + Lam1_filter;
+    let Lam1 = e1 * (t38 + t37 * (real(0.5) * G_norm2_1));
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = D_hat1 - y_r_dot + Lam1;
-    let t36 = Matrix::rows([[t18, t20, t21], [t22, t24, t25], [-sin_theta, t26, t27]])
+    let t39 = Matrix::rows([[t18, t20, t21], [t22, t24, t25], [-sin_theta, t26, t27]])
         .solve(Vector([bracket1[0], bracket1[1], bracket1[2]]));
-    let t37 = Matrix::rows([[cos_phi, -sin_phi], [t30, t31]])
+    let t40 = Matrix::rows([[cos_phi, -sin_phi], [t31, t32]])
         .solve(Vector([bracket1[4], bracket1[5]]));
-    let t38 = bracket1[3] - t28 * t37[0] - t29 * t37[1];
-    let t39 = Vector([t36[0], t36[1], t36[2], t38, t37[0], t37[1]]);
+    let t41 = bracket1[3] - t28 * t40[0] - t29 * t40[1];
+    let t42 = Vector([t39[0], t39[1], t39[2], t41, t40[0], t40[1]]);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t39;
+    let alpha1 = -t42;
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t39;
+    let e2 = x2 + t42;
 
     // -- given --
-    let t40 = real(-8.0) * e2[0];
-    let t41 = real(5.8) * e2[0];
-    let t42 = real(-8.0) * e2[1];
-    let t43 = real(5.8) * e2[1];
-    let t44 = real(-8.0) * e2[2];
-    let t45 = real(5.8) * e2[2];
-    let t46 = real(-8.0) * e2[3];
-    let t47 = real(5.8) * e2[3];
-    let t48 = real(-8.0) * e2[4];
-    let t49 = real(5.8) * e2[4];
-    let t50 = real(-8.0) * e2[5];
-    let t51 = real(5.8) * e2[5];
-    let th2 = -Vector([t40, t41, t42, t43, t44, t45, t46, t47, t48, t49, t50, t51]);
+    let t43 = real(-8.0) * e2[0];
+    let t44 = real(5.8) * e2[0];
+    let t45 = real(-8.0) * e2[1];
+    let t46 = real(5.8) * e2[1];
+    let t47 = real(-8.0) * e2[2];
+    let t48 = real(5.8) * e2[2];
+    let t49 = real(-8.0) * e2[3];
+    let t50 = real(5.8) * e2[3];
+    let t51 = real(-8.0) * e2[4];
+    let t52 = real(5.8) * e2[4];
+    let t53 = real(-8.0) * e2[5];
+    let t54 = real(5.8) * e2[5];
+    let th2 = -Vector([t43, t44, t45, t46, t47, t48, t49, t50, t51, t52, t53, t54]);
     State {
         zeta1,
         zeta2,
@@ -479,7 +475,7 @@ pub struct Prepared<T> {
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 38 additions, 82 multiplications, 12 divisions, 1 square roots, 0 elementary
+/// Operations: 38 additions, 88 multiplications, 8 divisions, 1 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -496,56 +492,58 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     // -- noise terms of block 2 (58) (62) --
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
     let Ybar_norm2 = real(7.3484692283495345);
-    let F2_1 = I / det_xq;
-    let F2_2 = real(-0.23) / det_xq;
-    let F2_3 = I / det_yp;
-    let F2_4 = real(0.23) / det_yp;
+    let t1 = real(1.0) / det_xq;
+    let F2_1 = I * t1;
+    let F2_2 = real(-0.23) * t1;
+    let t2 = real(1.0) / det_yp;
+    let F2_3 = I * t2;
+    let F2_4 = real(0.23) * t2;
     let F2_5 = real(1.0) / m_z;
-    let F2_6 = m_y / det_yp;
-    let F2_7 = m_x / det_xq;
+    let F2_6 = m_y * t2;
+    let F2_7 = m_x * t1;
     let F2_8 = real(1.0) / I;
 
     // -- noise terms of block 2 (58) (62) --
-    let t1 = F2_1 * real(0.1);
-    let t2 = F2_2 * real(0.01);
-    let t3 = F2_3 * real(0.1);
-    let t4 = F2_4 * real(0.01);
-    let t5 = F2_5 * real(0.1);
-    let t6 = F2_4 * real(0.1);
-    let t7 = F2_6 * real(0.01);
-    let t8 = F2_2 * real(0.1);
-    let t9 = F2_7 * real(0.01);
-    let t10 = F2_8 * real(0.01);
-    let t11 = t1 * t1 + t2 * t2 + (t3 * t3 + t4 * t4);
-    let t12 = t11 + t5 * t5 + (t6 * t6 + t7 * t7);
+    let t3 = F2_1 * real(0.1);
+    let t4 = F2_2 * real(0.01);
+    let t5 = F2_3 * real(0.1);
+    let t6 = F2_4 * real(0.01);
+    let t7 = F2_5 * real(0.1);
+    let t8 = F2_4 * real(0.1);
+    let t9 = F2_6 * real(0.01);
+    let t10 = F2_2 * real(0.1);
+    let t11 = F2_7 * real(0.01);
+    let t12 = F2_8 * real(0.01);
+    let t13 = t3 * t3 + t4 * t4 + (t5 * t5 + t6 * t6);
+    let t14 = t13 + t7 * t7 + (t8 * t8 + t9 * t9);
     // ||H_2||^2
-    let H_norm2_2 = t12 + (t8 * t8 + t9 * t9) + t10 * t10;
-    let t13 = real(-8.0) * t1;
-    let t14 = real(-8.0) * t2;
-    let t15 = real(5.8) * t1;
-    let t16 = real(5.8) * t2;
-    let t17 = real(-8.0) * t3;
-    let t18 = real(-8.0) * t4;
-    let t19 = real(5.8) * t3;
-    let t20 = real(5.8) * t4;
-    let t21 = real(-8.0) * t5;
-    let t22 = real(5.8) * t5;
-    let t23 = real(-8.0) * t6;
-    let t24 = real(-8.0) * t7;
-    let t25 = real(5.8) * t6;
-    let t26 = real(5.8) * t7;
-    let t27 = real(-8.0) * t8;
-    let t28 = real(-8.0) * t9;
-    let t29 = real(5.8) * t8;
-    let t30 = real(5.8) * t9;
-    let t31 = real(-8.0) * t10;
-    let t32 = real(5.8) * t10;
-    let t33 = t13 * t13 + t14 * t14 + (t15 * t15 + t16 * t16);
-    let t34 = t33 + (t17 * t17 + t18 * t18) + (t19 * t19 + t20 * t20);
-    let t35 = t34 + t21 * t21 + t22 * t22 + (t23 * t23 + t24 * t24);
-    let t36 = t35 + (t25 * t25 + t26 * t26) + (t27 * t27 + t28 * t28);
+    let H_norm2_2 = t14 + (t10 * t10 + t11 * t11) + t12 * t12;
+    let t15 = real(-8.0) * t3;
+    let t16 = real(-8.0) * t4;
+    let t17 = real(5.8) * t3;
+    let t18 = real(5.8) * t4;
+    let t19 = real(-8.0) * t5;
+    let t20 = real(-8.0) * t6;
+    let t21 = real(5.8) * t5;
+    let t22 = real(5.8) * t6;
+    let t23 = real(-8.0) * t7;
+    let t24 = real(5.8) * t7;
+    let t25 = real(-8.0) * t8;
+    let t26 = real(-8.0) * t9;
+    let t27 = real(5.8) * t8;
+    let t28 = real(5.8) * t9;
+    let t29 = real(-8.0) * t10;
+    let t30 = real(-8.0) * t11;
+    let t31 = real(5.8) * t10;
+    let t32 = real(5.8) * t11;
+    let t33 = real(-8.0) * t12;
+    let t34 = real(5.8) * t12;
+    let t35 = t15 * t15 + t16 * t16 + (t17 * t17 + t18 * t18);
+    let t36 = t35 + (t19 * t19 + t20 * t20) + (t21 * t21 + t22 * t22);
+    let t37 = t36 + t23 * t23 + t24 * t24 + (t25 * t25 + t26 * t26);
+    let t38 = t37 + (t27 * t27 + t28 * t28) + (t29 * t29 + t30 * t30);
     // ||S_2 H_2||^2
-    let SH_norm2_2 = t36 + (t29 * t29 + t30 * t30) + t31 * t31 + t32 * t32;
+    let SH_norm2_2 = t38 + (t31 * t31 + t32 * t32) + t33 * t33 + t34 * t34;
     let Psi2_1 = H_norm2_2 * Ybar_norm2;
 
     // -- noise terms of block 2 (58) (62) --
@@ -556,12 +554,12 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     // -- states of block 2, one sample later --
     // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
     let phi2_min = (Psi2 * real(0.09999999999999999)).sqrt();
-    let t37 = real(1.0) / (F2_1 * F2_7 - F2_2 * F2_2);
-    let t38 = -F2_2 * t37;
-    let u_1 = Matrix::rows([[F2_7 * t37, t38], [t38, F2_1 * t37]]);
-    let t39 = real(1.0) / (F2_3 * F2_6 - F2_4 * F2_4);
-    let t40 = -F2_4 * t39;
-    let u_2 = Matrix::rows([[F2_6 * t39, t40], [t40, F2_3 * t39]]);
+    let t39 = real(1.0) / (F2_1 * F2_7 - F2_2 * F2_2);
+    let t40 = -F2_2 * t39;
+    let u_1 = Matrix::rows([[F2_7 * t39, t40], [t40, F2_1 * t39]]);
+    let t41 = real(1.0) / (F2_3 * F2_6 - F2_4 * F2_4);
+    let t42 = -F2_4 * t41;
+    let u_2 = Matrix::rows([[F2_6 * t41, t42], [t42, F2_3 * t41]]);
     let u_3 = real(1.0) / F2_5;
     let u_4 = real(1.0) / F2_8;
     Prepared {
@@ -674,7 +672,7 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 712 additions, 953 multiplications, 12 divisions, 2 square roots, 19 elementary
+/// Operations: 666 additions, 899 multiplications, 11 divisions, 2 square roots, 19 elementary
 /// functions, 19 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -769,85 +767,70 @@ pub fn law<T: Real>(
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
+    let t13 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
+    let c1 = e1 * t13;
 
     // -- disturbance observer of block 1 (20) (49) --
     // D_hat_1 = th_1 + S_1 x_1
     let D_hat1 = state.th1 + x1;
 
     // -- norms of block 1 --
-    let t13 = cos_psi * cos_theta;
-    let t14 = cos_psi * sin_theta;
-    let t15 = t14 * sin_phi - sin_psi * cos_phi;
-    let t16 = t14 * cos_phi + sin_psi * sin_phi;
-    let t17 = sin_psi * cos_theta;
-    let t18 = sin_psi * sin_theta;
-    let t19 = t18 * sin_phi + cos_psi * cos_phi;
-    let t20 = t18 * cos_phi - cos_psi * sin_phi;
+    let t14 = cos_psi * cos_theta;
+    let t15 = cos_psi * sin_theta;
+    let t16 = t15 * sin_phi - sin_psi * cos_phi;
+    let t17 = t15 * cos_phi + sin_psi * sin_phi;
+    let t18 = sin_psi * cos_theta;
+    let t19 = sin_psi * sin_theta;
+    let t20 = t19 * sin_phi + cos_psi * cos_phi;
+    let t21 = t19 * cos_phi - cos_psi * sin_phi;
     let [_, tan_theta, _] = t1.tan().0;
-    let t21 = sin_phi * tan_theta;
-    let t22 = cos_phi * tan_theta;
-    let t23 = sin_phi / cos_theta;
-    let t24 = cos_phi / cos_theta;
-    let t25 = t17 * t17 + t19 * t19 + t20 * t20;
-    let t26 = t13 * t13 + t15 * t15 + t16 * t16 + t25;
-    let t27 = t26 + (sin_theta * sin_theta + t3 * t3 + t4 * t4);
-    let t28 = t27 + (real(1.0) + t21 * t21 + t22 * t22);
+    let t22 = sin_phi * tan_theta;
+    let t23 = cos_phi * tan_theta;
+    let t24 = real(1.0) / cos_theta;
+    let t25 = sin_phi * t24;
+    let t26 = cos_phi * t24;
+    let t27 = t18 * t18 + t20 * t20 + t21 * t21;
+    let t28 = t14 * t14 + t16 * t16 + t17 * t17 + t27;
+    let t29 = t28 + (sin_theta * sin_theta + t3 * t3 + t4 * t4);
+    let t30 = t29 + (real(1.0) + t22 * t22 + t23 * t23);
     // ||G_1||^2
-    let G_norm2_1 = t28 + (cos_phi * cos_phi + sin_phi * sin_phi)
-        + (t23 * t23 + t24 * t24);
+    let G_norm2_1 = t30 + (cos_phi * cos_phi + sin_phi * sin_phi)
+        + (t25 * t25 + t26 * t26);
 
     // -- robust feedback of block 1 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = e1
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + e1 * real(0.5);
-    // eta_1/2 c^T (36)
-    let Lam1_disturbance = c1 * real(0.5);
+    let t31 = kernel::sin_cos_over(E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free) + real(0.5)
+        + t13 * real(0.5);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * (real(0.5) * G_norm2_1);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_disturbance + Lam1_filter;
+    let Lam1 = e1 * (t31 + t13 * (real(0.5) * G_norm2_1));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t29 = state.zeta1 * real(5.0);
+    let t32 = state.zeta1 * real(5.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t29 - clock.y_r_dot + D_hat1 + Lam1;
-    let t30 = -sin_phi;
-    let t31 = Matrix::rows([[t13, t15, t16], [t17, t19, t20], [t2, t3, t4]])
+    let bracket1 = t32 - clock.y_r_dot + D_hat1 + Lam1;
+    let t33 = Matrix::rows([[t14, t16, t17], [t18, t20, t21], [t2, t3, t4]])
         .solve(Vector([bracket1[0], bracket1[1], bracket1[2]]));
-    let t32 = Matrix::rows([[cos_phi, t30], [t23, t24]])
+    let t34 = Matrix::rows([[cos_phi, -sin_phi], [t25, t26]])
         .solve(Vector([bracket1[4], bracket1[5]]));
-    let t33 = bracket1[3] - t21 * t32[0] - t22 * t32[1];
+    let t35 = bracket1[3] - t22 * t34[0] - t23 * t34[1];
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -Vector([t31[0], t31[1], t31[2], t33, t32[0], t32[1]]);
+    let alpha1 = -Vector([t33[0], t33[1], t33[2], t35, t34[0], t34[1]]);
 
     // -- auxiliary system of block 1 (13) (E1) --
-    let t34 = Vector([
-        t13 * state.zeta2[0] + t15 * state.zeta2[1] + t16 * state.zeta2[2],
-        t17 * state.zeta2[0] + t19 * state.zeta2[1] + t20 * state.zeta2[2],
-        t2 * state.zeta2[0] + t3 * state.zeta2[1] + t4 * state.zeta2[2],
-        state.zeta2[3] + t21 * state.zeta2[4] + t22 * state.zeta2[5],
-        cos_phi * state.zeta2[4] + t30 * state.zeta2[5],
-        t23 * state.zeta2[4] + t24 * state.zeta2[5],
+    let t36 = Vector([
+        t14 * state.zeta2[0] + t16 * state.zeta2[1] + t17 * state.zeta2[2],
+        t18 * state.zeta2[0] + t20 * state.zeta2[1] + t21 * state.zeta2[2],
+        t3 * state.zeta2[1] - sin_theta * state.zeta2[0] + t4 * state.zeta2[2],
+        state.zeta2[3] + t22 * state.zeta2[4] + t23 * state.zeta2[5],
+        cos_phi * state.zeta2[4] - sin_phi * state.zeta2[5],
+        t25 * state.zeta2[4] + t26 * state.zeta2[5],
     ]);
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = t34 - t29;
-
-    // -- observer dynamics of block 1 (21) (50) --
-    let t35 = Vector([
-        t13 * surge + t15 * sway + t16 * heave,
-        t17 * surge + t19 * sway + t20 * heave,
-        t2 * surge + t3 * sway + t4 * heave,
-        p + t21 * q + t22 * r,
-        cos_phi * q + t30 * r,
-        t23 * q + t24 * r,
-    ]);
-    // th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)
-    let th1_dot = -(D_hat1 + t35);
+    let zeta1_dot = t36 - t32;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -870,7 +853,7 @@ pub fn law<T: Real>(
     let A_hat2 = state.W2.transpose_mul(P2);
 
     // -- disturbance observer of block 2 (20) (49) --
-    let t36 = Vector([
+    let t37 = Vector([
         real(-8.0) * e2[0],
         real(5.8) * e2[0],
         real(-8.0) * e2[1],
@@ -885,7 +868,7 @@ pub fn law<T: Real>(
         real(5.8) * e2[5],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t36;
+    let w_hat2 = state.th2 + t37;
     // d_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([
         w_hat2[1],
@@ -897,61 +880,53 @@ pub fn law<T: Real>(
     ]);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(3.25) + e2 * real(2.0);
-    // ||L||^2/(2 eta_1) c^T (63)
-    let Lam2_disturbance = c2 * real(3.0);
-    // e / (2 cos^2 E) (63)
-    let Lam2_network = e2 * real(0.5);
-    let t37 = e2.tanh();
+    let t38 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t37 * state.eps2;
-    let t38 = G_norm2_1 * s_c1;
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t38 * t38) * real(0.25);
+    let Lam2_error_bound = t38 * state.eps2;
     let t39 = s2 * s2;
     // 1 / sqrt(s_2^2 + varsigma_2^2)
     let s_scale2 = real(1.0) / (t39 + real(1.0)).sqrt();
-    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (prepared.Psi2_1 * state.sigma2 * s_scale2);
-    let t40 = prepared.Psi2 / (state.phi2 * state.phi2 + t39);
-    // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t40;
-    // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
-        + Lam2_coupling + Lam2_noise + Lam2_diffusion;
+    let t40 = G_norm2_1 * s_c1;
+    let t41 = prepared.Psi2 / (state.phi2 * state.phi2 + t39);
+    let t42 = real(5.25) + s2 * real(3.0) + real(0.5) + t40 * t40 * real(0.25);
+    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
+    // (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4
+    // eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 +
+    // varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    let Lam2 = e2 * (t42 + prepared.Psi2_1 * state.sigma2 * s_scale2 + t41)
+        + Lam2_error_bound;
 
     // -- control (64) of block 2 --
-    let t41 = state.zeta2 * real(10.0);
+    let t43 = state.zeta2 * real(10.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 + A_hat2 - h1_dot + t41 + D_hat2 + Lam2;
-    let t42 = prepared.u_1 * Vector([bracket2[0], bracket2[4]]);
-    let t43 = prepared.u_2 * Vector([bracket2[1], bracket2[3]]);
-    let t44 = bracket2[2] * prepared.u_3;
-    let t45 = bracket2[5] * prepared.u_4;
-    let t46 = Vector([t42[0], t43[0], t44, t43[1], t42[1], t45]);
+    let bracket2 = F2 + A_hat2 - h1_dot + t43 + D_hat2 + Lam2;
+    let t44 = prepared.u_1 * Vector([bracket2[0], bracket2[4]]);
+    let t45 = prepared.u_2 * Vector([bracket2[1], bracket2[3]]);
+    let t46 = bracket2[2] * prepared.u_3;
+    let t47 = bracket2[5] * prepared.u_4;
+    let t48 = Vector([t44[0], t45[0], t46, t45[1], t44[1], t47]);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t46;
+    let u = -t48;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]))
         .min(Vector::<T, 6>::from_f64([40.0, 40.0, 40.0, 5.0, 5.0, 5.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
-    let t47 = u_sat + t46;
-    let t48 = Vector([
-        prepared.F2_1 * t47[0] + prepared.F2_2 * t47[4],
-        prepared.F2_3 * t47[1] + prepared.F2_4 * t47[3],
-        prepared.F2_5 * t47[2],
-        prepared.F2_4 * t47[1] + prepared.F2_6 * t47[3],
-        prepared.F2_2 * t47[0] + prepared.F2_7 * t47[4],
-        prepared.F2_8 * t47[5],
+    let t49 = u_sat + t48;
+    let t50 = Vector([
+        prepared.F2_1 * t49[0] + prepared.F2_2 * t49[4],
+        prepared.F2_3 * t49[1] + prepared.F2_4 * t49[3],
+        prepared.F2_5 * t49[2],
+        prepared.F2_4 * t49[1] + prepared.F2_6 * t49[3],
+        prepared.F2_2 * t49[0] + prepared.F2_7 * t49[4],
+        prepared.F2_8 * t49[5],
     ]);
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = t48 - t41;
+    let zeta2_dot = t50 - t43;
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t49 = Vector([
+    let t51 = Vector([
         w_hat2[1],
         real(-0.2) * w_hat2[1] - w_hat2[0],
         w_hat2[3],
@@ -965,7 +940,7 @@ pub fn law<T: Real>(
         w_hat2[11],
         real(-0.2) * w_hat2[11] - w_hat2[10],
     ]);
-    let t50 = Vector([
+    let t52 = Vector([
         real(-8.0) * Lam2[0],
         real(5.8) * Lam2[0],
         real(-8.0) * Lam2[1],
@@ -981,11 +956,11 @@ pub fn law<T: Real>(
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
     // w_hat_2 + S_2 Lam_2
-    let th2_dot = t49 + t50;
+    let th2_dot = t51 + t52;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 * e2.dot(t37) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 * e2.dot(t38) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
@@ -994,20 +969,28 @@ pub fn law<T: Real>(
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t40 + real(0.5);
+    let phi2_decay = t41 + real(0.5);
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'
     let zeta1_next = state.zeta1 + zeta1_dot * real(0.009754115099857198);
     // h1(t + dt) = h1 + Gamma h1'
     let h1_next = state.h1 + h1_dot * real(0.009516258196404044);
+    let t53 = Vector([
+        t14 * surge + t16 * sway + t17 * heave,
+        t18 * surge + t20 * sway + t21 * heave,
+        t3 * sway - sin_theta * surge + t4 * heave,
+        p + t22 * q + t23 * r,
+        cos_phi * q - sin_phi * r,
+        t25 * q + t26 * r,
+    ]);
     // th1(t + dt) = th1 + Gamma th1'
-    let th1_next = state.th1 + th1_dot * real(0.009950166250831947);
+    let th1_next = state.th1 - (D_hat1 + t53) * real(0.009950166250831947);
 
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
     let zeta2_next = state.zeta2 + zeta2_dot * real(0.009516258196404044);
-    let t51 = Vector([
+    let t54 = Vector([
         real(0.0099985222988428) * th2_dot[0]
             + real(0.00044110044503657773) * th2_dot[1],
         real(-4.9011160559619754e-5) * th2_dot[0]
@@ -1034,7 +1017,7 @@ pub fn law<T: Real>(
             + real(0.009704455335485081) * th2_dot[11],
     ]);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + t51;
+    let th2_next = state.th2 + t54;
     // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
     let W2_next = state.W2 * real(0.999000499833375)
         + P2.outer(c2 * real(0.009995001666250083));
@@ -1076,7 +1059,7 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control, next states and the signals on the way.
 ///
-/// Operations: 760 additions, 1080 multiplications, 25 divisions, 3 square roots, 27 elementary
+/// Operations: 714 additions, 1032 multiplications, 20 divisions, 3 square roots, 27 elementary
 /// functions, 19 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 0b0ef4938d5cc694f29e9115b101ca2612e72860a7dc6dfc6b7da22f3898c84c
+// SHA-256 of the text below: 2c0f8b8f62b174bbba379d7f4d129f562055b72e687285cfa7e240f0657bb74c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
-// plant: 87 additions, 138 multiplications, 10 divisions, 0 square roots, 13 elementary functions, 0 comparisons and selections
+// plant: 83 additions, 136 multiplications, 5 divisions, 0 square roots, 13 elementary functions, 0 comparisons and selections
 
 //! `underwater_vehicle`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -163,29 +163,29 @@ fn diffuse<T: Real>(
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Prepared<T> {
-    /// Part of `F2_plant`.
-    pub F2_plant_1: T,
-    /// Part of `F2_plant`.
-    pub F2_plant_2: T,
-    /// Part of `F2_plant`.
-    pub F2_plant_3: T,
-    /// Part of `F2_plant`.
-    pub F2_plant_4: T,
-    /// Part of `F2_plant`.
-    pub F2_plant_5: T,
-    /// Part of `F2_plant`.
-    pub F2_plant_6: T,
-    /// Part of `F2_plant`.
-    pub F2_plant_7: T,
-    /// Part of `F2_plant`.
-    pub F2_plant_8: T,
+    /// Part of `x2_flow`.
+    pub x2_flow_1: T,
+    /// Part of `x2_flow`.
+    pub x2_flow_2: T,
+    /// Part of `x2_flow`.
+    pub x2_flow_3: T,
+    /// Part of `x2_flow`.
+    pub x2_flow_4: T,
+    /// Part of `x2_flow`.
+    pub x2_flow_5: T,
+    /// Part of `x2_flow`.
+    pub x2_flow_6: T,
+    /// Part of `x2_flow`.
+    pub x2_flow_7: T,
+    /// Part of `x2_flow`.
+    pub x2_flow_8: T,
     /// `columns: one per Wiener process`
     pub diffusion: Matrix<T, 24, 12>,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 6 additions, 16 multiplications, 8 divisions, 0 square roots, 0 elementary
+/// Operations: 6 additions, 22 multiplications, 4 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -198,14 +198,16 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let m_y = real(11.5) + params.added_scale * real(12.7);
     let det_yp = m_y * I - real(0.0529);
     let m_z = real(11.5) + params.added_scale * real(14.57);
-    let F2_plant_1 = I / det_xq;
-    let F2_plant_2 = real(-0.23) / det_xq;
-    let F2_plant_3 = I / det_yp;
-    let F2_plant_4 = real(0.23) / det_yp;
-    let F2_plant_5 = real(1.0) / m_z;
-    let F2_plant_6 = m_y / det_yp;
-    let F2_plant_7 = m_x / det_xq;
-    let F2_plant_8 = real(1.0) / I;
+    let t1 = real(1.0) / det_xq;
+    let x2_flow_1 = I * t1;
+    let x2_flow_2 = real(-0.23) * t1;
+    let t2 = real(1.0) / det_yp;
+    let x2_flow_3 = I * t2;
+    let x2_flow_4 = real(0.23) * t2;
+    let x2_flow_5 = real(1.0) / m_z;
+    let x2_flow_6 = m_y * t2;
+    let x2_flow_7 = m_x * t1;
+    let x2_flow_8 = real(1.0) / I;
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // columns: one per Wiener process
@@ -295,25 +297,11 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
             real(0.0),
         ],
         [
-            F2_plant_1 * real(0.1),
+            x2_flow_1 * real(0.1),
             real(0.0),
             real(0.0),
             real(0.0),
-            F2_plant_2 * real(0.01),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            F2_plant_3 * real(0.1),
-            real(0.0),
-            F2_plant_4 * real(0.01),
-            real(0.0),
+            x2_flow_2 * real(0.01),
             real(0.0),
             real(0.0),
             real(0.0),
@@ -324,9 +312,9 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
         ],
         [
             real(0.0),
+            x2_flow_3 * real(0.1),
             real(0.0),
-            F2_plant_5 * real(0.1),
-            real(0.0),
+            x2_flow_4 * real(0.01),
             real(0.0),
             real(0.0),
             real(0.0),
@@ -338,24 +326,10 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
         ],
         [
             real(0.0),
-            F2_plant_4 * real(0.1),
             real(0.0),
-            F2_plant_6 * real(0.01),
-            real(0.0),
+            x2_flow_5 * real(0.1),
             real(0.0),
             real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            F2_plant_2 * real(0.1),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            F2_plant_7 * real(0.01),
             real(0.0),
             real(0.0),
             real(0.0),
@@ -366,11 +340,39 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
         ],
         [
             real(0.0),
+            x2_flow_4 * real(0.1),
+            real(0.0),
+            x2_flow_6 * real(0.01),
             real(0.0),
             real(0.0),
             real(0.0),
             real(0.0),
-            F2_plant_8 * real(0.01),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            x2_flow_2 * real(0.1),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            x2_flow_7 * real(0.01),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+        ],
+        [
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            real(0.0),
+            x2_flow_8 * real(0.01),
             real(0.0),
             real(0.0),
             real(0.0),
@@ -548,14 +550,14 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
         ],
     ]);
     Prepared {
-        F2_plant_1,
-        F2_plant_2,
-        F2_plant_3,
-        F2_plant_4,
-        F2_plant_5,
-        F2_plant_6,
-        F2_plant_7,
-        F2_plant_8,
+        x2_flow_1,
+        x2_flow_2,
+        x2_flow_3,
+        x2_flow_4,
+        x2_flow_5,
+        x2_flow_6,
+        x2_flow_7,
+        x2_flow_8,
         diffusion,
     }
 }
@@ -611,7 +613,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 79 additions, 117 multiplications, 2 divisions, 0 square roots, 9 elementary
+/// Operations: 75 additions, 109 multiplications, 1 divisions, 0 square roots, 9 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -677,42 +679,36 @@ pub fn dynamics<T: Real>(
         * real(0.23) - t11 - drag_torque;
 
     // -- true dynamics of block 2 (velocity) (11) --
-    // F_2 with the plant's parameters
-    let F2_plant = Vector([
-        prepared.F2_plant_1 * force[0] + prepared.F2_plant_2 * moment[1],
-        prepared.F2_plant_3 * force[1] + prepared.F2_plant_4 * moment[0],
-        prepared.F2_plant_5 * force[2],
-        prepared.F2_plant_4 * force[1] + prepared.F2_plant_6 * moment[0],
-        prepared.F2_plant_2 * force[0] + prepared.F2_plant_7 * moment[1],
-        prepared.F2_plant_8 * moment[2],
-    ]);
     // d_2 = L_2 w_2 (12)
     let d2 = Vector([x[13], x[15], x[17], x[19], x[21], x[23]]);
-    let t12 = Vector([
-        prepared.F2_plant_1 * u_sat[0] + prepared.F2_plant_2 * u_sat[4],
-        prepared.F2_plant_3 * u_sat[1] + prepared.F2_plant_4 * u_sat[3],
-        prepared.F2_plant_5 * u_sat[2],
-        prepared.F2_plant_4 * u_sat[1] + prepared.F2_plant_6 * u_sat[3],
-        prepared.F2_plant_2 * u_sat[0] + prepared.F2_plant_7 * u_sat[4],
-        prepared.F2_plant_8 * u_sat[5],
+    let t12 = Vector([force[0], force[1], force[2], moment[0], moment[1], moment[2]])
+        + u_sat;
+    let t13 = Vector([
+        prepared.x2_flow_1 * t12[0] + prepared.x2_flow_2 * t12[4],
+        prepared.x2_flow_3 * t12[1] + prepared.x2_flow_4 * t12[3],
+        prepared.x2_flow_5 * t12[2],
+        prepared.x2_flow_4 * t12[1] + prepared.x2_flow_6 * t12[3],
+        prepared.x2_flow_2 * t12[0] + prepared.x2_flow_7 * t12[4],
+        prepared.x2_flow_8 * t12[5],
     ]);
     // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + t12 + d2;
+    let x2_flow = t13 + d2;
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
-    let t13 = cos_psi * sin_theta;
-    let t14 = sin_psi * sin_theta;
+    let t14 = cos_psi * sin_theta;
+    let t15 = sin_psi * sin_theta;
     let [_, tan_theta, _] = t1.tan().0;
-    let t15 = cos_psi * cos_theta * surge + (t13 * sin_phi - sin_psi * cos_phi) * sway;
-    let t16 = sin_psi * cos_theta * surge + (t14 * sin_phi + cos_psi * cos_phi) * sway;
+    let t16 = real(1.0) / cos_theta;
+    let t17 = cos_psi * cos_theta * surge + (t14 * sin_phi - sin_psi * cos_phi) * sway;
+    let t18 = sin_psi * cos_theta * surge + (t15 * sin_phi + cos_psi * cos_phi) * sway;
     // dx/dt without noise
     let drift = Vector([
-        t15 + (t13 * cos_phi + sin_psi * sin_phi) * heave + clock.d1_1,
-        t16 + (t14 * cos_phi - cos_psi * sin_phi) * heave + clock.d1_2,
-        t2 * surge + t3 * sway + t4 * heave + clock.d1_3,
+        t17 + (t14 * cos_phi + sin_psi * sin_phi) * heave + clock.d1_1,
+        t18 + (t15 * cos_phi - cos_psi * sin_phi) * heave + clock.d1_2,
+        t3 * sway - sin_theta * surge + t4 * heave + clock.d1_3,
         p + sin_phi * tan_theta * q + cos_phi * tan_theta * r,
-        cos_phi * q + -sin_phi * r,
-        sin_phi / cos_theta * q + cos_phi / cos_theta * r,
+        cos_phi * q - sin_phi * r,
+        sin_phi * t16 * q + cos_phi * t16 * r,
         x2_flow[0],
         x2_flow[1],
         x2_flow[2],
@@ -742,7 +738,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 87 additions, 138 multiplications, 10 divisions, 0 square roots, 13 elementary
+/// Operations: 83 additions, 136 multiplications, 5 divisions, 0 square roots, 13 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(
