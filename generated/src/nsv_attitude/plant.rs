@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 66abd80120f1d646c1042a21d2d586215235ddec2002e7642bf8bbf5df3f5d1a
+// SHA-256 of the text below: e444afb34749dbad5e3345ebd6b9a23189317427eb95041f44505127937739e5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // plant: 131 additions, 196 multiplications, 2 divisions, 0 square roots, 12 elementary functions, 0 comparisons and selections
@@ -320,140 +320,25 @@ pub fn dynamics<T: Real>(
         real(-3.0) * x[10],
     ]);
     // columns: one per Wiener process
-    let diffusion = Matrix::rows([
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            HSigma2[(0, 0)],
-            HSigma2[(0, 1)],
-            HSigma2[(0, 2)],
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            HSigma2[(1, 0)],
-            HSigma2[(1, 1)],
-            HSigma2[(1, 2)],
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            HSigma2[(2, 0)],
-            HSigma2[(2, 1)],
-            HSigma2[(2, 2)],
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(1.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(1.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(1.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(1.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(1.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(1.0),
-        ],
-    ]);
+    let diffusion = {
+        let mut sparse = Matrix::<T, 12, 9>::zero();
+        sparse[(3, 0)] = HSigma2[(0, 0)];
+        sparse[(3, 1)] = HSigma2[(0, 1)];
+        sparse[(3, 2)] = HSigma2[(0, 2)];
+        sparse[(4, 0)] = HSigma2[(1, 0)];
+        sparse[(4, 1)] = HSigma2[(1, 1)];
+        sparse[(4, 2)] = HSigma2[(1, 2)];
+        sparse[(5, 0)] = HSigma2[(2, 0)];
+        sparse[(5, 1)] = HSigma2[(2, 1)];
+        sparse[(5, 2)] = HSigma2[(2, 2)];
+        sparse[(6, 3)] = real(1.0);
+        sparse[(7, 4)] = real(1.0);
+        sparse[(8, 5)] = real(1.0);
+        sparse[(9, 6)] = real(1.0);
+        sparse[(10, 7)] = real(1.0);
+        sparse[(11, 8)] = real(1.0);
+        sparse
+    };
     PlantOutputs {
         drift,
         diffusion,
