@@ -12,9 +12,12 @@ use crate::emit::literal::row;
 use crate::emit::names::{Fields, ident};
 use crate::emit::pieces::Split;
 use crate::emit::polynomial::Library;
+use crate::emit::source::mentions;
 use crate::emit::types::index;
 use crate::ir::build::size;
 use crate::ir::{Op, Program, Shape, ValueId};
+use crate::opt::dependence::uses;
+use crate::opt::hoist;
 
 /// The plant's program and names.
 pub(crate) struct Plant<'a> {
@@ -46,6 +49,7 @@ impl Plant<'_> {
             fields: self.params,
         }];
         let function_docs = ["Drift and diffusion of the plant and its disturbances.".to_owned()];
+        let diffusion_docs = ["Diffusion of the plant and its disturbances.".to_owned()];
         let function = Function {
             program: self.plant,
             docs: &function_docs,
@@ -53,12 +57,29 @@ impl Plant<'_> {
             results: Results::Own,
             tables: self.tables,
         };
+        let alone = self.diffusion_alone();
+        let alone = alone.as_ref().map(|program| Function {
+            program,
+            docs: &diffusion_docs,
+            ..function
+        });
         let mut items = self.constants();
         items.push(self.plant_struct());
-        items.push(self.equation(&function));
+        items.push(self.equation(&function, alone.as_ref().unwrap_or(&function)));
         items.extend(self.diffuse());
         items.extend(Split::new(&function, "dynamics").items(comments));
+        items.extend(
+            alone
+                .into_iter()
+                .flat_map(|function| function.items(comments)),
+        );
         items
+    }
+
+    /// The diffusion as a program of its own, if an integrator asks for it at other states than for the drift.
+    fn diffusion_alone(&self) -> Option<Program> {
+        let again = !self.held() && uses(self.plant, "diffusion", "x");
+        again.then(|| hoist::part(self.plant, "diffusion"))
     }
 
     /// Whether noise is held over a sample and so is part of the drift.
@@ -138,7 +159,8 @@ impl Plant<'_> {
         }
     }
 
-    fn equation(&self, function: &Function<'_>) -> TokenStream {
+    /// The equation by the plant's function; `alone` gives the diffusion without the drift.
+    fn equation(&self, function: &Function<'_>, alone: &Function<'_>) -> TokenStream {
         let (held, call) = (self.held(), call(function));
         let wiener = noise_channels(self.plant) > 0 && !held;
         let vector = quote!(Vector<T, STATES>);
@@ -159,12 +181,13 @@ impl Plant<'_> {
         let mut parts = vec![part("Drift", drift_docs, &vector, &drift, None)];
         let diffusion = if wiener {
             let matrix = quote!(Matrix<T, STATES, NOISE_CHANNELS>);
+            let alone = self::call(alone);
             let both = quote!(let rate = #call; (rate.drift, diffuse(&rate.diffusion, self.dw)));
             parts.push(part(
                 "Diffusion",
                 "Diffusion.",
                 &matrix,
-                &quote!(#call.diffusion),
+                &quote!(#alone.diffusion),
                 None,
             ));
             parts.push(part(
@@ -260,8 +283,12 @@ fn part(
     noise: Option<&TokenStream>,
 ) -> TokenStream {
     let (name, docs) = (ident(name), docs(&[about]));
+    let unused = ["plant", "t"].iter().any(|field| !mentions(body, field));
+    let unused =
+        unused.then(|| quote!(#[allow(dead_code, reason = "a diffusion may need states alone")]));
     quote! {
         #docs
+        #unused
         struct #name<'a, T> {
             plant: &'a Plant<T>,
             t: T,
