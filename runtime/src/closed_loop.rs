@@ -1,5 +1,8 @@
 //! The interface of a generated simulator: runs of controller and plant, one in each lane.
 
+use core::marker::PhantomData;
+
+use crate::lanes::Width;
 use crate::real::Real;
 
 /// What sets runs apart.
@@ -28,11 +31,32 @@ pub trait ClosedLoop {
     /// Telemetry columns, SI: `t`, `x1.CHANNEL`, `e1.CHANNEL`, `ratio1`, `d1.CHANNEL`, `u_sat.INPUT`, ...
     const SIGNALS: &'static [&'static str];
 
-    /// Whether campaigns simulate one run at a time, without lanes; as for [`crate::lanes::Kernel::SCALAR_ONLY`].
-    const SCALAR_ONLY: bool = false;
+    /// The widths of lanes that campaigns are compiled for; as for [`crate::lanes::Kernel::WIDTHS`].
+    const WIDTHS: &'static [Width] = &Width::ALL;
 
     /// Its simulator in numbers of any type.
     type Runs<T: Real>: Runs<T>;
+}
+
+/// A specification whose campaigns are compiled for scalars and for lanes of `LANES` numbers alone: results are the same, and the compiler
+/// has less to do.
+pub struct InLanes<L, const LANES: usize>(PhantomData<L>);
+
+impl<L: ClosedLoop, const LANES: usize> ClosedLoop for InLanes<L, LANES> {
+    const NAME: &'static str = L::NAME;
+    const SAMPLE_TIME: f64 = L::SAMPLE_TIME;
+    const OUTPUTS: &'static [&'static str] = L::OUTPUTS;
+    const INPUTS: &'static [&'static str] = L::INPUTS;
+    const SIGNALS: &'static [&'static str] = L::SIGNALS;
+    const WIDTHS: &'static [Width] = match LANES {
+        1 => &[Width::Scalar],
+        2 => &[Width::Scalar, Width::Bits128],
+        4 => &[Width::Scalar, Width::Bits256],
+        8 => &[Width::Scalar, Width::Bits512],
+        _ => panic!("lanes of 1, 2, 4 or 8 numbers"),
+    };
+
+    type Runs<T: Real> = L::Runs<T>;
 }
 
 /// A plant under sampled control; each lane is a run of its own. A run is `new`, then `control` and `advance` in turn.

@@ -23,12 +23,12 @@ struct Plant<T> {
 
 impl<T: Real> Sde<T, 1, 1> for Plant<T> {
     #[inline(always)]
-    fn drift(&self, _: T, x: &Vector<T, 1>) -> Vector<T, 1> {
+    fn drift(&self, _: f64, x: &Vector<T, 1>) -> Vector<T, 1> {
         Vector([self.a * x[0] * x[0] * x[0] + self.u])
     }
 
     #[inline(always)]
-    fn diffusion(&self, _: T, _: &Vector<T, 1>) -> Matrix<T, 1, 1> {
+    fn diffusion(&self, _: f64, _: &Vector<T, 1>) -> Matrix<T, 1, 1> {
         Matrix::rows([[T::from_f64(0.1)]])
     }
 }
@@ -89,7 +89,6 @@ impl<const CONSTRAINED: bool, T: Real> Runs<T> for MockLoop<CONSTRAINED, T> {
 
     #[inline(always)]
     fn advance(&mut self) {
-        let dt = T::from_f64(SAMPLE_TIME);
         let draw = match &self.noise {
             Some(noise) => noise.normal(self.sample, 0),
             None => T::zero(),
@@ -97,10 +96,10 @@ impl<const CONSTRAINED: bool, T: Real> Runs<T> for MockLoop<CONSTRAINED, T> {
         self.x = sde::step(
             Scheme::EulerMaruyama,
             &self.plant,
-            self.t(),
+            self.sample as f64 * SAMPLE_TIME,
             &self.x,
-            dt,
-            &Vector([draw * dt.sqrt()]),
+            SAMPLE_TIME,
+            &Vector([draw * T::from_f64(SAMPLE_TIME).sqrt()]),
         );
         self.sample += 1;
     }

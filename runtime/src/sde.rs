@@ -12,14 +12,14 @@ use crate::real::Real;
 /// An Ito equation with `N` states and `Q` Wiener processes.
 pub trait Sde<T: Real, const N: usize, const Q: usize> {
     /// `f(t, x)`.
-    fn drift(&self, t: T, x: &Vector<T, N>) -> Vector<T, N>;
+    fn drift(&self, t: f64, x: &Vector<T, N>) -> Vector<T, N>;
     /// `G(t, x)`.
-    fn diffusion(&self, t: T, x: &Vector<T, N>) -> Matrix<T, N, Q>;
+    fn diffusion(&self, t: f64, x: &Vector<T, N>) -> Matrix<T, N, Q>;
     /// `f(t, x)` and `G(t, x) dw`.
     #[inline(always)]
     fn drift_and_noise(
         &self,
-        t: T,
+        t: f64,
         x: &Vector<T, N>,
         dw: &Vector<T, Q>,
     ) -> (Vector<T, N>, Vector<T, N>) {
@@ -46,20 +46,20 @@ pub enum Scheme {
     RungeKutta4,
 }
 
-/// The state after a step of length `dt` from `(t, x)`, with the increments `dw` of the Wiener processes (variance `dt` each).
+/// The state after a step of length `dt` from `(t, x)`, time in seconds, with the increments `dw` of the Wiener processes (variance `dt` each).
 #[inline(always)]
 pub fn step<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     scheme: Scheme,
     sde: &S,
-    t: T,
+    t: f64,
     x: &Vector<T, N>,
-    dt: T,
+    dt: f64,
     dw: &Vector<T, Q>,
 ) -> Vector<T, N> {
     match scheme {
         Scheme::EulerMaruyama => {
             let (drift, noise) = sde.drift_and_noise(t, x, dw);
-            (*x + drift * dt) + noise
+            (*x + drift * T::from_f64(dt)) + noise
         }
         Scheme::Platen => platen(sde, t, x, dt, dw),
         Scheme::RungeKutta4 => runge_kutta4(sde, t, x, dt),
@@ -69,11 +69,12 @@ pub fn step<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
 #[inline(always)]
 fn platen<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     sde: &S,
-    t: T,
+    t: f64,
     x: &Vector<T, N>,
-    dt: T,
+    dt: f64,
     dw: &Vector<T, Q>,
 ) -> Vector<T, N> {
+    let dt = T::from_f64(dt);
     let drifted = *x + sde.drift(t, x) * dt;
     let diffusion = sde.diffusion(t, x);
     let h = dt.sqrt();
@@ -89,15 +90,15 @@ fn platen<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
 #[inline(always)]
 fn runge_kutta4<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     sde: &S,
-    t: T,
+    t: f64,
     x: &Vector<T, N>,
-    dt: T,
+    dt: f64,
 ) -> Vector<T, N> {
-    let two = T::from_f64(2.0);
-    let half = dt / two;
+    let (two, middle) = (T::from_f64(2.0), t + dt / 2.0);
+    let (whole, half) = (T::from_f64(dt), T::from_f64(dt / 2.0));
     let k1 = sde.drift(t, x);
-    let k2 = sde.drift(t + half, &(*x + k1 * half));
-    let k3 = sde.drift(t + half, &(*x + k2 * half));
-    let k4 = sde.drift(t + dt, &(*x + k3 * dt));
-    *x + (((k1 + k2 * two) + k3 * two) + k4) * (dt / T::from_f64(6.0))
+    let k2 = sde.drift(middle, &(*x + k1 * half));
+    let k3 = sde.drift(middle, &(*x + k2 * half));
+    let k4 = sde.drift(t + dt, &(*x + k3 * whole));
+    *x + (((k1 + k2 * two) + k3 * two) + k4) * T::from_f64(dt / 6.0)
 }

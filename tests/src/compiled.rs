@@ -28,6 +28,8 @@ pub struct Module {
 
 /// A generated controller.
 pub trait Sampled {
+    /// Starts anew from the measured states of all blocks, one after another.
+    fn reset(&mut self, t: f64, measured: &[f64]);
     /// One sample at time `t` with the measured states of all blocks, one after another.
     fn step(&mut self, t: f64, measured: &[f64]) -> Sample;
     /// The states by name.
@@ -144,10 +146,10 @@ macro_rules! module {
                 states("", &controller::initial(t, $(input(values, "", stringify!($x)),)* $(&$last(values, "params."))?))
             }
             fn control(values: &Values) -> Values {
-                let (t, state, params) = (input(values, "", "t"), state(values), params(values, "params."));
-                let outputs = controller::control(t, $(input(values, "", stringify!($x)),)* &state, &params);
-                let ControlOutputs { $($control,)* next } = outputs;
-                let mut values = states("next.", &next);
+                let (t, mut state, params) = (input(values, "", "t"), state(values), params(values, "params."));
+                let outputs = controller::control(t, $(input(values, "", stringify!($x)),)* &mut state, &params);
+                let ControlOutputs { $($control),* } = outputs;
+                let mut values = states("next.", &state);
                 values.extend([$((stringify!($control).to_owned(), $control.flat())),*]);
                 values
             }
@@ -170,6 +172,10 @@ macro_rules! module {
             }
 
             impl Sampled for Controller<f64> {
+                fn reset(&mut self, t: f64, mut measured: &[f64]) {
+                    $(let $x = take(&mut measured);)*
+                    self.reset(t, $($x),*);
+                }
                 fn step(&mut self, t: f64, mut measured: &[f64]) -> Sample {
                     $(let $x = take(&mut measured);)*
                     let output = self.step(t, $($x),*);

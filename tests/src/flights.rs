@@ -1,14 +1,11 @@
 //! The committed simulators, compiled once for all tests: the smallest in every width of lanes, the others without, since each takes the
 //! compiler a minute.
 
-use std::marker::PhantomData;
-
 use nsv_generated::{
     flexible_joint, motor_arm, nsv_attitude, pendulum, two_link_arm, underwater_vehicle,
 };
-use nsv_runtime::closed_loop::{ClosedLoop, Options, Runs};
+use nsv_runtime::closed_loop::{ClosedLoop, InLanes, Options, Runs};
 use nsv_runtime::ensemble::{Campaign, Summary, run};
-use nsv_runtime::real::Real;
 
 /// A simulator without its type.
 pub struct Flight {
@@ -54,18 +51,7 @@ impl Flight {
 }
 
 /// A simulator whose campaigns run without lanes.
-struct Scalar<L>(PhantomData<L>);
-
-impl<L: ClosedLoop> ClosedLoop for Scalar<L> {
-    const NAME: &'static str = L::NAME;
-    const SAMPLE_TIME: f64 = L::SAMPLE_TIME;
-    const OUTPUTS: &'static [&'static str] = L::OUTPUTS;
-    const INPUTS: &'static [&'static str] = L::INPUTS;
-    const SIGNALS: &'static [&'static str] = L::SIGNALS;
-    const SCALAR_ONLY: bool = true;
-
-    type Runs<T: Real> = L::Runs<T>;
-}
+type Scalar<L> = InLanes<L, 1>;
 
 const fn flight<L: ClosedLoop>() -> Flight {
     Flight {

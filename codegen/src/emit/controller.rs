@@ -4,15 +4,16 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use crate::emit::comment::{Comments, code, docs, prose};
-use crate::emit::function::{Function, Record, Results};
+use crate::emit::function::{Function, Record, Results, Updates};
 use crate::emit::interface::Interface;
 use crate::emit::literal::{float, row};
 use crate::emit::names::{Fields, ident};
-use crate::emit::pieces::Split;
+use crate::emit::pieces::{Split, call_with};
 use crate::emit::polynomial::Library;
+use crate::emit::record::constructor;
 use crate::emit::state::{State, all, state_fields};
 use crate::emit::types::{index, type_of, type_of_shape};
-use crate::ir::{Program, Shape, ValueId};
+use crate::ir::{Program, Shape, Type, ValueId};
 
 /// The controller's programs and names.
 pub(crate) struct Controller<'a> {
@@ -27,6 +28,12 @@ pub(crate) struct Controller<'a> {
     /// Names of the polynomial functions.
     pub(crate) tables: &'a Library,
 }
+
+/// The law's next states replace its states.
+pub(crate) const NEXT: Updates<'_> = Updates {
+    prefix: "next",
+    argument: "state",
+};
 
 /// The outputs of the law that `Output` passes on: all but the next states and the flag of the constraint.
 pub(crate) fn reported(control: &Program) -> impl Iterator<Item = &(String, ValueId)> {
@@ -51,15 +58,10 @@ impl Controller<'_> {
                 ty: "State",
                 fields: &states,
             },
-            Record {
-                prefix: "next",
-                ty: "State",
-                fields: &states,
-            },
         ];
         let initial_docs = ["The controller's states at its first sample.".to_owned()];
         let control_docs = [
-            "One sample of the control law: control, next states and the signals on the way."
+            "One sample of the control law: control and the signals on the way; the states become those of the next sample."
                 .to_owned(),
         ];
         let initial = Function {
@@ -68,6 +70,7 @@ impl Controller<'_> {
             records: &records,
             results: Results::Existing("State", &states),
             tables: self.tables,
+            updates: None,
         };
         let control = Function {
             program: self.control,
@@ -75,6 +78,7 @@ impl Controller<'_> {
             records: &records,
             results: Results::Own,
             tables: self.tables,
+            updates: Some(NEXT),
         };
         let mut items = self.constants();
         items.extend(
@@ -86,12 +90,14 @@ impl Controller<'_> {
             }
             .items(),
         );
+        let law = Split::new(&control, "law");
         items.push(self.output(&control));
-        items.push(self.controller_struct());
-        items.push(self.controller_impl(&initial, &control));
-        items.push(self.begin(&initial));
+        items.push(self.controller_struct(&law));
+        items.push(self.controller_impl(&control, &law));
+        items.push(self.begin());
+        items.push(self.restore());
         items.extend(initial.items(comments));
-        items.extend(Split::new(&control, "law").items(comments));
+        items.extend(law.items(comments));
         items
     }
 
@@ -152,6 +158,17 @@ impl Controller<'_> {
         );
         let docs_valid =
             docs(&["Whether the law was finite, so that its control and next states are used."]);
+        let zeros = reported(self.control).map(|(name, id)| {
+            let field = own.get(name);
+            match self.control.ty(*id) {
+                Type::Bool => quote!(#field: T::Mask::splat(false)),
+                Type::Real(shape) => {
+                    let constructor = constructor(shape);
+                    quote!(#field: #constructor::zero())
+                }
+            }
+        });
+        let zero_docs = docs(&["Before the first sample: all zero."]);
         quote! {
             #docs_struct
             #[derive(Clone, Copy, Debug)]
@@ -162,20 +179,30 @@ impl Controller<'_> {
                 pub valid: T::Mask,
                 #(#fields),*
             }
+
+            impl<T: Real> Output<T> {
+                #zero_docs
+                #[inline(always)]
+                pub fn zero() -> Self {
+                    Self { status: Status::OK, valid: T::Mask::splat(false), #(#zeros),* }
+                }
+            }
         }
     }
 
-    fn controller_struct(&self) -> TokenStream {
+    fn controller_struct(&self, law: &Split<'_>) -> TokenStream {
         let docs = docs(&[
             prose(&self.interface.title),
             String::new(),
             "The sampled controller: [`Controller::step`] is total, allocates nothing and cannot panic.".to_owned(),
         ]);
+        let prepared = law.prepare().map(|_| quote!(prepared: Prepared<T>,));
         quote! {
             #docs
             #[derive(Clone, Debug)]
             pub struct Controller<T: Real> {
                 params: Params<T>,
+                #prepared
                 state: State<T>,
                 started: T::Mask,
             }
@@ -195,30 +222,34 @@ impl Controller<'_> {
         (names, parameters)
     }
 
-    fn controller_impl(&self, initial: &Function<'_>, control: &Function<'_>) -> TokenStream {
+    fn controller_impl(&self, control: &Function<'_>, law: &Split<'_>) -> TokenStream {
         let (names, parameters) = self.measurements();
-        let start = call(initial, &quote!(&self.state));
+        let prepared = law.prepare().map(|prepare| {
+            let call = call_with(prepare, |_| quote!(&params));
+            quote!(prepared: #call,)
+        });
         let new_docs = docs(&["A controller that starts at its first step."]);
         let reset_docs = docs(&[
             "Starts anew from these measurements; from the next ones if they are not finite.",
         ]);
+        let measured = all(names.iter().map(|name| quote!(#name.is_finite())));
         let (state_docs, params_docs) = (docs(&["The states."]), docs(&["The parameters."]));
-        let step = self.step(control);
+        let step = self.step(control, law);
         quote! {
             impl<T: Real> Controller<T> {
                 #new_docs
                 #[inline(always)]
                 pub fn new(params: Params<T>) -> Self {
-                    Self { params, state: State::zero(), started: T::Mask::splat(false) }
+                    Self { #prepared params, state: State::zero(), started: T::Mask::splat(false) }
                 }
 
                 #reset_docs
                 #[inline(always)]
                 pub fn reset(&mut self, #(#parameters),*) {
-                    let start = #start;
-                    let finite = start.is_finite() #(.and(#names.is_finite()))*;
-                    self.state = State::select(finite, &start, &State::zero());
-                    self.started = finite;
+                    self.state = State::zero();
+                    self.started = T::Mask::splat(false);
+                    let mask = #measured;
+                    T::outlined(Begin { controller: self, mask, #(#names),* });
                 }
 
                 #step
@@ -235,19 +266,18 @@ impl Controller<'_> {
     }
 
     /// The states at the first sample, in a function of its own because it runs once.
-    fn begin(&self, initial: &Function<'_>) -> TokenStream {
+    fn begin(&self) -> TokenStream {
         let (_, parameters) = self.measurements();
         let (t, x) = parameters
             .split_first()
             .expect("invariant: time and states");
-        let arguments = initial.arguments().into_iter().map(|argument| {
-            let name = ident(&argument);
-            match argument.as_str() {
-                "params" => quote!(&self.controller.params),
-                _ => quote!(self.#name),
+        let initial = call_with(self.initial, |argument| match argument {
+            "params" => quote!(&self.controller.params),
+            _ => {
+                let name = ident(argument);
+                quote!(self.#name)
             }
         });
-        let name = initial.name();
         let docs = docs(&["Initialises the states where the mask is true and they are finite."]);
         quote! {
             #docs
@@ -263,18 +293,90 @@ impl Controller<'_> {
 
                 #[inline(always)]
                 fn run(self) {
-                    let start = #name(#(#arguments),*);
+                    let start = #initial;
                     let mask = self.mask.and(start.is_finite());
                     self.controller.state = State::select(mask, &start, &self.controller.state);
+                    self.controller.started = self.controller.started.or(mask);
                 }
             }
         }
     }
 
-    fn step(&self, control: &Function<'_>) -> TokenStream {
+    /// What a step does about lanes whose law was not finite, in a function of its own because that is rare.
+    fn restore(&self) -> TokenStream {
+        let (names, _) = self.measurements();
+        let origin = names.iter().map(|name| match name.to_string().as_str() {
+            "t" => quote!(#name: T::zero()),
+            _ => quote!(#name: Vector::zero()),
+        });
+        let docs = docs(&[
+            "Gives the states back where the law was not finite: those before it, or if they made it overflow those of a start at the origin, \
+             until the next sample.",
+        ]);
+        quote! {
+            #docs
+            struct Restore<'a, T: Real> {
+                controller: &'a mut Controller<T>,
+                valid: T::Mask,
+                measured: T::Mask,
+                before: Option<State<T>>,
+            }
+
+            impl<T: Real> Part for Restore<'_, T> {
+                type Output = ();
+
+                #[inline(always)]
+                fn run(self) {
+                    let zero = State::zero();
+                    let controller = self.controller;
+                    let kept = match &self.before {
+                        Some(before) => State::select(self.measured, &zero, before),
+                        None => zero,
+                    };
+                    controller.state = State::select(self.valid, &controller.state, &kept);
+                    let mask = self.measured.and(self.valid.not());
+                    T::outlined(Begin { controller: &mut *controller, mask, #(#origin),* });
+                    controller.started = controller.started.and(mask.not());
+                }
+            }
+        }
+    }
+
+    /// The step, and with a clock of its own the step with one that is given.
+    fn step(&self, control: &Function<'_>, law: &Split<'_>) -> TokenStream {
         let (names, parameters) = self.measurements();
+        let (t, x) = (&parameters[0], &parameters[1..]);
+        let (sample_docs, body) = (docs(&STEP_DOCS), self.sample(control, law));
+        let Some(clock) = law.clock() else {
+            return quote! {
+                #sample_docs
+                #[inline(always)]
+                pub fn step(&mut self, #t, #(#x),*) -> Output<T> { #body }
+            };
+        };
+        let (clock, measured) = (call_with(clock, argument), &names[1..]);
+        let at_docs = docs(&[
+            "As [`Controller::step`], with the values of [`clock`] at this time, which can serve many runs.",
+        ]);
+        quote! {
+            #sample_docs
+            #[inline(always)]
+            pub fn step(&mut self, #t, #(#x),*) -> Output<T> {
+                let clock = #clock;
+                self.step_at(t, &clock, #(#measured),*)
+            }
+
+            #at_docs
+            #[inline(always)]
+            pub fn step_at(&mut self, #t, clock: &Clock<T>, #(#x),*) -> Output<T> { #body }
+        }
+    }
+
+    /// The body of a step.
+    fn sample(&self, control: &Function<'_>, law: &Split<'_>) -> TokenStream {
+        let (names, _) = self.measurements();
         let own = control.output_fields();
-        let law = call(control, &quote!(&self.state));
+        let law = call_with(law.rest(), argument);
         let finite = all(names.iter().map(|name| quote!(#name.is_finite())));
         let has = |name: &str| {
             self.control
@@ -288,11 +390,6 @@ impl Controller<'_> {
         });
         let channels = (0..self.interface.inputs.len()).map(index);
         let saturated = any(channels.map(|channel| quote!(u[#channel].ne(u_sat[#channel]))));
-        let next_finite =
-            (!self.initial.outputs.is_empty()).then(|| quote!(.and(law.next.is_finite())));
-        let keep = next_finite
-            .is_some()
-            .then(|| quote!(self.state = if valid.all() { law.next } else { State::select(valid, &law.next, &self.state) };));
         let telemetry = reported(self.control).map(|(name, _)| {
             let field = own.get(name);
             if name == "u" || name == "u_sat" {
@@ -301,28 +398,38 @@ impl Controller<'_> {
                 quote!(#field: law.#field)
             }
         });
-        let docs = docs(&STEP_DOCS);
         quote! {
-            #docs
-            #[inline(always)]
-            pub fn step(&mut self, #(#parameters),*) -> Output<T> {
-                let measured = #finite;
-                let starting = measured.and(self.started.not());
-                if starting.any() {
-                    T::outlined(Begin { controller: self, mask: starting, #(#names),* });
-                }
-                let law = #law;
-                let valid = measured.and(law.u.is_finite()).and(law.u_sat.is_finite()) #next_finite;
-                #keep
-                self.started = valid.or(self.started.and(measured.not()));
-                let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
-                let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
-                let saturated = #saturated;
-                let status = Status::NON_FINITE_INPUT.when(valid.not().any())
-                    #violated
-                    | Status::SATURATED.when(saturated.any());
-                Output { status, valid, #(#telemetry),* }
+            let measured = #finite;
+            let starting = measured.and(self.started.not());
+            if starting.any() {
+                T::outlined(Begin { controller: self, mask: starting, #(#names),* });
             }
+            let before = if measured.all() { None } else { Some(self.state) };
+            let law = #law;
+            let valid = measured.and(self.started).and(law.u.is_finite()).and(law.u_sat.is_finite()).and(self.state.is_finite());
+            if !valid.all() {
+                T::outlined(Restore { controller: self, valid, measured, before });
+            }
+            let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
+            let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
+            let saturated = #saturated;
+            let status = Status::NON_FINITE_INPUT.when(valid.not().any())
+                #violated
+                | Status::SATURATED.when(saturated.any());
+            Output { status, valid, #(#telemetry),* }
+        }
+    }
+}
+
+/// An argument of the law or its clock inside a method that has the measurements as variables.
+fn argument(name: &str) -> TokenStream {
+    match name {
+        "params" => quote!(&self.params),
+        "prepared" => quote!(&self.prepared),
+        "state" => quote!(&mut self.state),
+        other => {
+            let name = ident(other);
+            quote!(#name)
         }
     }
 }
@@ -332,29 +439,12 @@ const STEP_DOCS: [&str; 5] = [
     "One sample: the control for the time since start (s) and the measured states (SI), after which the states are those of the next sample.",
     "",
     "Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`], the status has \
-     `NON_FINITE_INPUT`, and the states stay as they were. `SATURATED` means that a control is at its limit, `CONSTRAINT_VIOLATED` \
+     `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a control is at its limit, `CONSTRAINT_VIOLATED` \
      that an error has reached its bound and the barrier was clamped.",
     "",
     "The first step with finite measurements initialises the states; so does the step after one whose law overflowed although its \
      measurements were finite, since such states are beyond use.",
 ];
-
-/// A call of `function` from a method that has the measurements as variables.
-fn call(function: &Function<'_>, state: &TokenStream) -> TokenStream {
-    let name = function.name();
-    let arguments = function
-        .arguments()
-        .into_iter()
-        .map(|argument| match argument.as_str() {
-            "params" => quote!(&self.params),
-            "state" => state.clone(),
-            other => {
-                let name = ident(other);
-                quote!(#name)
-            }
-        });
-    quote!(#name(#(#arguments),*))
-}
 
 fn any(masks: impl Iterator<Item = TokenStream>) -> TokenStream {
     masks

@@ -50,6 +50,17 @@ pub(crate) struct Function<'a> {
     pub(crate) results: Results<'a>,
     /// Names of the polynomial functions.
     pub(crate) tables: &'a Library,
+    /// Outputs that replace fields of an argument, if there are any.
+    pub(crate) updates: Option<Updates<'a>>,
+}
+
+/// Outputs `prefix.NAME` that replace the fields NAME of an argument, a record.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Updates<'a> {
+    /// What the outputs' names begin with, without the dot.
+    pub(crate) prefix: &'a str,
+    /// The argument.
+    pub(crate) argument: &'a str,
 }
 
 impl Function<'_> {
@@ -88,7 +99,7 @@ impl Function<'_> {
                     .outputs
                     .iter()
                     .map(|(name, _)| name.as_str())
-                    .filter(|name| self.record(name).is_none()),
+                    .filter(|name| self.updated(name).is_none()),
             ),
             Results::Existing(_, fields) => fields.clone(),
         }
@@ -111,7 +122,7 @@ impl Function<'_> {
     }
 
     /// The record of a dotted name, and the name in it.
-    fn record<'n>(&self, name: &'n str) -> Option<(&Record<'_>, &'n str)> {
+    pub(super) fn record<'n>(&self, name: &'n str) -> Option<(&Record<'_>, &'n str)> {
         let (prefix, rest) = name.split_once('.')?;
         Some((
             self.records.iter().find(|record| record.prefix == prefix)?,
@@ -119,11 +130,19 @@ impl Function<'_> {
         ))
     }
 
+    /// The field of an argument that an output replaces, as an input's name.
+    pub(super) fn updated(&self, output: &str) -> Option<String> {
+        let Updates { prefix, argument } = self.updates?;
+        let name = output.strip_prefix(prefix)?.strip_prefix('.')?;
+        Some(format!("{argument}.{name}"))
+    }
+
     /// The function.
     pub(crate) fn function(&self, comments: &mut Comments) -> TokenStream {
         let plan = Plan::new(self.program);
         let (names, parameters) = self.names(&plan);
-        let statements = self.statements(&plan, &names, comments);
+        let updates = self.update_list(&plan, &names);
+        let statements = self.statements(&plan, &names, &updates, comments);
         let result = self.result(&names);
         let body = quote!(#(#statements)* #result);
         let prologue = prologue(&body);
@@ -259,7 +278,9 @@ impl Function<'_> {
         match self.record(&input.name) {
             Some((record, _)) => {
                 let ty = ident(record.ty);
-                quote!(#argument: &#ty<T>)
+                let updated = self.updates.is_some_and(|to| to.argument == record.prefix);
+                let mutable = updated.then(|| quote!(mut));
+                quote!(#argument: &#mutable #ty<T>)
             }
             None => {
                 let ty = type_of_shape(input.shape);
@@ -268,33 +289,8 @@ impl Function<'_> {
         }
     }
 
-    fn statements(
-        &self,
-        plan: &Plan,
-        names: &Names<'_>,
-        comments: &mut Comments,
-    ) -> Vec<TokenStream> {
-        let mut statements = Vec::new();
-        let unknown = Origin::default();
-        let mut group = "";
-        let mut equation = "";
-        for step in &plan.steps {
-            let origin = self.origin(step.value).unwrap_or(&unknown);
-            if !origin.group.is_empty() && origin.group != group {
-                statements.push(comments.heading(&origin.group));
-            }
-            statements.extend(step.temporaries.iter().map(|&id| self.statement(id, names)));
-            if !origin.equation.is_empty() && origin.equation != equation {
-                statements.push(comments.note(&origin.equation));
-            }
-            statements.push(self.statement(step.value, names));
-            (group, equation) = (&origin.group, &origin.equation);
-        }
-        statements
-    }
-
     /// `let name = formula;`, with the type where the value is a literal array.
-    fn statement(&self, id: ValueId, names: &Names<'_>) -> TokenStream {
+    pub(super) fn statement(&self, id: ValueId, names: &Names<'_>) -> TokenStream {
         let variable = &names.variables[id.0 as usize];
         let instruction = self.program.instruction(id);
         if let (Op::Const(data), Type::Real(shape @ (Shape::Vector(_) | Shape::Matrix(..)))) =
@@ -310,7 +306,7 @@ impl Function<'_> {
         }
     }
 
-    fn origin(&self, id: ValueId) -> Option<&Origin> {
+    pub(super) fn origin(&self, id: ValueId) -> Option<&Origin> {
         self.program
             .origins
             .get(self.program.instruction(id).origin?)
@@ -319,58 +315,34 @@ impl Function<'_> {
     fn result(&self, names: &Names<'_>) -> TokenStream {
         let ty = self.results_type();
         let own = self.output_fields();
-        let mut fields = Vec::new();
-        let mut nested: BTreeMap<&str, Vec<TokenStream>> = BTreeMap::new();
-        for (name, id) in &self.program.outputs {
-            let value = names.operand(*id).tokens;
-            match self.record(name) {
-                Some((record, rest)) => nested
-                    .entry(record.prefix)
-                    .or_default()
-                    .push(assigned(record.fields.get(rest), &value)),
-                None => fields.push(assigned(own.get(name), &value)),
-            }
-        }
-        for (prefix, values) in nested {
-            let record = self
-                .records
-                .iter()
-                .find(|record| record.prefix == prefix)
-                .expect("invariant: found before");
-            let (field, ty) = (ident(prefix), ident(record.ty));
-            fields.push(quote!(#field: #ty { #(#values),* }));
-        }
+        let returned = self
+            .program
+            .outputs
+            .iter()
+            .filter(|(name, _)| self.updated(name).is_none());
+        let early = self.returned_early(names);
+        let fields = returned.map(|(name, id)| {
+            let value = match early.get(id) {
+                Some(variable) => quote!(#variable),
+                None => names.operand(*id).tokens,
+            };
+            assigned(own.get(name), &value)
+        });
         quote!(#ty { #(#fields),* })
     }
 
     fn outputs_struct(&self) -> TokenStream {
         let (ty, own) = (self.results_type(), self.output_fields());
-        let mut fields = Vec::new();
-        let mut nested: Vec<&str> = Vec::new();
-        for (name, id) in &self.program.outputs {
-            match self.record(name) {
-                Some((record, _)) if nested.contains(&record.prefix) => {}
-                Some((record, _)) => nested.push(record.prefix),
-                None => {
-                    let (field, ty, docs) = (
-                        own.get(name),
-                        type_of(self.program.ty(*id)),
-                        docs(&[self.output_doc(name, *id)]),
-                    );
-                    fields.push(quote!(#docs pub #field: #ty));
-                }
-            }
-        }
-        for prefix in nested {
-            let record = self
-                .records
-                .iter()
-                .find(|record| record.prefix == prefix)
-                .expect("invariant: found before");
-            let (field, ty) = (ident(prefix), ident(record.ty));
-            let docs = docs(&[format!("All outputs {}.", code(&format!("{prefix}.*")))]);
-            fields.push(quote!(#docs pub #field: #ty<T>));
-        }
+        let returned = self
+            .program
+            .outputs
+            .iter()
+            .filter(|(name, _)| self.updated(name).is_none());
+        let fields = returned.map(|(name, id)| {
+            let (field, ty) = (own.get(name), type_of(self.program.ty(*id)));
+            let docs = docs(&[self.output_doc(name, *id)]);
+            quote!(#docs pub #field: #ty)
+        });
         let docs = docs(&[format!("Results of [`{}`].", self.name())]);
         quote!(#docs #[derive(Clone, Copy, Debug)] pub struct #ty<T: Real> { #(#fields),* })
     }

@@ -21,6 +21,7 @@ pub(crate) fn function<'a>(
         records,
         results: Results::Own,
         tables,
+        updates: None,
     }
 }
 

@@ -28,6 +28,7 @@ mod simulator;
 mod source;
 mod standalone;
 mod state;
+mod statements;
 mod telemetry;
 mod types;
 

@@ -7,10 +7,11 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::emit::comment::{Comments, clean, code, docs, prose};
-use crate::emit::controller::Controller;
+use crate::emit::controller::{Controller, NEXT};
 use crate::emit::function::{Function, Record, Results};
 use crate::emit::interface::Interface;
 use crate::emit::names::{Fields, ident, snake};
+use crate::emit::pieces::Split;
 use crate::emit::plant::Plant;
 use crate::emit::polynomial::Library;
 use crate::emit::simulator::Simulator;
@@ -141,10 +142,12 @@ const IMPORTS: [(&str, &[&str]); 6] = [
             "nsv_runtime::noise::Noise",
             "nsv_runtime::sde",
             "nsv_runtime::sde::Scheme",
+            "super::controller::Clock",
             "super::controller::Controller",
             "super::controller::Output",
             "super::controller::SAMPLE_TIME",
             "super::controller::State",
+            "super::controller::clock",
             "super::lyapunov",
             "super::params::Params",
             "super::plant::INITIAL_STATE",
@@ -262,11 +265,6 @@ fn simulator(
             ty: "State",
             fields: states,
         },
-        Record {
-            prefix: "next",
-            ty: "State",
-            fields: states,
-        },
     ];
     let lyapunov_records = lyapunov::records(params, states);
     let function = |program, records| Function {
@@ -275,13 +273,20 @@ fn simulator(
         records,
         results: Results::Own,
         tables: library,
+        updates: Some(NEXT),
     };
+    let (plant, control) = (
+        function(programs.plant, &plant_records),
+        function(programs.control, &control_records),
+    );
     Simulator {
         interface,
-        plant: &function(programs.plant, &plant_records),
+        dynamics: &Split::new(&plant, "dynamics"),
+        law: &Split::new(&control, "law"),
+        plant: &plant,
         lyapunov: &function(programs.lyapunov, &lyapunov_records),
         initial: programs.initial,
-        control: &function(programs.control, &control_records),
+        control: &control,
     }
     .items()
 }

@@ -6,28 +6,37 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::emit::methods::function_name;
-use crate::emit::names::Scope;
+use crate::emit::names::{Scope, snake};
 use crate::emit::plan::Plan;
 use crate::ir::{Function, Op, Program, Shape, Type, ValueId};
 
 /// A call on an array of which nothing but single values is used.
-pub(crate) struct Pack<'p> {
+pub(crate) struct Pack {
     function: Function,
-    arguments: &'p [ValueId],
+    arguments: Vec<Argument>,
     /// Whether each value is used.
     used: Vec<bool>,
 }
 
+/// What a call on an array is given.
+enum Argument {
+    /// A value.
+    Value(ValueId),
+    /// An entry of an input that has no name of its own.
+    Entry(String),
+}
+
 /// The calls on arrays of which nothing but single values is used.
-pub(crate) fn packs<'p>(program: &'p Program, plan: &Plan) -> BTreeMap<ValueId, Pack<'p>> {
+pub(crate) fn packs(program: &Program, plan: &Plan) -> BTreeMap<ValueId, Pack> {
     let mut packs = BTreeMap::new();
+    let named = named_entries(program, plan);
     let live = (0..)
         .map(ValueId)
         .zip(&program.instructions)
         .zip(&plan.live);
     for ((id, instruction), _) in live.filter(|(_, live)| **live) {
         if let Op::Apply(function, array) = instruction.op
-            && let Op::Array(arguments) = &program.instruction(array).op
+            && let Some(arguments) = arguments(program, array, &named)
             && function != Function::Neg
             && matches!(instruction.ty, Type::Real(Shape::Vector(_)))
             && !plan.labels.contains_key(&id)
@@ -59,7 +68,39 @@ pub(crate) fn packs<'p>(program: &'p Program, plan: &Plan) -> BTreeMap<ValueId, 
     packs
 }
 
-impl Pack<'_> {
+/// The named entries of inputs, by array and row.
+fn named_entries(program: &Program, plan: &Plan) -> BTreeMap<(ValueId, usize), ValueId> {
+    let labelled = plan.labels.keys();
+    let entries = labelled.filter_map(|&id| match program.instruction(id).op {
+        Op::Element(array, row, 0) if matches!(program.instruction(array).op, Op::Input(_)) => {
+            Some(((array, row), id))
+        }
+        _ => None,
+    });
+    entries.collect()
+}
+
+/// The entries of an array that is made of them, or of an input.
+fn arguments(
+    program: &Program,
+    array: ValueId,
+    named: &BTreeMap<(ValueId, usize), ValueId>,
+) -> Option<Vec<Argument>> {
+    match (&program.instruction(array).op, program.shape(array)) {
+        (Op::Array(arguments), _) => Some(arguments.iter().copied().map(Argument::Value).collect()),
+        (Op::Input(at), Shape::Vector(n)) => {
+            let input = snake(&program.inputs[*at].name);
+            let entry = |row: usize| match named.get(&(array, row)) {
+                Some(&id) => Argument::Value(id),
+                None => Argument::Entry(format!("{input}_{row}")),
+            };
+            Some((0..n).map(entry).collect())
+        }
+        _ => None,
+    }
+}
+
+impl Pack {
     /// The variables of the values, named after the variables of their arguments; `_` for those that nothing uses.
     pub(crate) fn variables(
         &self,
@@ -67,11 +108,15 @@ impl Pack<'_> {
         scope: &mut Scope,
     ) -> Vec<TokenStream> {
         let function = function_name(self.function);
-        let variable = |(&argument, &used): (&ValueId, &bool)| {
+        let variable = |(argument, &used): (&Argument, &bool)| {
             if !used {
                 return quote!(_);
             }
-            let variable = match names(argument) {
+            let name = match argument {
+                Argument::Value(id) => names(*id),
+                Argument::Entry(name) => Some(name.clone()),
+            };
+            let variable = match name {
                 Some(name) => scope.claim(&format!("{function}_{name}")),
                 None => scope.claim(function),
             };

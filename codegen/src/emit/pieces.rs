@@ -1,14 +1,16 @@
 //! A program as functions that can be called as often as each needs: once for a run, once for a sample, once for a sample of each run; and
 //! one function that calls them all.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::emit::comment::{Comments, code};
+use crate::emit::comment::{Comments, code, docs};
 use crate::emit::function::{Function, Record, Results};
-use crate::emit::names::{Fields, ident};
+use crate::emit::names::{Fields, Scope, ident, snake};
 use crate::emit::record::{self, Field};
-use crate::ir::{Program, ValueId};
+use crate::ir::{Program, Shape, ValueId};
 use crate::opt::hoist::{Pieces, hoist};
 
 /// The function of a program in pieces.
@@ -29,6 +31,29 @@ impl<'a> Split<'a> {
         Split { whole, pieces }
     }
 
+    /// The piece of what depends on parameters alone.
+    pub(crate) fn prepare(&self) -> Option<&Program> {
+        self.pieces.prepare.as_ref()
+    }
+
+    /// The piece of what depends on time and parameters alone.
+    pub(crate) fn clock(&self) -> Option<&Program> {
+        self.pieces.clock.as_ref()
+    }
+
+    /// The piece that gives the results: the whole if there is no other.
+    pub(crate) fn rest(&self) -> &Program {
+        if self.is_whole() {
+            self.whole.program
+        } else {
+            &self.pieces.rest
+        }
+    }
+
+    fn is_whole(&self) -> bool {
+        self.pieces.prepare.is_none() && self.pieces.clock.is_none()
+    }
+
     /// The pieces with their structs, and the function that calls them; the function alone if it has no pieces.
     pub(crate) fn items(&self, comments: &mut Comments) -> Vec<TokenStream> {
         let Pieces {
@@ -36,16 +61,11 @@ impl<'a> Split<'a> {
             clock,
             rest,
         } = &self.pieces;
-        if prepare.is_none() && clock.is_none() {
+        if self.is_whole() {
             return self.whole.items(comments);
         }
         let (prepared, at) = (fields(prepare), fields(clock));
-        let record = |prefix, ty, fields| Record { prefix, ty, fields };
-        let mut records = self.whole.records.to_vec();
-        records.extend([
-            record("prepared", "Prepared", &prepared),
-            record("clock", "Clock", &at),
-        ]);
+        let records = self.records(&prepared, &at);
         let own = self.whole.output_fields();
         let results = self.whole.results_type().to_string();
         let mut items = Vec::new();
@@ -59,6 +79,7 @@ impl<'a> Split<'a> {
                     records: &records,
                     results,
                     tables: self.whole.tables,
+                    updates: self.whole.updates,
                 };
                 calls.push(call(&function, &arguments));
                 items.push(function.function(comments));
@@ -75,6 +96,7 @@ impl<'a> Split<'a> {
         }
         if let Some(clock) = clock {
             items.push(definition(clock, "Clock", "Values of [`clock`].", &at));
+            items.push(in_lanes(clock, &at));
             add(
                 &mut items,
                 clock,
@@ -87,6 +109,36 @@ impl<'a> Split<'a> {
         add(&mut items, rest, self.whole.docs, existing);
         items.push(self.whole.calling(&self.body(&calls)));
         items
+    }
+
+    /// The records of the whole and of the values of its pieces.
+    fn records<'r>(&'r self, prepared: &'r Fields, clock: &'r Fields) -> Vec<Record<'r>> {
+        let record = |prefix, ty, fields| Record { prefix, ty, fields };
+        let mut records = self.whole.records.to_vec();
+        records.extend([
+            record("prepared", "Prepared", prepared),
+            record("clock", "Clock", clock),
+        ]);
+        records
+    }
+
+    /// The function of a part of `rest`, from the values of the other pieces.
+    pub(crate) fn part(
+        &self,
+        program: &Program,
+        docs: &[String],
+        comments: &mut Comments,
+    ) -> Vec<TokenStream> {
+        let (prepared, clock) = (fields(&self.pieces.prepare), fields(&self.pieces.clock));
+        let function = Function {
+            program,
+            docs,
+            records: &self.records(&prepared, &clock),
+            results: Results::Own,
+            tables: self.whole.tables,
+            updates: None,
+        };
+        function.items(comments)
     }
 
     /// Calls of the pieces one after another.
@@ -130,13 +182,47 @@ fn fields(piece: &Option<Program>) -> Fields {
 }
 
 fn definition(piece: &Program, ty: &str, about: &str, fields: &Fields) -> TokenStream {
+    record::definition(ty, &[about.to_owned()], &record_fields(piece, fields))
+}
+
+/// A call of a piece where each argument, an input or the record of inputs, is `value` of its name.
+pub(crate) fn call_with(program: &Program, value: impl Fn(&str) -> TokenStream) -> TokenStream {
+    let mut known = BTreeSet::new();
+    let names = program.inputs.iter().map(|input| {
+        let name = input.name.as_str();
+        name.split_once('.').map_or(name, |(record, _)| record)
+    });
+    let arguments = names.filter(|name| known.insert(*name)).map(value);
+    let name = Scope::default().claim(&snake(&program.name));
+    quote!(#name(#(#arguments),*))
+}
+
+fn record_fields(piece: &Program, fields: &Fields) -> Vec<Field> {
     let field = |(name, id): &(String, ValueId)| Field {
         name: fields.get(name).clone(),
         shape: piece.shape(*id),
         docs: vec![field_doc(piece, name, *id)],
     };
-    let fields: Vec<Field> = piece.outputs.iter().map(field).collect();
-    record::definition(ty, &[about.to_owned()], &fields)
+    piece.outputs.iter().map(field).collect()
+}
+
+/// The conversion of a clock in scalars to one of any type.
+fn in_lanes(clock: &Program, fields: &Fields) -> TokenStream {
+    let value = record::literal(&quote!(Self), &record_fields(clock, fields), |field| {
+        let (constructor, name) = (record::constructor(field.shape), &field.name);
+        match field.shape {
+            Shape::Scalar => quote!(T::splat(clock.#name)),
+            _ => quote!(#constructor::splat_lanes(clock.#name)),
+        }
+    });
+    let docs = docs(&["The same values in every lane."]);
+    quote! {
+        impl<T: Real> Clock<T> {
+            #docs
+            #[inline(always)]
+            pub fn splat(clock: &Clock<T::Scalar>) -> Self { #value }
+        }
+    }
 }
 
 /// The equation of a value, or the quantity that it is a part of.

@@ -10,7 +10,7 @@ use crate::emit::function::{Function, Record, Results};
 use crate::emit::interface::Interface;
 use crate::emit::literal::row;
 use crate::emit::names::{Fields, ident};
-use crate::emit::pieces::Split;
+use crate::emit::pieces::{Split, call_with};
 use crate::emit::polynomial::Library;
 use crate::emit::source::mentions;
 use crate::emit::types::index;
@@ -49,37 +49,35 @@ impl Plant<'_> {
             fields: self.params,
         }];
         let function_docs = ["Drift and diffusion of the plant and its disturbances.".to_owned()];
-        let diffusion_docs = ["Diffusion of the plant and its disturbances.".to_owned()];
         let function = Function {
             program: self.plant,
             docs: &function_docs,
             records: &records,
             results: Results::Own,
             tables: self.tables,
+            updates: None,
         };
-        let alone = self.diffusion_alone();
-        let alone = alone.as_ref().map(|program| Function {
-            program,
-            docs: &diffusion_docs,
-            ..function
-        });
+        let dynamics = Split::new(&function, "dynamics");
         let mut items = self.constants();
-        items.push(self.plant_struct());
-        items.push(self.equation(&function, alone.as_ref().unwrap_or(&function)));
+        items.push(self.plant_struct(&dynamics));
+        let diffusion = self.diffusion_alone(&dynamics);
+        let alone = diffusion.as_ref().unwrap_or(dynamics.rest());
+        items.push(self.equation(&dynamics, alone));
         items.extend(self.diffuse());
-        items.extend(Split::new(&function, "dynamics").items(comments));
+        items.extend(dynamics.items(comments));
+        let docs = ["Diffusion of the plant and its disturbances.".to_owned()];
         items.extend(
-            alone
-                .into_iter()
-                .flat_map(|function| function.items(comments)),
+            diffusion
+                .iter()
+                .flat_map(|diffusion| dynamics.part(diffusion, &docs, comments)),
         );
         items
     }
 
     /// The diffusion as a program of its own, if an integrator asks for it at other states than for the drift.
-    fn diffusion_alone(&self) -> Option<Program> {
+    fn diffusion_alone(&self, dynamics: &Split<'_>) -> Option<Program> {
         let again = !self.held() && uses(self.plant, "diffusion", "x");
-        again.then(|| hoist::part(self.plant, "diffusion"))
+        again.then(|| hoist::part(dynamics.rest(), "diffusion"))
     }
 
     /// Whether noise is held over a sample and so is part of the drift.
@@ -135,7 +133,7 @@ impl Plant<'_> {
         )
     }
 
-    fn plant_struct(&self) -> TokenStream {
+    fn plant_struct(&self, dynamics: &Split<'_>) -> TokenStream {
         let inputs = index(self.interface.inputs.len());
         let (params_docs, u_docs) = (
             docs(&["Parameters."]),
@@ -145,6 +143,10 @@ impl Plant<'_> {
             let docs = docs(&["Noise, standard normal, held between samples."]);
             quote!(#docs pub xi: Vector<T, NOISE_CHANNELS>,)
         });
+        let prepared = dynamics.prepare().map(|_| {
+            let docs = docs(&["Values of [`prepare`] for these parameters."]);
+            quote!(#docs pub prepared: Prepared<T>,)
+        });
         let docs = docs(&["The plant under a control that is held between samples."]);
         quote! {
             #docs
@@ -152,6 +154,7 @@ impl Plant<'_> {
             pub struct Plant<T> {
                 #params_docs
                 pub params: Params<T>,
+                #prepared
                 #u_docs
                 pub u_sat: Vector<T, #inputs>,
                 #held
@@ -159,9 +162,13 @@ impl Plant<'_> {
         }
     }
 
-    /// The equation by the plant's function; `alone` gives the diffusion without the drift.
-    fn equation(&self, function: &Function<'_>, alone: &Function<'_>) -> TokenStream {
-        let (held, call) = (self.held(), call(function));
+    /// The equation by `dynamics`, and by `alone` where the diffusion is all that is asked for.
+    fn equation(&self, dynamics: &Split<'_>, alone: &Program) -> TokenStream {
+        let (held, rate, alone_rate) = (
+            self.held(),
+            rate(dynamics, dynamics.rest()),
+            rate(dynamics, alone),
+        );
         let wiener = noise_channels(self.plant) > 0 && !held;
         let vector = quote!(Vector<T, STATES>);
         let columns = if wiener {
@@ -173,52 +180,54 @@ impl Plant<'_> {
         let (drift_docs, drift) = if held {
             (
                 "Drift, with the noise that is held between samples.",
-                quote!(let rate = #call; rate.drift + diffuse(&rate.diffusion, &self.plant.xi)),
+                quote!(#rate rate.drift + diffuse(&rate.diffusion, &self.plant.xi)),
             )
         } else {
-            ("Drift.", quote!(#call.drift))
+            ("Drift.", quote!(#rate rate.drift))
         };
-        let mut parts = vec![part("Drift", drift_docs, &vector, &drift, None)];
+        let ((time, t, given), (alone_time, alone_t, alone_given)) =
+            (time_of(dynamics.rest()), time_of(alone));
+        let (time, alone_time) = (time.as_ref(), alone_time.as_ref());
+        let mut parts = vec![part("Drift", drift_docs, &vector, &drift, [time, None])];
         let diffusion = if wiener {
             let matrix = quote!(Matrix<T, STATES, NOISE_CHANNELS>);
-            let alone = self::call(alone);
-            let both = quote!(let rate = #call; (rate.drift, diffuse(&rate.diffusion, self.dw)));
+            let both = quote!(#rate (rate.drift, diffuse(&rate.diffusion, self.dw)));
             parts.push(part(
                 "Diffusion",
                 "Diffusion.",
                 &matrix,
-                &quote!(#alone.diffusion),
-                None,
+                &quote!(#alone_rate rate.diffusion),
+                [alone_time, None],
             ));
             parts.push(part(
                 "Rates",
                 "Drift, and diffusion times noise.",
                 &quote!((#vector, #vector)),
                 &both,
-                Some(&quote!(dw: &'a Vector<T, NOISE_CHANNELS>)),
+                [time, Some(&quote!(dw: &'a Vector<T, NOISE_CHANNELS>))],
             ));
             quote! {
                 #[inline(always)]
-                fn diffusion(&self, t: T, x: &#vector) -> #matrix {
-                    T::outlined(Diffusion { plant: self, t, x })
+                fn diffusion(&self, #alone_t: f64, x: &#vector) -> #matrix {
+                    T::outlined(Diffusion { plant: self, #alone_given x })
                 }
 
                 #[inline(always)]
-                fn drift_and_noise(&self, t: T, x: &#vector, dw: &Vector<T, NOISE_CHANNELS>) -> (#vector, #vector) {
-                    T::outlined(Rates { plant: self, t, x, dw })
+                fn drift_and_noise(&self, #t: f64, x: &#vector, dw: &Vector<T, NOISE_CHANNELS>) -> (#vector, #vector) {
+                    T::outlined(Rates { plant: self, #given x, dw })
                 }
             }
         } else {
             quote! {
                 #[inline(always)]
-                fn diffusion(&self, _t: T, _x: &#vector) -> Matrix<T, STATES, #columns> { Matrix::zero() }
+                fn diffusion(&self, _t: f64, _x: &#vector) -> Matrix<T, STATES, #columns> { Matrix::zero() }
             }
         };
         quote! {
             impl<T: Real> Sde<T, STATES, #columns> for Plant<T> {
                 #[inline(always)]
-                fn drift(&self, t: T, x: &#vector) -> #vector {
-                    T::outlined(Drift { plant: self, t, x })
+                fn drift(&self, #t: f64, x: &#vector) -> #vector {
+                    T::outlined(Drift { plant: self, #given x })
                 }
 
                 #diffusion
@@ -280,18 +289,18 @@ fn part(
     about: &str,
     output: &TokenStream,
     body: &TokenStream,
-    noise: Option<&TokenStream>,
+    arguments: [Option<&TokenStream>; 2],
 ) -> TokenStream {
     let (name, docs) = (ident(name), docs(&[about]));
-    let unused = ["plant", "t"].iter().any(|field| !mentions(body, field));
-    let unused =
-        unused.then(|| quote!(#[allow(dead_code, reason = "a diffusion may need states alone")]));
+    let [t, noise] = arguments;
+    let unused = (!mentions(body, "plant"))
+        .then(|| quote!(#[allow(dead_code, reason = "a diffusion may need states alone")]));
     quote! {
         #docs
         #unused
         struct #name<'a, T> {
             plant: &'a Plant<T>,
-            t: T,
+            #t
             x: &'a Vector<T, STATES>,
             #noise
         }
@@ -305,16 +314,49 @@ fn part(
     }
 }
 
-fn call(function: &Function<'_>) -> TokenStream {
-    let name = function.name();
-    let arguments = function
-        .arguments()
-        .into_iter()
-        .map(|argument| match argument.as_str() {
-            "params" => quote!(&self.plant.params),
-            "u_sat" => quote!(self.plant.u_sat),
-            "x" => quote!(*self.x),
-            _ => quote!(self.t),
+/// The field for the time of a part that calls a program, the parameter that gives it, and the argument: none if the program does not
+/// read the time.
+fn time_of(program: &Program) -> (Option<TokenStream>, TokenStream, TokenStream) {
+    if reads_clock(program) || program.inputs.iter().any(|input| input.name == "t") {
+        (Some(quote!(t: f64,)), quote!(t), quote!(t,))
+    } else {
+        (None, quote!(_t), quote!())
+    }
+}
+
+/// Whether a program needs values of `clock`.
+fn reads_clock(program: &Program) -> bool {
+    let mut names = program.inputs.iter().map(|input| &input.name);
+    names.any(|name| name.starts_with("clock."))
+}
+
+/// `let rate = ..;` of a part of the plant's equation, by a piece. A clock that depends on time alone serves all lanes.
+fn rate(dynamics: &Split<'_>, piece: &Program) -> TokenStream {
+    let clock = dynamics.clock().filter(|_| reads_clock(piece));
+    let clock = clock.map(|clock| {
+        let shared = clock.inputs.iter().all(|input| input.name == "t");
+        let call = call_with(clock, |argument| match argument {
+            "t" if shared => quote!(T::Scalar::from_f64(self.t)),
+            other => self::argument(other),
         });
-    quote!(#name(#(#arguments),*))
+        if shared {
+            quote!(let clock = Clock::splat(&#call);)
+        } else {
+            quote!(let clock = #call;)
+        }
+    });
+    let call = call_with(piece, argument);
+    quote!(#clock let rate = #call;)
+}
+
+/// An argument of the plant's functions inside a part of its equation.
+fn argument(name: &str) -> TokenStream {
+    match name {
+        "t" => quote!(T::from_f64(self.t)),
+        "params" => quote!(&self.plant.params),
+        "prepared" => quote!(&self.plant.prepared),
+        "clock" => quote!(&clock),
+        "u_sat" => quote!(self.plant.u_sat),
+        _ => quote!(*self.x),
+    }
 }

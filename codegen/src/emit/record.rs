@@ -30,6 +30,7 @@ pub(crate) fn definition(ty: &str, lines: &[String], fields: &[Field]) -> TokenS
     quote! {
         #lines
         #[derive(Clone, Copy, Debug, PartialEq)]
+        #[repr(align(64))]
         pub struct #ty<T> { #(#fields)* #marker }
     }
 }

@@ -10,6 +10,7 @@ use crate::emit::function::Function;
 use crate::emit::interface::Interface;
 use crate::emit::literal::float;
 use crate::emit::names::ident;
+use crate::emit::pieces::{Split, call_with};
 use crate::emit::plant::noise_channels;
 use crate::emit::telemetry::{Column, columns};
 use crate::emit::types::index;
@@ -22,6 +23,10 @@ pub(crate) struct Simulator<'a> {
     pub(crate) interface: &'a Interface,
     /// The programs' functions.
     pub(crate) plant: &'a Function<'a>,
+    /// The pieces of the plant's function.
+    pub(crate) dynamics: &'a Split<'a>,
+    /// The pieces of the law.
+    pub(crate) law: &'a Split<'a>,
     /// V and LV.
     pub(crate) lyapunov: &'a Function<'a>,
     /// Initial states of the controller, for their shapes.
@@ -62,12 +67,14 @@ impl Simulator<'_> {
     fn definition(&self) -> TokenStream {
         let docs = docs(&["Runs of controller and plant, one in each lane."]);
         let noise = (self.channels() > 0).then(|| quote!(noise: Option<Noise<T>>,));
+        let prepared = (self.dynamics.prepare()).map(|_| quote!(prepared: plant::Prepared<T>,));
         quote! {
             #docs
             #[derive(Clone, Debug)]
             pub struct Simulator<T: Real = f64> {
                 controller: Controller<T>,
                 truth: Params<T>,
+                #prepared
                 x: Vector<T, STATES>,
                 state: State<T>,
                 output: Output<T>,
@@ -192,6 +199,10 @@ impl Simulator<'_> {
         let process =
             noisy.then(|| quote!(let process = Noise::process(options.seed, options.run);));
         let noise = noisy.then(|| quote!(noise: options.noise.then_some(process),));
+        let prepared = self.dynamics.prepare().map(|prepare| {
+            let call = call_with(prepare, |_| quote!(&truth));
+            quote!(prepared: plant::#call,)
+        });
         quote! {
             #[inline(always)]
             fn new(options: &Options) -> Self {
@@ -204,9 +215,8 @@ impl Simulator<'_> {
                 let mut controller = Controller::new(Params::design());
                 controller.reset(T::zero(), #(#measured),*);
                 let state = *controller.state();
-                let output = controller.clone().step(T::zero(), #(#measured),*);
                 #process
-                Self { controller, truth, x, state, output, sample: 0, #noise }
+                Self { #prepared controller, truth, x, state, output: Output::zero(), sample: 0, #noise }
             }
         }
     }
@@ -223,6 +233,21 @@ impl Simulator<'_> {
 
     fn control(&self) -> TokenStream {
         let blocks = self.blocks();
+        // The controller's parameters are those of the design in every run, so that one clock serves all lanes.
+        let shared = self.law.clock().filter(|clock| {
+            let record = |name: &str| name.split('.').next() != Some("prepared");
+            clock.inputs.iter().all(|input| record(&input.name))
+        });
+        let step = match shared {
+            None => quote!(self.controller.step(t, #(self.#blocks()),*)),
+            Some(clock) => {
+                let call = call_with(clock, |argument| match argument {
+                    "t" => quote!(T::Scalar::from_f64(self.time())),
+                    _ => quote!(&Params::design()),
+                });
+                quote!(self.controller.step_at(t, &Clock::splat(&#call), #(self.#blocks()),*))
+            }
+        };
         quote! {
             #[inline(always)]
             fn observe(&mut self) {
@@ -232,7 +257,7 @@ impl Simulator<'_> {
             #[inline(always)]
             fn control(&mut self) {
                 let t = T::from_f64(self.time());
-                self.output = self.controller.step(t, #(self.#blocks()),*);
+                self.output = #step;
             }
         }
     }
@@ -270,15 +295,16 @@ impl Simulator<'_> {
         } else {
             (TokenStream::new(), quote!(&Vector([])))
         };
+        let prepared = (self.dynamics.prepare()).map(|_| quote!(prepared: self.prepared,));
         quote! {
             #scheme_docs
             #[inline(always)]
             fn advance(&mut self) {
-                let plant = Plant { params: self.truth, u_sat: self.output.u_sat #held };
+                let plant = Plant { params: self.truth, #prepared u_sat: self.output.u_sat #held };
                 for substep in 0..SUBSTEPS {
-                    let t = T::from_f64(self.time() + f64::from(substep) * SUBSTEP);
+                    let t = self.time() + f64::from(substep) * SUBSTEP;
                     #draw
-                    self.x = sde::step(Scheme::#scheme, &plant, t, &self.x, T::from_f64(SUBSTEP), #increment);
+                    self.x = sde::step(Scheme::#scheme, &plant, t, &self.x, SUBSTEP, #increment);
                 }
                 self.sample += 1;
             }

@@ -42,6 +42,7 @@ pub fn standalone(program: &Program) -> String {
         records: &records,
         results: Results::Own,
         tables: &library,
+        updates: None,
     };
     items.extend(function.items(&mut comments));
     let source = Source {

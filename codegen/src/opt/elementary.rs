@@ -7,11 +7,11 @@ use super::dependence::{Dependence, dependences};
 use crate::ir::mnemonic::{FUNCTIONS, word};
 use crate::ir::{Function, Instruction, Op, Program, Shape, Type, ValueId};
 
-/// Which calls go together: of one function, needed equally often, behind equally many other calls, and either close to the inputs or for
-/// equations of one group; others would wait for each other, and so would the equations that read them.
-type Key<'p> = (Dependence, usize, Option<&'p str>, &'static str);
+/// Which calls go together: of one function, needed equally often, behind equally many other calls and a path of equally many operations
+/// from those or the inputs; others would wait for each other, and so would the equations that read them.
+type Key = (Dependence, usize, usize, &'static str);
 
-/// Longest path of operations to an argument close to the inputs.
+/// Paths of up to this many operations count as equal.
 const CLOSE: usize = 3;
 
 /// Calls that go together, and their arguments in order.
@@ -72,8 +72,7 @@ fn call(instruction: &Instruction) -> Option<(Function, ValueId)> {
 /// At least two calls each.
 fn packs(program: &Program) -> Vec<Pack> {
     let dependences = dependences(program);
-    let groups = groups(program);
-    let mut packs: BTreeMap<Key<'_>, Pack> = BTreeMap::new();
+    let mut packs: BTreeMap<Key, Pack> = BTreeMap::new();
     // Calls, and operations since the last one, on the longest path among values of the same dependence: others are known before.
     let mut paths: Vec<(usize, usize)> = Vec::with_capacity(dependences.len());
     for (id, instruction) in (0..).map(ValueId).zip(&program.instructions) {
@@ -90,8 +89,8 @@ fn packs(program: &Program) -> Vec<Pack> {
             None => (calls, operations + 1),
         });
         if let Some((function, _)) = call {
-            let group = (operations > CLOSE).then(|| groups[id.0 as usize]);
-            let key = (dependence, calls, group, word(&FUNCTIONS, function));
+            let path = operations.max(CLOSE);
+            let key = (dependence, calls, path, word(&FUNCTIONS, function));
             let pack = packs.entry(key).or_default();
             pack.function = Some(function);
             pack.calls.push(id);
@@ -99,20 +98,21 @@ fn packs(program: &Program) -> Vec<Pack> {
     }
     let argument = |call: &ValueId| program.instruction(*call).op.operands()[0];
     // Sine, cosine and tangent of one array share its reduction, so each takes the arguments of all three.
-    let mut angles: BTreeMap<(Dependence, usize, Option<&str>), BTreeSet<ValueId>> =
-        BTreeMap::new();
-    for (&(dependence, calls, group, _), pack) in packs.iter().filter(|(_, pack)| pack.is_angular())
+    let mut angles: BTreeMap<(Dependence, usize, usize), BTreeSet<ValueId>> = BTreeMap::new();
+    for (&(dependence, calls, path, _), pack) in packs.iter().filter(|(_, pack)| pack.is_angular())
     {
-        let shared = angles.entry((dependence, calls, group)).or_default();
+        let shared = angles.entry((dependence, calls, path)).or_default();
         shared.extend(pack.calls.iter().map(argument));
     }
-    for (&(dependence, calls, group, _), pack) in &mut packs {
+    for (&(dependence, calls, path, _), pack) in &mut packs {
         let own = || pack.calls.iter().map(argument).collect::<BTreeSet<_>>();
         let arguments = match pack.is_angular() {
-            true => angles[&(dependence, calls, group)].clone(),
+            true => angles[&(dependence, calls, path)].clone(),
             false => own(),
         };
         pack.arguments = arguments.into_iter().collect();
+        pack.arguments
+            .sort_by_key(|&argument| (place(program, argument), argument));
     }
     packs.retain(|_, pack| pack.arguments.len() > 1);
     packs.into_values().collect()
@@ -127,19 +127,17 @@ impl Pack {
     }
 }
 
-/// The group of the first named value that uses each value.
-fn groups(program: &Program) -> Vec<&str> {
-    let mut groups = vec![""; program.instructions.len()];
-    for index in (0..groups.len()).rev() {
-        let instruction = &program.instructions[index];
-        if let Some(origin) = instruction.origin {
-            groups[index] = &program.origins[origin].group;
+/// The place of an entry in its input: in this order entries stand in the functions of a controller and its plant alike, so that where
+/// both are inlined a compiler finds the same calls in them.
+fn place(program: &Program, argument: ValueId) -> Option<(usize, usize)> {
+    match program.instruction(argument).op {
+        Op::Element(array, row, column)
+            if matches!(program.instruction(array).op, Op::Input(_)) =>
+        {
+            Some((row, column))
         }
-        for operand in instruction.op.operands() {
-            groups[operand.0 as usize] = groups[index];
-        }
+        _ => None,
     }
-    groups
 }
 
 /// Rebuilds a program in an order in which the arguments of a pack come before it.

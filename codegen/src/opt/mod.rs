@@ -17,6 +17,7 @@ mod families;
 mod fold;
 mod identities;
 mod inverse;
+mod kernels;
 mod linear;
 mod polynomials;
 mod powers;
@@ -51,7 +52,7 @@ pub struct Pass {
 }
 
 /// All passes, in the order of a round.
-pub static PASSES: [Pass; 16] = [
+pub static PASSES: [Pass; 17] = [
     Pass {
         name: "fold",
         kind: Kind::Exact,
@@ -61,6 +62,11 @@ pub static PASSES: [Pass; 16] = [
         name: "select",
         kind: Kind::Exact,
         run: select::run,
+    },
+    Pass {
+        name: "kernels",
+        kind: Kind::Exact,
+        run: kernels::run,
     },
     Pass {
         name: "identities",

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 87c2d8de01d0463a1dd70e3048167efebe43db25b72fa7a399d146712dd84907
+// SHA-256 of the text below: a8da9030a3d7deab13d261036160e744fb1348b7e6b30c6bd206d592aaf22080
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
-// initial: 21 additions, 54 multiplications, 5 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
-// control: 83 additions, 120 multiplications, 5 divisions, 0 square roots, 8 elementary functions, 6 comparisons and selections
+// initial: 21 additions, 54 multiplications, 5 divisions, 0 square roots, 7 elementary functions, 4 comparisons and selections
+// control: 83 additions, 120 multiplications, 5 divisions, 0 square roots, 7 elementary functions, 7 comparisons and selections
 
 //! `flexible_joint`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -13,7 +13,6 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
-use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -29,6 +28,7 @@ pub const SAFE_INPUT: [f64; 1] = [0.0];
 
 /// The controller's states, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct State<T> {
     /// Auxiliary anti-windup state zeta (13): link_angle (q1).
     ///
@@ -165,6 +165,29 @@ pub struct Output<T: Real> {
     /// `d_hat_4 = L_4 w_hat_4`
     pub D_hat4: Vector<T, 1>,
 }
+impl<T: Real> Output<T> {
+    /// Before the first sample: all zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self {
+            status: Status::OK,
+            valid: T::Mask::splat(false),
+            u: Vector::zero(),
+            u_sat: Vector::zero(),
+            y_r: Vector::zero(),
+            e1: Vector::zero(),
+            k1: T::zero(),
+            alpha1: Vector::zero(),
+            e2: Vector::zero(),
+            alpha2: Vector::zero(),
+            D_hat2: Vector::zero(),
+            e3: Vector::zero(),
+            alpha3: Vector::zero(),
+            e4: Vector::zero(),
+            D_hat4: Vector::zero(),
+        }
+    }
+}
 
 /// Robot link with an elastic joint
 ///
@@ -172,6 +195,7 @@ pub struct Output<T: Real> {
 #[derive(Clone, Debug)]
 pub struct Controller<T: Real> {
     params: Params<T>,
+    prepared: Prepared<T>,
     state: State<T>,
     started: T::Mask,
 }
@@ -181,6 +205,7 @@ impl<T: Real> Controller<T> {
     #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
+            prepared: prepare(&params),
             params,
             state: State::zero(),
             started: T::Mask::splat(false),
@@ -197,24 +222,31 @@ impl<T: Real> Controller<T> {
         x3: Vector<T, 1>,
         x4: Vector<T, 1>,
     ) {
-        let start = initial(t, x1, x2, x3, x4, &self.params);
-        let finite = start
+        self.state = State::zero();
+        self.started = T::Mask::splat(false);
+        let mask = t
             .is_finite()
-            .and(t.is_finite())
             .and(x1.is_finite())
             .and(x2.is_finite())
             .and(x3.is_finite())
             .and(x4.is_finite());
-        self.state = State::select(finite, &start, &State::zero());
-        self.started = finite;
+        T::outlined(Begin {
+            controller: self,
+            mask,
+            t,
+            x1,
+            x2,
+            x3,
+            x4,
+        });
     }
 
     /// One sample: the control for the time since start (s) and the measured states (SI), after
     /// which the states are those of the next sample.
     ///
     /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
-    /// the status has `NON_FINITE_INPUT`, and the states stay as they were. `SATURATED` means that
-    /// a control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
+    /// the status has `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a
+    /// control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
     /// barrier was clamped.
     ///
     /// The first step with finite measurements initialises the states; so does the step after one
@@ -224,6 +256,22 @@ impl<T: Real> Controller<T> {
     pub fn step(
         &mut self,
         t: T,
+        x1: Vector<T, 1>,
+        x2: Vector<T, 1>,
+        x3: Vector<T, 1>,
+        x4: Vector<T, 1>,
+    ) -> Output<T> {
+        let clock = clock(t);
+        self.step_at(t, &clock, x1, x2, x3, x4)
+    }
+
+    /// As [`Controller::step`], with the values of [`clock`] at this time, which can serve many
+    /// runs.
+    #[inline(always)]
+    pub fn step_at(
+        &mut self,
+        t: T,
+        clock: &Clock<T>,
         x1: Vector<T, 1>,
         x2: Vector<T, 1>,
         x3: Vector<T, 1>,
@@ -247,17 +295,30 @@ impl<T: Real> Controller<T> {
                 x4,
             });
         }
-        let law = control(t, x1, x2, x3, x4, &self.state, &self.params);
+        let before = if measured.all() { None } else { Some(self.state) };
+        let law = law(
+            x1,
+            x2,
+            x3,
+            x4,
+            &mut self.state,
+            &self.params,
+            &self.prepared,
+            clock,
+        );
         let valid = measured
+            .and(self.started)
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
-            .and(law.next.is_finite());
-        self.state = if valid.all() {
-            law.next
-        } else {
-            State::select(valid, &law.next, &self.state)
-        };
-        self.started = valid.or(self.started.and(measured.not()));
+            .and(self.state.is_finite());
+        if !valid.all() {
+            T::outlined(Restore {
+                controller: self,
+                valid,
+                measured,
+                before,
+            });
+        }
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
         let saturated = u[0].ne(u_sat[0]);
@@ -320,13 +381,47 @@ impl<T: Real> Part for Begin<'_, T> {
         );
         let mask = self.mask.and(start.is_finite());
         self.controller.state = State::select(mask, &start, &self.controller.state);
+        self.controller.started = self.controller.started.or(mask);
+    }
+}
+
+/// Gives the states back where the law was not finite: those before it, or if they made it
+/// overflow those of a start at the origin, until the next sample.
+struct Restore<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    valid: T::Mask,
+    measured: T::Mask,
+    before: Option<State<T>>,
+}
+impl<T: Real> Part for Restore<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let zero = State::zero();
+        let controller = self.controller;
+        let kept = match &self.before {
+            Some(before) => State::select(self.measured, &zero, before),
+            None => zero,
+        };
+        controller.state = State::select(self.valid, &controller.state, &kept);
+        let mask = self.measured.and(self.valid.not());
+        T::outlined(Begin {
+            controller: &mut *controller,
+            mask,
+            t: T::zero(),
+            x1: Vector::zero(),
+            x2: Vector::zero(),
+            x3: Vector::zero(),
+            x4: Vector::zero(),
+        });
+        controller.started = controller.started.and(mask.not());
     }
 }
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 21 additions, 54 multiplications, 5 divisions, 0 square roots, 8 elementary
-/// functions, 3 comparisons and selections.
+/// Operations: 21 additions, 54 multiplications, 5 divisions, 0 square roots, 7 elementary
+/// functions, 4 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
     t: T,
@@ -394,12 +489,10 @@ pub fn initial<T: Real>(
     let c1 = e1 * t7;
 
     // -- robust feedback of block 1 (31) (63) --
+    let t8 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free);
     // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1
-        * (real(5.0)
-            * (kernel::sin_cos_over(E1)
-                * real(1.0).min(real(1.5697963267948967) / E1_free)) + real(4.0)
-            + t7 * real(0.5));
+    let Lam1 = e1 * (real(5.0) * t8 + real(4.0) + t7 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
@@ -428,39 +521,39 @@ pub fn initial<T: Real>(
     let G_norm2_2 = G2.sum_squares();
 
     // -- robust feedback of block 2 (31) (63) --
-    let t8 = real(34.5) + s2 * real(0.5) + s2 * (real(5e-5) * G_norm2_2)
+    let t9 = real(34.5) + s2 * real(0.5) + s2 * (real(5e-5) * G_norm2_2)
         + s_c1 * s_c1 * real(0.25);
     // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
     // block (38)
-    let Lam2 = e2 * t8;
+    let Lam2 = e2 * t9;
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
 
     // -- virtual control (31) of block 2 --
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
     let bracket2 = F2 - h1_dot + Lam2;
-    let t9 = bracket2 * (real(1.0) / t1);
+    let t10 = bracket2 * (real(1.0) / t1);
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let alpha2 = -t9;
+    let alpha2 = -t10;
 
     // -- dynamic surface filter of block 2 (33) --
     // h_2' = (alpha_2 - h_2) / Fl_2
-    let h2_dot = (t9 - t9) * real(500.0);
+    let h2_dot = (t10 - t10) * real(500.0);
 
     // -- error variable of block 3 (14) --
     // e_3 = x_3 - h_2 - zeta_3
-    let e3 = x3 + t9;
+    let e3 = x3 + t10;
 
     // -- barrier of block 3 (23) (26) --
     // s_3 = e_3^T e_3
     let s3 = e3.sum_squares();
 
     // -- robust feedback of block 3 (31) (63) --
-    let t10 = G_norm2_2 * s_c2;
+    let t11 = G_norm2_2 * s_c2;
     // Lam_3 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
     // + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam3 = e3 * (real(100.0) + s3 * real(0.5) + t10 * t10 * real(2.5e-9));
+    let Lam3 = e3 * (real(100.0) + s3 * real(0.5) + t11 * t11 * real(2.5e-9));
 
     // -- virtual control (31) of block 3 --
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
@@ -494,6 +587,7 @@ pub fn initial<T: Real>(
 
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Prepared<T> {
     /// `G_2(x_1 .. x_2)`
     pub G2: Matrix<T, 1, 1>,
@@ -533,6 +627,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
 /// Values of [`clock`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Clock<T> {
     /// `y_r(t)`
     pub y_r: Vector<T, 1>,
@@ -542,6 +637,19 @@ pub struct Clock<T> {
     pub k1: T,
     /// Part of `E1_free`.
     pub E1_free_1: T,
+}
+
+impl<T: Real> Clock<T> {
+    /// The same values in every lane.
+    #[inline(always)]
+    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+        Self {
+            y_r: Vector::splat_lanes(clock.y_r),
+            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
+            k1: T::splat(clock.k1),
+            E1_free_1: T::splat(clock.E1_free_1),
+        }
+    }
 }
 
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
@@ -607,21 +715,20 @@ pub struct ControlOutputs<T: Real> {
     pub e4: Vector<T, 1>,
     /// `d_hat_4 = L_4 w_hat_4`
     pub D_hat4: Vector<T, 1>,
-    /// All outputs `next.*`.
-    pub next: State<T>,
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 80 additions, 103 multiplications, 3 divisions, 0 square roots, 4 elementary
-/// functions, 6 comparisons and selections.
+/// Operations: 80 additions, 103 multiplications, 3 divisions, 0 square roots, 3 elementary
+/// functions, 7 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 1>,
     x2: Vector<T, 1>,
     x3: Vector<T, 1>,
     x4: Vector<T, 1>,
-    state: &State<T>,
+    state: &mut State<T>,
     params: &Params<T>,
     prepared: &Prepared<T>,
     clock: &Clock<T>,
@@ -668,25 +775,23 @@ pub fn law<T: Real>(
     let c1 = e1 * t3;
 
     // -- robust feedback of block 1 (31) (63) --
+    let t4 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free);
     // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1
-        * (real(5.0)
-            * (kernel::sin_cos_over(E1)
-                * real(1.0).min(real(1.5697963267948967) / E1_free)) + real(4.0)
-            + t3 * real(0.5));
+    let Lam1 = e1 * (real(5.0) * t4 + real(4.0) + t3 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t4 = state.zeta1 * real(20.0);
+    let t5 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t4 - clock.y_r_dot + Lam1;
+    let bracket1 = t5 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t4;
+    let zeta1_dot = state.zeta2 - t5;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -725,16 +830,16 @@ pub fn law<T: Real>(
     let s_c2 = c2.sum_squares();
 
     // -- virtual control (31) of block 2 --
-    let t5 = F2 + A_hat2;
-    let t6 = state.zeta2 * real(50.0);
+    let t6 = F2 + A_hat2;
+    let t7 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t5 - h1_dot + t6 + D_hat2 + Lam2;
+    let bracket2 = t6 - h1_dot + t7 + D_hat2 + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -(bracket2 * prepared.alpha2_1);
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
-    let zeta2_dot = prepared.G2 * state.zeta3 - t6;
+    let zeta2_dot = prepared.G2 * state.zeta3 - t7;
 
     // -- dynamic surface filter of block 2 (33) --
     // h_2' = (alpha_2 - h_2) / Fl_2
@@ -751,23 +856,23 @@ pub fn law<T: Real>(
     let c3 = e3 * s3;
 
     // -- robust feedback of block 3 (31) (63) --
-    let t7 = prepared.G_norm2_2 * s_c2;
+    let t8 = prepared.G_norm2_2 * s_c2;
     // Lam_3 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
     // + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam3 = e3 * (real(100.0) + s3 * real(0.5) + t7 * t7 * real(2.5e-9));
+    let Lam3 = e3 * (real(100.0) + s3 * real(0.5) + t8 * t8 * real(2.5e-9));
     // ||c_3||^2
     let s_c3 = c3.sum_squares();
 
     // -- virtual control (31) of block 3 --
-    let t8 = state.zeta3 * real(100.0);
+    let t9 = state.zeta3 * real(100.0);
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
-    let bracket3 = t8 - h2_dot + Lam3;
+    let bracket3 = t9 - h2_dot + Lam3;
     // alpha_3 = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
     let alpha3 = -bracket3;
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 zeta_4
-    let zeta3_dot = state.zeta4 - t8;
+    let zeta3_dot = state.zeta4 - t9;
 
     // -- dynamic surface filter of block 3 (33) --
     // h_3' = (alpha_3 - h_3) / Fl_3
@@ -797,18 +902,18 @@ pub fn law<T: Real>(
     let Lam4 = e4 * (real(265.0) + s4 + s_c3 * s_c3 * real(0.25));
 
     // -- control (64) of block 4 --
-    let t9 = state.zeta4 * real(200.0);
+    let t10 = state.zeta4 * real(200.0);
     // F_4 + A_hat_4 - h_3' + C_4 zeta_4 + D_hat_4 + Lam_4
-    let bracket4 = F4 - h3_dot + t9 + D_hat4 + Lam4;
-    let t10 = bracket4 * real(0.004);
+    let bracket4 = F4 - h3_dot + t10 + D_hat4 + Lam4;
+    let t11 = bracket4 * real(0.004);
     // u = -G_4^-1 [ F_4 + A_hat_4 - h_3' + C_4 zeta_4 + D_hat_4 + Lam_4 ]
-    let u = -t10;
+    let u = -t11;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-3.0))).min(Vector::splat(real(3.0)));
 
     // -- auxiliary system of block 4 (13) (E1) --
     // zeta_4' = -C_4 zeta_4 + G_4 (sat(u) - u)
-    let zeta4_dot = (u_sat + t10) * real(250.0) - t9;
+    let zeta4_dot = (u_sat + t11) * real(250.0) - t10;
 
     // -- observer dynamics of block 4 (21) (50) --
     // th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 u - h_3' + C_4 zeta_4 + A_hat_4) = M_4
@@ -816,41 +921,43 @@ pub fn law<T: Real>(
     let th4_dot = Vector([real(0.0), real(20.0) * w_hat4[2], real(-20.0) * w_hat4[1]])
         + S4 * Lam4;
 
-    // -- states of block 1, one sample later --
-    // zeta1(t + dt) = zeta1 + Gamma zeta1'
-    let zeta1_next = state.zeta1 + zeta1_dot * real(0.0004975083125415973);
-    // h1(t + dt) = h1 + Gamma h1'
-    let h1_next = state.h1 + h1_dot * real(0.0004877057549928599);
-
-    // -- states of block 2, one sample later --
-    // zeta2(t + dt) = zeta2 + Gamma zeta2'
-    let zeta2_next = state.zeta2 + zeta2_dot * real(0.0004938017594333467);
-    // h2(t + dt) = h2 + Gamma h2'
-    let h2_next = state.h2 + h2_dot * real(0.00044239843385719023);
-    // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2
-        - (D_hat2 + t5 + prepared.G2 * x3) * real(40.0) * real(0.0004950331673311175);
-    // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
-    let W2_next = state.W2 * real(0.9999500012499791)
-        + P2.outer(c2 * real(0.0004999875002083307));
-
-    // -- states of block 3, one sample later --
-    // zeta3(t + dt) = zeta3 + Gamma zeta3'
-    let zeta3_next = state.zeta3 + zeta3_dot * real(0.0004877057549928599);
-    // h3(t + dt) = h3 + Gamma h3'
-    let h3_next = state.h3 + h3_dot * real(0.00039346934028736656);
-
     // -- states of block 4, one sample later --
-    // zeta4(t + dt) = zeta4 + Gamma zeta4'
-    let zeta4_next = state.zeta4 + zeta4_dot * real(0.00047581290982020213);
     // Gamma of th4
     let th4_step: Matrix<T, 3, 3> = Matrix::from_f64([
         [0.000495049750665833, -4.950207916806941e-6, -1.6542082639089032e-8],
         [-2.4999170823621035e-6, 0.0004974917704589582, 2.4916460410425596e-6],
         [-7.417040833890866e-6, -9.916957916252972e-6, 0.0004999668744173617],
     ]);
+
+    // -- states of block 1, one sample later --
+    // zeta1(t + dt) = zeta1 + Gamma zeta1'
+    state.zeta1 = state.zeta1 + zeta1_dot * real(0.0004975083125415973);
+    // h1(t + dt) = h1 + Gamma h1'
+    state.h1 = state.h1 + h1_dot * real(0.0004877057549928599);
+
+    // -- states of block 2, one sample later --
+    // zeta2(t + dt) = zeta2 + Gamma zeta2'
+    state.zeta2 = state.zeta2 + zeta2_dot * real(0.0004938017594333467);
+    // h2(t + dt) = h2 + Gamma h2'
+    state.h2 = state.h2 + h2_dot * real(0.00044239843385719023);
+    // th2(t + dt) = th2 + Gamma th2'
+    state.th2 = state.th2
+        - (D_hat2 + t6 + prepared.G2 * x3) * real(40.0) * real(0.0004950331673311175);
+    // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
+    state.W2 = state.W2 * real(0.9999500012499791)
+        + P2.outer(c2 * real(0.0004999875002083307));
+
+    // -- states of block 3, one sample later --
+    // zeta3(t + dt) = zeta3 + Gamma zeta3'
+    state.zeta3 = state.zeta3 + zeta3_dot * real(0.0004877057549928599);
+    // h3(t + dt) = h3 + Gamma h3'
+    state.h3 = state.h3 + h3_dot * real(0.00039346934028736656);
+
+    // -- states of block 4, one sample later --
+    // zeta4(t + dt) = zeta4 + Gamma zeta4'
+    state.zeta4 = state.zeta4 + zeta4_dot * real(0.00047581290982020213);
     // th4(t + dt) = th4 + Gamma th4'
-    let th4_next = state.th4 + th4_step * th4_dot;
+    state.th4 = state.th4 + th4_step * th4_dot;
     ControlOutputs {
         u,
         u_sat,
@@ -866,25 +973,14 @@ pub fn law<T: Real>(
         alpha3,
         e4,
         D_hat4,
-        next: State {
-            zeta1: zeta1_next,
-            zeta2: zeta2_next,
-            zeta3: zeta3_next,
-            zeta4: zeta4_next,
-            h1: h1_next,
-            W2: W2_next,
-            th2: th2_next,
-            h2: h2_next,
-            h3: h3_next,
-            th4: th4_next,
-        },
     }
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 83 additions, 120 multiplications, 5 divisions, 0 square roots, 8 elementary
-/// functions, 6 comparisons and selections.
+/// Operations: 83 additions, 120 multiplications, 5 divisions, 0 square roots, 7 elementary
+/// functions, 7 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,
@@ -892,7 +988,7 @@ pub fn control<T: Real>(
     x2: Vector<T, 1>,
     x3: Vector<T, 1>,
     x4: Vector<T, 1>,
-    state: &State<T>,
+    state: &mut State<T>,
     params: &Params<T>,
 ) -> ControlOutputs<T> {
     let prepared = prepare(params);

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 6704c4901801152483657c83f63d215d5bd827c435cb0889adbe1d22ce304180
+// SHA-256 of the text below: be272572cb43de6ade80d423293c730e0af48d10a23b8d71d0322cf28c6271cd
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
@@ -13,6 +13,7 @@ use nsv_runtime::real::Real;
 
 /// Run-time parameters, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Params<T> {
     /// Unit: kg*m^2/s^2. Plant 0.8, dispersed uniformly between 0.6 and 1.0; controller 0.8.
     /// Source: Ghorbel et al., M g L; the spread is chosen.

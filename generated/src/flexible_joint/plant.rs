@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 5aec944c65b55e2728a75ec284bc3e631a8a730315a54d3cb012d57b3152d973
+// SHA-256 of the text below: 2cfb327bb7f64205b1f52126938f6a730ca3c187b12974fbb655a05df548d69e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // plant: 10 additions, 17 multiplications, 0 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -29,37 +29,48 @@ pub const INITIAL_STATE: [f64; STATES] = [0.1, 0.0, 0.1, 0.0, 10.0, 0.0, 20.0];
 pub struct Plant<T> {
     /// Parameters.
     pub params: Params<T>,
+    /// Values of [`prepare`] for these parameters.
+    pub prepared: Prepared<T>,
     /// Control, held between samples.
     pub u_sat: Vector<T, 1>,
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
     #[inline(always)]
-    fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+    fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
         T::outlined(Drift { plant: self, t, x })
     }
 
     #[inline(always)]
-    fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
+    fn diffusion(&self, _t: f64, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
 }
 /// Drift.
 struct Drift<'a, T> {
     plant: &'a Plant<T>,
-    t: T,
+    t: f64,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Drift<'_, T> {
     type Output = Vector<T, STATES>;
     #[inline(always)]
     fn run(self) -> Vector<T, STATES> {
-        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
+        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
+        let rate = dynamics(
+            *self.x,
+            self.plant.u_sat,
+            &self.plant.params,
+            &self.plant.prepared,
+            &clock,
+        );
+        rate.drift
     }
 }
 
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Prepared<T> {
     /// `G_2 with the plant's parameters`
     pub G2_plant: Matrix<T, 1, 1>,
@@ -81,9 +92,20 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
 /// Values of [`clock`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Clock<T> {
     /// `d_2(t)`
     pub d2: Vector<T, 1>,
+}
+
+impl<T: Real> Clock<T> {
+    /// The same values in every lane.
+    #[inline(always)]
+    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+        Self {
+            d2: Vector::splat_lanes(clock.d2),
+        }
+    }
 }
 
 /// What depends on time and parameters alone: needed once for a sample of all runs with these

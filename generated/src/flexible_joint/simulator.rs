@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 29f8dc07c713811d27faa9947ca6a2f9d3ad73ac0232f18c69f6264970572c89
+// SHA-256 of the text below: b0dfdbb78310c9f62f307a53a95461fa6169682f8d3a5285ec7347857a2c16b2
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
@@ -8,7 +8,7 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Controller, Output, SAMPLE_TIME, State};
+use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State, clock};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -34,6 +34,7 @@ pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;
 pub struct Simulator<T: Real = f64> {
     controller: Controller<T>,
     truth: Params<T>,
+    prepared: plant::Prepared<T>,
     x: Vector<T, STATES>,
     state: State<T>,
     output: Output<T>,
@@ -150,21 +151,13 @@ impl<T: Real> Runs<T> for Simulator<T> {
                 Vector([x[3]]),
             );
         let state = *controller.state();
-        let output = controller
-            .clone()
-            .step(
-                T::zero(),
-                Vector([x[0]]),
-                Vector([x[1]]),
-                Vector([x[2]]),
-                Vector([x[3]]),
-            );
         Self {
+            prepared: plant::prepare(&truth),
             controller,
             truth,
             x,
             state,
-            output,
+            output: Output::zero(),
             sample: 0,
         }
     }
@@ -179,23 +172,31 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let t = T::from_f64(self.time());
         self.output = self
             .controller
-            .step(t, self.x1(), self.x2(), self.x3(), self.x4());
+            .step_at(
+                t,
+                &Clock::splat(&clock(T::Scalar::from_f64(self.time()))),
+                self.x1(),
+                self.x2(),
+                self.x3(),
+                self.x4(),
+            );
     }
 
     #[inline(always)]
     fn advance(&mut self) {
         let plant = Plant {
             params: self.truth,
+            prepared: self.prepared,
             u_sat: self.output.u_sat,
         };
         for substep in 0..SUBSTEPS {
-            let t = T::from_f64(self.time() + f64::from(substep) * SUBSTEP);
+            let t = self.time() + f64::from(substep) * SUBSTEP;
             self.x = sde::step(
                 Scheme::RungeKutta4,
                 &plant,
                 t,
                 &self.x,
-                T::from_f64(SUBSTEP),
+                SUBSTEP,
                 &Vector([]),
             );
         }

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 394d3532f3dfc2ed025702f9589454317d09323a9177044d5da6d93f27287ed3
+// SHA-256 of the text below: c89736bd3001690e6b07d8556c9a54c0f98bb1ffa630118a964cd46167cb39e7
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// initial: 23 additions, 59 multiplications, 7 divisions, 0 square roots, 8 elementary functions, 3 comparisons and selections
-// control: 78 additions, 126 multiplications, 8 divisions, 3 square roots, 10 elementary functions, 9 comparisons and selections
+// initial: 23 additions, 59 multiplications, 7 divisions, 0 square roots, 7 elementary functions, 4 comparisons and selections
+// control: 78 additions, 126 multiplications, 8 divisions, 3 square roots, 9 elementary functions, 10 comparisons and selections
 
 //! `motor_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -13,7 +13,6 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
-use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -29,6 +28,7 @@ pub const SAFE_INPUT: [f64; 1] = [0.0];
 
 /// The controller's states, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct State<T> {
     /// Auxiliary anti-windup state zeta (13): position (angle).
     ///
@@ -168,6 +168,27 @@ pub struct Output<T: Real> {
     /// `D_hat_3 = th_3 + S_3 x_3`
     pub D_hat3: Vector<T, 1>,
 }
+impl<T: Real> Output<T> {
+    /// Before the first sample: all zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self {
+            status: Status::OK,
+            valid: T::Mask::splat(false),
+            u: Vector::zero(),
+            u_sat: Vector::zero(),
+            y_r: Vector::zero(),
+            e1: Vector::zero(),
+            k1: T::zero(),
+            alpha1: Vector::zero(),
+            e2: Vector::zero(),
+            alpha2: Vector::zero(),
+            D_hat2: Vector::zero(),
+            e3: Vector::zero(),
+            D_hat3: Vector::zero(),
+        }
+    }
+}
 
 /// Arm driven by a DC motor with current dynamics
 ///
@@ -175,6 +196,7 @@ pub struct Output<T: Real> {
 #[derive(Clone, Debug)]
 pub struct Controller<T: Real> {
     params: Params<T>,
+    prepared: Prepared<T>,
     state: State<T>,
     started: T::Mask,
 }
@@ -184,6 +206,7 @@ impl<T: Real> Controller<T> {
     #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
+            prepared: prepare(&params),
             params,
             state: State::zero(),
             started: T::Mask::splat(false),
@@ -193,23 +216,29 @@ impl<T: Real> Controller<T> {
     /// Starts anew from these measurements; from the next ones if they are not finite.
     #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 1>, x2: Vector<T, 1>, x3: Vector<T, 1>) {
-        let start = initial(t, x1, x2, x3, &self.params);
-        let finite = start
+        self.state = State::zero();
+        self.started = T::Mask::splat(false);
+        let mask = t
             .is_finite()
-            .and(t.is_finite())
             .and(x1.is_finite())
             .and(x2.is_finite())
             .and(x3.is_finite());
-        self.state = State::select(finite, &start, &State::zero());
-        self.started = finite;
+        T::outlined(Begin {
+            controller: self,
+            mask,
+            t,
+            x1,
+            x2,
+            x3,
+        });
     }
 
     /// One sample: the control for the time since start (s) and the measured states (SI), after
     /// which the states are those of the next sample.
     ///
     /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
-    /// the status has `NON_FINITE_INPUT`, and the states stay as they were. `SATURATED` means that
-    /// a control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
+    /// the status has `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a
+    /// control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
     /// barrier was clamped.
     ///
     /// The first step with finite measurements initialises the states; so does the step after one
@@ -219,6 +248,21 @@ impl<T: Real> Controller<T> {
     pub fn step(
         &mut self,
         t: T,
+        x1: Vector<T, 1>,
+        x2: Vector<T, 1>,
+        x3: Vector<T, 1>,
+    ) -> Output<T> {
+        let clock = clock(t);
+        self.step_at(t, &clock, x1, x2, x3)
+    }
+
+    /// As [`Controller::step`], with the values of [`clock`] at this time, which can serve many
+    /// runs.
+    #[inline(always)]
+    pub fn step_at(
+        &mut self,
+        t: T,
+        clock: &Clock<T>,
         x1: Vector<T, 1>,
         x2: Vector<T, 1>,
         x3: Vector<T, 1>,
@@ -239,17 +283,21 @@ impl<T: Real> Controller<T> {
                 x3,
             });
         }
-        let law = control(t, x1, x2, x3, &self.state, &self.params);
+        let before = if measured.all() { None } else { Some(self.state) };
+        let law = law(x1, x2, x3, &mut self.state, &self.prepared, clock);
         let valid = measured
+            .and(self.started)
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
-            .and(law.next.is_finite());
-        self.state = if valid.all() {
-            law.next
-        } else {
-            State::select(valid, &law.next, &self.state)
-        };
-        self.started = valid.or(self.started.and(measured.not()));
+            .and(self.state.is_finite());
+        if !valid.all() {
+            T::outlined(Restore {
+                controller: self,
+                valid,
+                measured,
+                before,
+            });
+        }
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
         let saturated = u[0].ne(u_sat[0]);
@@ -302,13 +350,46 @@ impl<T: Real> Part for Begin<'_, T> {
         let start = initial(self.t, self.x1, self.x2, self.x3, &self.controller.params);
         let mask = self.mask.and(start.is_finite());
         self.controller.state = State::select(mask, &start, &self.controller.state);
+        self.controller.started = self.controller.started.or(mask);
+    }
+}
+
+/// Gives the states back where the law was not finite: those before it, or if they made it
+/// overflow those of a start at the origin, until the next sample.
+struct Restore<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    valid: T::Mask,
+    measured: T::Mask,
+    before: Option<State<T>>,
+}
+impl<T: Real> Part for Restore<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let zero = State::zero();
+        let controller = self.controller;
+        let kept = match &self.before {
+            Some(before) => State::select(self.measured, &zero, before),
+            None => zero,
+        };
+        controller.state = State::select(self.valid, &controller.state, &kept);
+        let mask = self.measured.and(self.valid.not());
+        T::outlined(Begin {
+            controller: &mut *controller,
+            mask,
+            t: T::zero(),
+            x1: Vector::zero(),
+            x2: Vector::zero(),
+            x3: Vector::zero(),
+        });
+        controller.started = controller.started.and(mask.not());
     }
 }
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 23 additions, 59 multiplications, 7 divisions, 0 square roots, 8 elementary
-/// functions, 3 comparisons and selections.
+/// Operations: 23 additions, 59 multiplications, 7 divisions, 0 square roots, 7 elementary
+/// functions, 4 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
     t: T,
@@ -381,12 +462,10 @@ pub fn initial<T: Real>(
     let c1 = e1 * t8;
 
     // -- robust feedback of block 1 (31) (63) --
+    let t9 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free);
     // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1
-        * (real(3.2199999999999998)
-            * (kernel::sin_cos_over(E1)
-                * real(1.0).min(real(1.5697963267948967) / E1_free)) + real(1.72)
-            + t8 * real(0.5));
+    let Lam1 = e1 * (real(3.2199999999999998) * t9 + real(1.72) + t8 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
@@ -426,17 +505,17 @@ pub fn initial<T: Real>(
     let SH2 = S2 * H2;
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t9 = H_norm2_2 * Ybar_norm2;
+    let t10 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t9 * t9 * real(0.5) + real(0.5) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
+    let Psi2 = t10 * t10 * real(0.5) + real(0.5) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
-    let t10 = real(45.0) + s2 * real(0.5) + s2 * (real(0.05) * G_norm2_2) + real(0.5);
+    let t11 = real(45.0) + s2 * real(0.5) + s2 * (real(0.05) * G_norm2_2) + real(0.5);
     // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
     // (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
     // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
     // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2 = e2 * (t10 + s_c1 * s_c1 * real(0.25) + Psi2 / (real(100.0) + s2 * s2));
+    let Lam2 = e2 * (t11 + s_c1 * s_c1 * real(0.25) + Psi2 / (real(100.0) + s2 * s2));
 
     // -- virtual control (31) of block 2 --
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
@@ -460,6 +539,7 @@ pub fn initial<T: Real>(
 
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Prepared<T> {
     /// `weight`.
     pub weight: T,
@@ -546,6 +626,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
 /// Values of [`clock`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Clock<T> {
     /// `y_r(t)`
     pub y_r: Vector<T, 1>,
@@ -555,6 +636,19 @@ pub struct Clock<T> {
     pub k1: T,
     /// Part of `E1_free`.
     pub E1_free_1: T,
+}
+
+impl<T: Real> Clock<T> {
+    /// The same values in every lane.
+    #[inline(always)]
+    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+        Self {
+            y_r: Vector::splat_lanes(clock.y_r),
+            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
+            k1: T::splat(clock.k1),
+            E1_free_1: T::splat(clock.E1_free_1),
+        }
+    }
 }
 
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
@@ -615,20 +709,19 @@ pub struct ControlOutputs<T: Real> {
     pub e3: Vector<T, 1>,
     /// `D_hat_3 = th_3 + S_3 x_3`
     pub D_hat3: Vector<T, 1>,
-    /// All outputs `next.*`.
-    pub next: State<T>,
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 70 additions, 93 multiplications, 5 divisions, 2 square roots, 6 elementary
-/// functions, 9 comparisons and selections.
+/// Operations: 70 additions, 93 multiplications, 5 divisions, 2 square roots, 5 elementary
+/// functions, 10 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 1>,
     x2: Vector<T, 1>,
     x3: Vector<T, 1>,
-    state: &State<T>,
+    state: &mut State<T>,
     prepared: &Prepared<T>,
     clock: &Clock<T>,
 ) -> ControlOutputs<T> {
@@ -671,25 +764,23 @@ pub fn law<T: Real>(
     let c1 = e1 * t3;
 
     // -- robust feedback of block 1 (31) (63) --
+    let t4 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free);
     // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1
-        * (real(3.2199999999999998)
-            * (kernel::sin_cos_over(E1)
-                * real(1.0).min(real(1.5697963267948967) / E1_free)) + real(1.72)
-            + t3 * real(0.5));
+    let Lam1 = e1 * (real(3.2199999999999998) * t4 + real(1.72) + t3 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t4 = state.zeta1 * real(20.0);
+    let t5 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t4 - clock.y_r_dot + Lam1;
+    let bracket1 = t5 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t4;
+    let zeta1_dot = state.zeta2 - t5;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -718,53 +809,53 @@ pub fn law<T: Real>(
     let w_hat2 = state.th2 + e2 * real(10.0);
 
     // -- robust feedback of block 2 (31) (63) --
-    let t5 = e2.tanh();
+    let t6 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t5 * state.eps2;
-    let t6 = s2 * s2;
+    let Lam2_error_bound = t6 * state.eps2;
+    let t7 = s2 * s2;
     // 1 / sqrt(s_2^2 + varsigma_2^2)
-    let s_scale2 = real(1.0) / (t6 + real(1.0)).sqrt();
-    let t7 = prepared.Psi2 / (state.phi2 * state.phi2 + t6);
-    let t8 = real(45.0) + s2 * real(0.5) + s2 * prepared.Lam2_1 + real(0.5)
+    let s_scale2 = real(1.0) / (t7 + real(1.0)).sqrt();
+    let t8 = prepared.Psi2 / (state.phi2 * state.phi2 + t7);
+    let t9 = real(45.0) + s2 * real(0.5) + s2 * prepared.Lam2_1 + real(0.5)
         + s_c1 * s_c1 * real(0.25);
     // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
     // (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
     // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
     // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2 = e2 * (t8 + prepared.Psi2_1 * state.sigma2 * s_scale2 + t7)
+    let Lam2 = e2 * (t9 + prepared.Psi2_1 * state.sigma2 * s_scale2 + t8)
         + Lam2_error_bound;
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
 
     // -- virtual control (31) of block 2 --
-    let t9 = F2 + A_hat2;
-    let t10 = state.zeta2 * real(50.0);
+    let t10 = F2 + A_hat2;
+    let t11 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t9 - h1_dot + t10 + w_hat2 + Lam2;
+    let bracket2 = t10 - h1_dot + t11 + w_hat2 + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -(bracket2 * prepared.alpha2_1);
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
-    let zeta2_dot = prepared.G2 * state.zeta3 - t10;
+    let zeta2_dot = prepared.G2 * state.zeta3 - t11;
 
     // -- observer dynamics of block 2 (21) (50) --
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
     let th2_dot = w_hat2 * real(-12.0)
-        - (t9 + prepared.G2 * (x3 - state.zeta3) - h1_dot + t10) * real(10.0);
+        - (t10 + prepared.G2 * (x3 - state.zeta3) - h1_dot + t11) * real(10.0);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 * e2.dot(t5) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 * e2.dot(t6) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = prepared.Psi2_1 * t6 * s_scale2 - real(0.1) * state.sigma2;
+    let sigma2_dot = prepared.Psi2_1 * t7 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t7 + real(0.5);
+    let phi2_decay = t8 + real(0.5);
 
     // -- dynamic surface filter of block 2 (33) --
     // h_2' = (alpha_2 - h_2) / Fl_2
@@ -783,47 +874,47 @@ pub fn law<T: Real>(
     let D_hat3 = state.th3 + x3 * real(50.0);
 
     // -- robust feedback of block 3 (31) (63) --
-    let t11 = prepared.G_norm2_2 * s_c2;
+    let t12 = prepared.G_norm2_2 * s_c2;
     // Lam_3 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam3 = e3 * (real(225.0) + s3 * real(0.5) + t11 * t11 * real(0.015625));
+    let Lam3 = e3 * (real(225.0) + s3 * real(0.5) + t12 * t12 * real(0.015625));
 
     // -- control (64) of block 3 --
-    let t12 = state.zeta3 * real(100.0);
+    let t13 = state.zeta3 * real(100.0);
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
-    let bracket3 = F3 - h2_dot + t12 + D_hat3 + Lam3;
-    let t13 = bracket3 * real(0.025);
+    let bracket3 = F3 - h2_dot + t13 + D_hat3 + Lam3;
+    let t14 = bracket3 * real(0.025);
     // u = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
-    let u = -t13;
+    let u = -t14;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-40.0))).min(Vector::splat(real(40.0)));
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
-    let zeta3_dot = (u_sat + t13) * real(40.0) - t12;
+    let zeta3_dot = (u_sat + t14) * real(40.0) - t13;
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'
-    let zeta1_next = state.zeta1 + zeta1_dot * real(0.000990066334662235);
+    state.zeta1 = state.zeta1 + zeta1_dot * real(0.000990066334662235);
     // h1(t + dt) = h1 + Gamma h1'
-    let h1_next = state.h1 + h1_dot * real(0.0009754115099857198);
+    state.h1 = state.h1 + h1_dot * real(0.0009754115099857198);
 
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
-    let zeta2_next = state.zeta2 + zeta2_dot * real(0.0009754115099857198);
+    state.zeta2 = state.zeta2 + zeta2_dot * real(0.0009754115099857198);
     // h2(t + dt) = h2 + Gamma h2'
-    let h2_next = state.h2 + h2_dot * real(0.0009063462346100907);
+    state.h2 = state.h2 + h2_dot * real(0.0009063462346100907);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + th2_dot * real(0.000994023928172455);
+    state.th2 = state.th2 + th2_dot * real(0.000994023928172455);
     // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
-    let W2_next = state.W2 * real(0.9999000049998333)
+    state.W2 = state.W2 * real(0.9999000049998333)
         + P2.outer(c2 * real(0.000999950001666625));
     // eps2(t + dt) = eps2 + Gamma eps2'
-    let eps2_next = state.eps2 + real(0.000999950001666625) * eps2_dot;
+    state.eps2 = state.eps2 + real(0.000999950001666625) * eps2_dot;
     // sigma2(t + dt) = sigma2 + Gamma sigma2'
-    let sigma2_next = state.sigma2 + real(0.000999950001666625) * sigma2_dot;
+    state.sigma2 = state.sigma2 + real(0.000999950001666625) * sigma2_dot;
     // phi_2(t + dt) = max(phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)), phi_min)
-    let phi2_next = T::select(
+    state.phi2 = T::select(
             s2.sqrt().ge(real(0.2)),
             state.phi2 * (-(real(0.001) * phi2_decay)).exp(),
             state.phi2,
@@ -832,9 +923,9 @@ pub fn law<T: Real>(
 
     // -- states of block 3, one sample later --
     // zeta3(t + dt) = zeta3 + Gamma zeta3'
-    let zeta3_next = state.zeta3 + zeta3_dot * real(0.0009516258196404043);
+    state.zeta3 = state.zeta3 + zeta3_dot * real(0.0009516258196404043);
     // th3(t + dt) = th3 + Gamma th3'
-    let th3_next = state.th3
+    state.th3 = state.th3
         - (D_hat3 + F3 + u_sat * real(40.0)) * real(50.0) * real(0.0009754115099857198);
     ControlOutputs {
         u,
@@ -849,33 +940,21 @@ pub fn law<T: Real>(
         D_hat2: w_hat2,
         e3,
         D_hat3,
-        next: State {
-            zeta1: zeta1_next,
-            zeta2: zeta2_next,
-            zeta3: zeta3_next,
-            h1: h1_next,
-            W2: W2_next,
-            th2: th2_next,
-            eps2: eps2_next,
-            sigma2: sigma2_next,
-            phi2: phi2_next,
-            h2: h2_next,
-            th3: th3_next,
-        },
     }
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 78 additions, 126 multiplications, 8 divisions, 3 square roots, 10 elementary
-/// functions, 9 comparisons and selections.
+/// Operations: 78 additions, 126 multiplications, 8 divisions, 3 square roots, 9 elementary
+/// functions, 10 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 1>,
     x2: Vector<T, 1>,
     x3: Vector<T, 1>,
-    state: &State<T>,
+    state: &mut State<T>,
     params: &Params<T>,
 ) -> ControlOutputs<T> {
     let prepared = prepare(params);

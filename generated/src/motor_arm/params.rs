@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0118913a00eb3cdfb1783e7d31ff64d8b56670e4d35a5114df00ba6fba3d5d01
+// SHA-256 of the text below: 79fb773805f02dadff4e6873d7d522f3b001434e3dc4a87441d751061b466416
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 
@@ -13,6 +13,7 @@ use nsv_runtime::real::Real;
 
 /// Run-time parameters, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Params<T> {
     /// Unit: kg. Plant 0.434, dispersed uniformly between 0.35 and 0.52; controller 0.434. Source:
     /// Dawson et al.; the spread is chosen.

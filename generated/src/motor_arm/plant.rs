@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 6e62927923768ae261e380e44ba1eda1624361c4ba3106731f56c836cd2ec823
+// SHA-256 of the text below: e5d42ddfc956d56f32af8aa5930dec52a6e104c4e61b8736e59bcefd0d1ac61f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // plant: 9 additions, 20 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -29,20 +29,22 @@ pub const INITIAL_STATE: [f64; STATES] = [0.1, 0.0, 0.0, 0.0];
 pub struct Plant<T> {
     /// Parameters.
     pub params: Params<T>,
+    /// Values of [`prepare`] for these parameters.
+    pub prepared: Prepared<T>,
     /// Control, held between samples.
     pub u_sat: Vector<T, 1>,
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
     #[inline(always)]
-    fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+    fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
         T::outlined(Drift { plant: self, t, x })
     }
 
     #[inline(always)]
     fn diffusion(
         &self,
-        t: T,
+        t: f64,
         x: &Vector<T, STATES>,
     ) -> Matrix<T, STATES, NOISE_CHANNELS> {
         T::outlined(Diffusion { plant: self, t, x })
@@ -51,7 +53,7 @@ impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
     #[inline(always)]
     fn drift_and_noise(
         &self,
-        t: T,
+        t: f64,
         x: &Vector<T, STATES>,
         dw: &Vector<T, NOISE_CHANNELS>,
     ) -> (Vector<T, STATES>, Vector<T, STATES>) {
@@ -61,33 +63,37 @@ impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
 /// Drift.
 struct Drift<'a, T> {
     plant: &'a Plant<T>,
-    t: T,
+    t: f64,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Drift<'_, T> {
     type Output = Vector<T, STATES>;
     #[inline(always)]
     fn run(self) -> Vector<T, STATES> {
-        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
+        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
+        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.prepared, &clock);
+        rate.drift
     }
 }
 /// Diffusion.
 struct Diffusion<'a, T> {
     plant: &'a Plant<T>,
-    t: T,
+    t: f64,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Diffusion<'_, T> {
     type Output = Matrix<T, STATES, NOISE_CHANNELS>;
     #[inline(always)]
     fn run(self) -> Matrix<T, STATES, NOISE_CHANNELS> {
-        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).diffusion
+        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
+        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.prepared, &clock);
+        rate.diffusion
     }
 }
 /// Drift, and diffusion times noise.
 struct Rates<'a, T> {
     plant: &'a Plant<T>,
-    t: T,
+    t: f64,
     x: &'a Vector<T, STATES>,
     dw: &'a Vector<T, NOISE_CHANNELS>,
 }
@@ -95,7 +101,8 @@ impl<T: Real> Part for Rates<'_, T> {
     type Output = (Vector<T, STATES>, Vector<T, STATES>);
     #[inline(always)]
     fn run(self) -> (Vector<T, STATES>, Vector<T, STATES>) {
-        let rate = plant(self.t, *self.x, self.plant.u_sat, &self.plant.params);
+        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
+        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.prepared, &clock);
         (rate.drift, diffuse(&rate.diffusion, self.dw))
     }
 }
@@ -116,6 +123,7 @@ fn diffuse<T: Real>(
 
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Prepared<T> {
     /// `weight`.
     pub weight: T,
@@ -163,9 +171,20 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
 /// Values of [`clock`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Clock<T> {
     /// `d_3(t)`
     pub d3: Vector<T, 1>,
+}
+
+impl<T: Real> Clock<T> {
+    /// The same values in every lane.
+    #[inline(always)]
+    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+        Self {
+            d3: Vector::splat_lanes(clock.d3),
+        }
+    }
 }
 
 /// What depends on time and parameters alone: needed once for a sample of all runs with these

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 21a72ae142cc810190052228eaf21cfaf92a13ac08d4bba0cbda437fcf867bd9
+// SHA-256 of the text below: fa8594caca0132d4fc8bbc0e8b6971038cb11d607b182bd9eb7e16764d02a4de
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 
@@ -8,7 +8,7 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Controller, Output, SAMPLE_TIME, State};
+use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State, clock};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -34,6 +34,7 @@ pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;
 pub struct Simulator<T: Real = f64> {
     controller: Controller<T>,
     truth: Params<T>,
+    prepared: plant::Prepared<T>,
     x: Vector<T, STATES>,
     state: State<T>,
     output: Output<T>,
@@ -143,16 +144,14 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let mut controller = Controller::new(Params::design());
         controller.reset(T::zero(), Vector([x[0]]), Vector([x[1]]), Vector([x[2]]));
         let state = *controller.state();
-        let output = controller
-            .clone()
-            .step(T::zero(), Vector([x[0]]), Vector([x[1]]), Vector([x[2]]));
         let process = Noise::process(options.seed, options.run);
         Self {
+            prepared: plant::prepare(&truth),
             controller,
             truth,
             x,
             state,
-            output,
+            output: Output::zero(),
             sample: 0,
             noise: options.noise.then_some(process),
         }
@@ -166,7 +165,15 @@ impl<T: Real> Runs<T> for Simulator<T> {
     #[inline(always)]
     fn control(&mut self) {
         let t = T::from_f64(self.time());
-        self.output = self.controller.step(t, self.x1(), self.x2(), self.x3());
+        self.output = self
+            .controller
+            .step_at(
+                t,
+                &Clock::splat(&clock(T::Scalar::from_f64(self.time()))),
+                self.x1(),
+                self.x2(),
+                self.x3(),
+            );
     }
 
     /// Platen's scheme: no state changes the diffusion, so that its correction is 0 and the scheme
@@ -175,20 +182,14 @@ impl<T: Real> Runs<T> for Simulator<T> {
     fn advance(&mut self) {
         let plant = Plant {
             params: self.truth,
+            prepared: self.prepared,
             u_sat: self.output.u_sat,
         };
         for substep in 0..SUBSTEPS {
-            let t = T::from_f64(self.time() + f64::from(substep) * SUBSTEP);
+            let t = self.time() + f64::from(substep) * SUBSTEP;
             let step = self.sample * u64::from(SUBSTEPS) + u64::from(substep);
             let dw = self.draw(step) * T::from_f64(SUBSTEP).sqrt();
-            self.x = sde::step(
-                Scheme::EulerMaruyama,
-                &plant,
-                t,
-                &self.x,
-                T::from_f64(SUBSTEP),
-                &dw,
-            );
+            self.x = sde::step(Scheme::EulerMaruyama, &plant, t, &self.x, SUBSTEP, &dw);
         }
         self.sample += 1;
     }

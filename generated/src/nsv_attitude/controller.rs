@@ -1,8 +1,8 @@
-// SHA-256 of the text below: bc24fdc6ec9df151abfbc7cedbb124ca87683741b7e6ae412de7baa91fcc16be
+// SHA-256 of the text below: 0250fd3d14f14b11a8507382aef4fd9b54795f7c54d72ee115092477f1b32a7b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// initial: 60 additions, 99 multiplications, 8 divisions, 0 square roots, 21 elementary functions, 6 comparisons and selections
-// control: 520 additions, 794 multiplications, 14 divisions, 4 square roots, 29 elementary functions, 21 comparisons and selections
+// initial: 60 additions, 99 multiplications, 8 divisions, 0 square roots, 20 elementary functions, 7 comparisons and selections
+// control: 520 additions, 794 multiplications, 14 divisions, 4 square roots, 26 elementary functions, 23 comparisons and selections
 
 //! `nsv_attitude`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -13,7 +13,6 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
-use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -30,6 +29,7 @@ pub const SAFE_INPUT: [f64; 3] = [0.0, 0.0, 0.0];
 
 /// The controller's states, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct State<T> {
     /// Auxiliary anti-windup state zeta (13): attitude (alpha, beta, mu).
     ///
@@ -167,6 +167,26 @@ pub struct Output<T: Real> {
     /// `d_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 3>,
 }
+impl<T: Real> Output<T> {
+    /// Before the first sample: all zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self {
+            status: Status::OK,
+            valid: T::Mask::splat(false),
+            u: Vector::zero(),
+            u_sat: Vector::zero(),
+            y_r: Vector::zero(),
+            e1: Vector::zero(),
+            k1: T::zero(),
+            alpha1: Vector::zero(),
+            D_hat1: Vector::zero(),
+            e2: Vector::zero(),
+            k2: T::zero(),
+            D_hat2: Vector::zero(),
+        }
+    }
+}
 
 /// Attitude control of a near space vehicle with multi-source disturbances
 ///
@@ -174,6 +194,7 @@ pub struct Output<T: Real> {
 #[derive(Clone, Debug)]
 pub struct Controller<T: Real> {
     params: Params<T>,
+    prepared: Prepared<T>,
     state: State<T>,
     started: T::Mask,
 }
@@ -183,6 +204,7 @@ impl<T: Real> Controller<T> {
     #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
+            prepared: prepare(&params),
             params,
             state: State::zero(),
             started: T::Mask::splat(false),
@@ -192,22 +214,24 @@ impl<T: Real> Controller<T> {
     /// Starts anew from these measurements; from the next ones if they are not finite.
     #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) {
-        let start = initial(t, x1, x2, &self.params);
-        let finite = start
-            .is_finite()
-            .and(t.is_finite())
-            .and(x1.is_finite())
-            .and(x2.is_finite());
-        self.state = State::select(finite, &start, &State::zero());
-        self.started = finite;
+        self.state = State::zero();
+        self.started = T::Mask::splat(false);
+        let mask = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
+        T::outlined(Begin {
+            controller: self,
+            mask,
+            t,
+            x1,
+            x2,
+        });
     }
 
     /// One sample: the control for the time since start (s) and the measured states (SI), after
     /// which the states are those of the next sample.
     ///
     /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
-    /// the status has `NON_FINITE_INPUT`, and the states stay as they were. `SATURATED` means that
-    /// a control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
+    /// the status has `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a
+    /// control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
     /// barrier was clamped.
     ///
     /// The first step with finite measurements initialises the states; so does the step after one
@@ -215,6 +239,20 @@ impl<T: Real> Controller<T> {
     /// use.
     #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) -> Output<T> {
+        let clock = clock(t);
+        self.step_at(t, &clock, x1, x2)
+    }
+
+    /// As [`Controller::step`], with the values of [`clock`] at this time, which can serve many
+    /// runs.
+    #[inline(always)]
+    pub fn step_at(
+        &mut self,
+        t: T,
+        clock: &Clock<T>,
+        x1: Vector<T, 3>,
+        x2: Vector<T, 3>,
+    ) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
         let starting = measured.and(self.started.not());
         if starting.any() {
@@ -226,17 +264,21 @@ impl<T: Real> Controller<T> {
                 x2,
             });
         }
-        let law = control(t, x1, x2, &self.state, &self.params);
+        let before = if measured.all() { None } else { Some(self.state) };
+        let law = law(x1, x2, &mut self.state, &self.prepared, clock);
         let valid = measured
+            .and(self.started)
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
-            .and(law.next.is_finite());
-        self.state = if valid.all() {
-            law.next
-        } else {
-            State::select(valid, &law.next, &self.state)
-        };
-        self.started = valid.or(self.started.and(measured.not()));
+            .and(self.state.is_finite());
+        if !valid.all() {
+            T::outlined(Restore {
+                controller: self,
+                valid,
+                measured,
+                before,
+            });
+        }
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
         let saturated = u[0].ne(u_sat[0]).or(u[1].ne(u_sat[1])).or(u[2].ne(u_sat[2]));
@@ -287,13 +329,45 @@ impl<T: Real> Part for Begin<'_, T> {
         let start = initial(self.t, self.x1, self.x2, &self.controller.params);
         let mask = self.mask.and(start.is_finite());
         self.controller.state = State::select(mask, &start, &self.controller.state);
+        self.controller.started = self.controller.started.or(mask);
+    }
+}
+
+/// Gives the states back where the law was not finite: those before it, or if they made it
+/// overflow those of a start at the origin, until the next sample.
+struct Restore<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    valid: T::Mask,
+    measured: T::Mask,
+    before: Option<State<T>>,
+}
+impl<T: Real> Part for Restore<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let zero = State::zero();
+        let controller = self.controller;
+        let kept = match &self.before {
+            Some(before) => State::select(self.measured, &zero, before),
+            None => zero,
+        };
+        controller.state = State::select(self.valid, &controller.state, &kept);
+        let mask = self.measured.and(self.valid.not());
+        T::outlined(Begin {
+            controller: &mut *controller,
+            mask,
+            t: T::zero(),
+            x1: Vector::zero(),
+            x2: Vector::zero(),
+        });
+        controller.started = controller.started.and(mask.not());
     }
 }
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 60 additions, 99 multiplications, 8 divisions, 0 square roots, 21 elementary
-/// functions, 6 comparisons and selections.
+/// Operations: 60 additions, 99 multiplications, 8 divisions, 0 square roots, 20 elementary
+/// functions, 7 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
     t: T,
@@ -310,65 +384,63 @@ pub fn initial<T: Real>(
     let lift = real(97170193.3485195) * params.CL_scale
         * (at_alpha_deg.CL_alpha + at_alpha_deg.CL_LE + at_alpha_deg.CL_RE);
     let beta = x1[1];
-    let mu = x1[2];
     let side = real(97170193.3485195) * params.CY_scale
         * (at_alpha_deg.CY_beta * beta + at_alpha_deg.CY_LE + at_alpha_deg.CY_RE
             + at_alpha_deg.CY_RUD);
 
     // -- known dynamics of block 1 (attitude) (11) --
-    let t1 = Vector([alpha, mu, beta]);
-    let [sin_alpha, sin_mu, _] = t1.sin().0;
-    let [cos_alpha, cos_mu, cos_beta] = t1.cos().0;
-    let t2 = real(1332506.5352200002) * cos_mu;
-    let [_, _, tan_beta] = t1.tan().0;
+    let [sin_alpha, _, sin_x1_2] = x1.sin().0;
+    let [cos_alpha, cos_beta, cos_x1_2] = x1.cos().0;
+    let t1 = real(1332506.5352200002) * cos_x1_2;
+    let [_, tan_beta, _] = x1.tan().0;
     // F_1(x_1 .. x_1)
     let F1 = Vector([
-        (t2 - lift) / (real(410460000.0) * cos_beta),
-        (side + real(1332506.5352200002) * sin_mu) * real(2.4362909905959168e-9),
-        (lift * tan_beta - t2 * tan_beta) * real(2.4362909905959168e-9),
+        (t1 - lift) / (real(410460000.0) * cos_beta),
+        (side + real(1332506.5352200002) * sin_x1_2) * real(2.4362909905959168e-9),
+        (lift * tan_beta - t1 * tan_beta) * real(2.4362909905959168e-9),
     ]);
-    let t3 = -tan_beta;
-    let t4 = t3 * cos_alpha;
-    let t5 = t3 * sin_alpha;
-    let t6 = -cos_alpha;
-    let t7 = real(1.0) / cos_beta;
-    let t8 = cos_alpha * t7;
-    let t9 = sin_alpha * t7;
+    let t2 = -tan_beta;
+    let t3 = t2 * cos_alpha;
+    let t4 = t2 * sin_alpha;
+    let t5 = -cos_alpha;
+    let t6 = real(1.0) / cos_beta;
+    let t7 = cos_alpha * t6;
+    let t8 = sin_alpha * t6;
     // G_1(x_1 .. x_1)
     let G1 = Matrix::rows([
-        [t4, real(1.0), t5],
-        [sin_alpha, real(0.0), t6],
-        [t8, real(0.0), t9],
+        [t3, real(1.0), t4],
+        [sin_alpha, real(0.0), t5],
+        [t7, real(0.0), t8],
     ]);
 
     // -- reference and constraints --
-    let t10 = t.le(real(4.0));
-    let t11 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
-    let t12 = real(0.5) * t;
-    let t13 = real(0.9424777960769379) * t;
-    let t14 = Vector([t, t11, t13, t12]);
-    let [sin_t, sin_t11, sin_t13, sin_t12] = t14.sin().0;
-    let [cos_t, cos_t11, cos_t13, cos_t12] = t14.cos().0;
+    let t9 = t.le(real(4.0));
+    let t10 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
+    let t11 = real(0.5) * t;
+    let t12 = real(0.9424777960769379) * t;
+    let t13 = Vector([t, t10, t12, t11]);
+    let [sin_t, sin_t10, sin_t12, sin_t11] = t13.sin().0;
+    let [cos_t, cos_t10, cos_t12, cos_t11] = t13.cos().0;
     // y_r(t)
     let y_r = Vector([
         T::select(
-            t10,
-            (real(2.5) * sin_t11 + real(1.5)) * real(0.017453292519943295),
+            t9,
+            (real(2.5) * sin_t10 + real(1.5)) * real(0.017453292519943295),
             real(0.06981317007977318),
         ),
-        real(0.5) * sin_t13 * real(0.017453292519943295),
-        (real(-2.0) * sin_t + real(0.5) * cos_t12) * real(0.017453292519943295),
+        real(0.5) * sin_t12 * real(0.017453292519943295),
+        (real(-2.0) * sin_t + real(0.5) * cos_t11) * real(0.017453292519943295),
     ]);
     // y_r'
     let y_r_dot = Vector([
         T::select(
-            t10,
-            real(0.017453292519943295) * (real(2.5) * (cos_t11 * real(FRAC_PI_4))),
+            t9,
+            real(0.017453292519943295) * (real(2.5) * (cos_t10 * real(FRAC_PI_4))),
             real(0.0),
         ),
-        real(0.017453292519943295) * (real(0.5) * (cos_t13 * real(0.9424777960769379))),
+        real(0.017453292519943295) * (real(0.5) * (cos_t12 * real(0.9424777960769379))),
         real(0.017453292519943295)
-            * (real(-2.0) * cos_t - real(0.5) * (sin_t12 * real(0.5))),
+            * (real(-2.0) * cos_t - real(0.5) * (sin_t11 * real(0.5))),
     ]);
     // k_1(t)
     let k1 = (real(3.0) * (-t).exp() + real(0.5)) * real(0.017453292519943295);
@@ -390,9 +462,9 @@ pub fn initial<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t15 = s1 * (real(1.0) / (k1 * k1));
+    let t14 = s1 * (real(1.0) / (k1 * k1));
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t15 * t15);
+    let E1_free = real(FRAC_PI_2) * (t14 * t14);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
@@ -405,35 +477,36 @@ pub fn initial<T: Real>(
     let G_norm2_1 = G1.sum_squares();
 
     // -- robust feedback of block 1 (31) (63) --
-    let t16 = s1 * sec2E1;
-    let t17 = real(2.375)
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + real(2.0) + t16 * real(0.5);
+    let t15 = s1 * sec2E1;
+    let t16 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free);
     // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1 * (t17 + t16 * (real(0.5) * G_norm2_1));
+    let Lam1 = e1
+        * (real(2.375) * t16 + real(2.0) + t15 * real(0.5)
+            + t15 * (real(0.5) * G_norm2_1));
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = F1 - y_r_dot + Lam1;
-    let t18 = Matrix::rows([[sin_alpha, t6], [t8, t9]])
+    let t17 = Matrix::rows([[sin_alpha, t5], [t7, t8]])
         .solve(Vector([bracket1[1], bracket1[2]]));
-    let t19 = bracket1[0] - t4 * t18[0] - t5 * t18[1];
-    let t20 = Vector([t18[0], t19, t18[1]]);
+    let t18 = bracket1[0] - t3 * t17[0] - t4 * t17[1];
+    let t19 = Vector([t17[0], t18, t17[1]]);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t20;
+    let alpha1 = -t19;
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t20;
+    let e2 = x2 + t19;
 
     // -- given --
-    let t21 = real(-1.5) * e2[0];
-    let t22 = real(1.5) * e2[0];
-    let t23 = real(1.5) * e2[1];
-    let t24 = real(-2.0) * e2[2];
-    let t25 = real(4.0) * e2[2];
-    let th2 = -Vector([t21, t22, t23, e2[1], t24, t25]);
+    let t20 = real(-1.5) * e2[0];
+    let t21 = real(1.5) * e2[0];
+    let t22 = real(1.5) * e2[1];
+    let t23 = real(-2.0) * e2[2];
+    let t24 = real(4.0) * e2[2];
+    let th2 = -Vector([t20, t21, t22, e2[1], t23, t24]);
     State {
         zeta1,
         zeta2,
@@ -450,6 +523,7 @@ pub fn initial<T: Real>(
 
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Prepared<T> {
     /// Part of `lift`.
     pub lift_1: T,
@@ -494,6 +568,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
 /// Values of [`clock`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Clock<T> {
     /// `y_r(t)`
     pub y_r: Vector<T, 3>,
@@ -507,6 +582,21 @@ pub struct Clock<T> {
     pub E1_free_1: T,
     /// Part of `E2_free`.
     pub E2_free_1: T,
+}
+
+impl<T: Real> Clock<T> {
+    /// The same values in every lane.
+    #[inline(always)]
+    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+        Self {
+            y_r: Vector::splat_lanes(clock.y_r),
+            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
+            k2: T::splat(clock.k2),
+            k1: T::splat(clock.k1),
+            E1_free_1: T::splat(clock.E1_free_1),
+            E2_free_1: T::splat(clock.E2_free_1),
+        }
+    }
 }
 
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
@@ -588,19 +678,18 @@ pub struct ControlOutputs<T: Real> {
     pub k2: T,
     /// `d_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 3>,
-    /// All outputs `next.*`.
-    pub next: State<T>,
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 515 additions, 763 multiplications, 12 divisions, 4 square roots, 20 elementary
-/// functions, 18 comparisons and selections.
+/// Operations: 515 additions, 763 multiplications, 12 divisions, 4 square roots, 17 elementary
+/// functions, 20 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 3>,
     x2: Vector<T, 3>,
-    state: &State<T>,
+    state: &mut State<T>,
     prepared: &Prepared<T>,
     clock: &Clock<T>,
 ) -> ControlOutputs<T> {
@@ -613,7 +702,6 @@ pub fn law<T: Real>(
     let lift = prepared.lift_1
         * (at_alpha_deg_2.CL_alpha + at_alpha_deg_2.CL_LE + at_alpha_deg_2.CL_RE);
     let beta = x1[1];
-    let mu = x1[2];
     let side = prepared.side_1
         * (at_alpha_deg_2.CY_beta * beta + at_alpha_deg_2.CY_LE + at_alpha_deg_2.CY_RE
             + at_alpha_deg_2.CY_RUD);
@@ -650,29 +738,28 @@ pub fn law<T: Real>(
     let yaw_delta = dCn * prepared.yaw_delta_1 * real(97170193.3485195);
 
     // -- known dynamics of block 1 (attitude) (11) --
-    let t3 = Vector([alpha, mu, beta]);
-    let [sin_alpha, sin_mu, _] = t3.sin().0;
-    let [cos_alpha, cos_mu, cos_beta] = t3.cos().0;
-    let t4 = real(1332506.5352200002) * cos_mu;
-    let [_, _, tan_beta] = t3.tan().0;
+    let [sin_alpha, _, sin_x1_2] = x1.sin().0;
+    let [cos_alpha, cos_beta, cos_x1_2] = x1.cos().0;
+    let t3 = real(1332506.5352200002) * cos_x1_2;
+    let [_, tan_beta, _] = x1.tan().0;
     // F_1(x_1 .. x_1)
     let F1 = Vector([
-        (t4 - lift) / (real(410460000.0) * cos_beta),
-        (side + real(1332506.5352200002) * sin_mu) * real(2.4362909905959168e-9),
-        (lift * tan_beta - t4 * tan_beta) * real(2.4362909905959168e-9),
+        (t3 - lift) / (real(410460000.0) * cos_beta),
+        (side + real(1332506.5352200002) * sin_x1_2) * real(2.4362909905959168e-9),
+        (lift * tan_beta - t3 * tan_beta) * real(2.4362909905959168e-9),
     ]);
-    let t5 = -tan_beta;
-    let t6 = t5 * cos_alpha;
-    let t7 = t5 * sin_alpha;
-    let t8 = -cos_alpha;
-    let t9 = real(1.0) / cos_beta;
-    let t10 = cos_alpha * t9;
-    let t11 = sin_alpha * t9;
+    let t4 = -tan_beta;
+    let t5 = t4 * cos_alpha;
+    let t6 = t4 * sin_alpha;
+    let t7 = -cos_alpha;
+    let t8 = real(1.0) / cos_beta;
+    let t9 = cos_alpha * t8;
+    let t10 = sin_alpha * t8;
     // G_1(x_1 .. x_1)
     let G1 = Matrix::rows([
-        [t6, real(1.0), t7],
-        [sin_alpha, real(0.0), t8],
-        [t10, real(0.0), t11],
+        [t5, real(1.0), t6],
+        [sin_alpha, real(0.0), t7],
+        [t9, real(0.0), t10],
     ]);
 
     // -- known dynamics of block 2 (rates) (11) --
@@ -682,17 +769,17 @@ pub fn law<T: Real>(
         (real(12202362.0) * p * r + pitch) * real(7.375621211696555e-8),
         (real(-12202362.0) * p * q + yaw) * real(7.375621211696555e-8),
     ]);
-    let t12 = roll_delta[0] * real(7.375621211696555e-7);
-    let t13 = roll_delta[1] * real(7.375621211696555e-7);
-    let t14 = roll_delta[2] * real(7.375621211696555e-7);
-    let t15 = pitch_delta[0] * real(7.375621211696555e-8);
-    let t16 = pitch_delta[1] * real(7.375621211696555e-8);
-    let t17 = pitch_delta[2] * real(7.375621211696555e-8);
-    let t18 = yaw_delta[0] * real(7.375621211696555e-8);
-    let t19 = yaw_delta[1] * real(7.375621211696555e-8);
-    let t20 = yaw_delta[2] * real(7.375621211696555e-8);
+    let t11 = roll_delta[0] * real(7.375621211696555e-7);
+    let t12 = roll_delta[1] * real(7.375621211696555e-7);
+    let t13 = roll_delta[2] * real(7.375621211696555e-7);
+    let t14 = pitch_delta[0] * real(7.375621211696555e-8);
+    let t15 = pitch_delta[1] * real(7.375621211696555e-8);
+    let t16 = pitch_delta[2] * real(7.375621211696555e-8);
+    let t17 = yaw_delta[0] * real(7.375621211696555e-8);
+    let t18 = yaw_delta[1] * real(7.375621211696555e-8);
+    let t19 = yaw_delta[2] * real(7.375621211696555e-8);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix::rows([[t12, t13, t14], [t15, t16, t17], [t18, t19, t20]]);
+    let H2 = Matrix::rows([[t11, t12, t13], [t14, t15, t16], [t17, t18, t19]]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -701,20 +788,47 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t21 = s1 * clock.E1_free_1;
+    let t20 = s1 * clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t21 * t21);
+    let E1_free = real(FRAC_PI_2) * (t20 * t20);
     // E_1 >= pi/2 - delta
     let violated1 = E1_free.ge(real(1.5697963267948967));
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
+
+    // -- error variable of block 2 (14) --
+    // e_2 = x_2 - h_1 - zeta_2
+    let e2 = x2 - state.h1 - state.zeta2;
+
+    // -- barrier of block 2 (23) (26) --
+    // s_2 = e_2^T e_2
+    let s2 = e2.sum_squares();
+    let t21 = s2 * clock.E2_free_1;
+    // pi s_2^2 / (2 k_2^4), before the clamp
+    let E2_free = real(FRAC_PI_2) * (t21 * t21);
+    // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
+    let E2 = E2_free.min(real(1.5697963267948967));
+    let t22 = Vector([E1, E2]);
+    let [cos_E1, cos_E2] = t22.cos().0;
+    // cos E_2
+    let cosE2 = cos_E2;
+    // E_2 >= pi/2 - delta
+    let violated2 = E2_free.ge(real(1.5697963267948967));
+    let t23 = cosE2 * cosE2;
+    // 1 / cos^2 E_2
+    let sec2E2 = real(1.0) / t23;
+    let t24 = s2 * sec2E2;
+    // c_2 = s_2 e_2^T / cos^2 E_2
+    let c2 = e2 * t24;
+
+    // -- barrier of block 1 (23) (26) --
     // cos E_1
-    let cosE1 = E1.cos();
+    let cosE1 = cos_E1;
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
-    let t22 = s1 * sec2E1;
+    let t25 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * t22;
+    let c1 = e1 * t25;
 
     // -- MTPN of block 1 (4) (16) --
     // P_1 = P_m(z_1), 19 nodes
@@ -731,56 +845,34 @@ pub fn law<T: Real>(
     let G_norm2_1 = G1.sum_squares();
 
     // -- robust feedback of block 1 (31) (63) --
-    let t23 = real(2.375)
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + real(2.0) + t22 * real(0.5);
+    let [sin_E1, sin_E2] = t22.sin().0;
+    let t26 = real(2.375)
+        * (T::select(E1.eq(real(0.0)), real(1.0), sin_E1 * cosE1 / E1)
+            * real(1.0).min(real(1.5697963267948967) / E1_free));
     // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1 * (t23 + t22 * (real(0.5) * G_norm2_1));
+    let Lam1 = e1 * (t26 + real(2.0) + t25 * real(0.5) + t25 * (real(0.5) * G_norm2_1));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t24 = F1 + A_hat1;
-    let t25 = state.zeta1 * real(20.0);
+    let t27 = F1 + A_hat1;
+    let t28 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t24 - clock.y_r_dot + t25 + D_hat1 + Lam1;
-    let t26 = Matrix::rows([[sin_alpha, t8], [t10, t11]])
+    let bracket1 = t27 - clock.y_r_dot + t28 + D_hat1 + Lam1;
+    let t29 = Matrix::rows([[sin_alpha, t7], [t9, t10]])
         .solve(Vector([bracket1[1], bracket1[2]]));
-    let t27 = bracket1[0] - t6 * t26[0] - t7 * t26[1];
+    let t30 = bracket1[0] - t5 * t29[0] - t6 * t29[1];
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -Vector([t26[0], t27, t26[1]]);
+    let alpha1 = -Vector([t29[0], t30, t29[1]]);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t25;
+    let zeta1_dot = G1 * state.zeta2 - t28;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
     let h1_dot = (alpha1 - state.h1) * real(10.0);
-
-    // -- error variable of block 2 (14) --
-    // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 - state.h1 - state.zeta2;
-
-    // -- barrier of block 2 (23) (26) --
-    // s_2 = e_2^T e_2
-    let s2 = e2.sum_squares();
-    let t28 = s2 * clock.E2_free_1;
-    // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t28 * t28);
-    // E_2 >= pi/2 - delta
-    let violated2 = E2_free.ge(real(1.5697963267948967));
-    // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
-    let E2 = E2_free.min(real(1.5697963267948967));
-    // cos E_2
-    let cosE2 = E2.cos();
-    let t29 = cosE2 * cosE2;
-    // 1 / cos^2 E_2
-    let sec2E2 = real(1.0) / t29;
-    let t30 = s2 * sec2E2;
-    // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * t30;
 
     // -- MTPN of block 2 (4) (16) --
     // P_2 = P_m(z_2), 19 nodes
@@ -810,17 +902,17 @@ pub fn law<T: Real>(
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
     let t32 = real(3.0) * sec2E2;
-    let t33 = real(8.0) * E2_free * E2.sin() * (cosE2 * (sec2E2 * sec2E2)) + t32;
+    let t33 = real(8.0) * E2_free * sin_E2 * (cosE2 * (sec2E2 * sec2E2)) + t32;
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
     let Ybar_norm2 = (t33 * t33 + real(2.0) * (t32 * t32)).sqrt();
     // S_2 H_2
     let SH2 = Matrix::rows([
-        [real(-1.5) * t12, real(-1.5) * t13, real(-1.5) * t14],
-        [real(1.5) * t12, real(1.5) * t13, real(1.5) * t14],
-        [real(1.5) * t15, real(1.5) * t16, real(1.5) * t17],
-        [t15, t16, t17],
-        [real(-2.0) * t18, real(-2.0) * t19, real(-2.0) * t20],
-        [real(4.0) * t18, real(4.0) * t19, real(4.0) * t20],
+        [real(-1.5) * t11, real(-1.5) * t12, real(-1.5) * t13],
+        [real(1.5) * t11, real(1.5) * t12, real(1.5) * t13],
+        [real(1.5) * t14, real(1.5) * t15, real(1.5) * t16],
+        [t14, t15, t16],
+        [real(-2.0) * t17, real(-2.0) * t18, real(-2.0) * t19],
+        [real(4.0) * t17, real(4.0) * t18, real(4.0) * t19],
     ]);
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
@@ -836,26 +928,27 @@ pub fn law<T: Real>(
     let t36 = s2 * s2;
     // 1 / sqrt(s_2^2 + varsigma_2^2)
     let s_scale2 = real(1.0) / (t36 + real(1.0)).sqrt();
-    let t37 = G_norm2_1 * s_c1;
-    let t38 = Psi2 / (state.phi2 * state.phi2 + t36);
-    let t39 = real(2.5)
-        * (kernel::sin_cos_over(E2) * real(1.0).min(real(1.5697963267948967) / E2_free))
-        + real(2.0) + t30 * real(75.0);
-    let t40 = t39 + real(0.5) * sec2E2 + t37 * t37 * real(0.25) * t29;
+    let t37 = real(2.5)
+        * (T::select(E2.eq(real(0.0)), real(1.0), sin_E2 * cosE2 / E2)
+            * real(1.0).min(real(1.5697963267948967) / E2_free));
+    let t38 = G_norm2_1 * s_c1;
+    let t39 = Psi2 / (state.phi2 * state.phi2 + t36);
+    let t40 = t37 + real(2.0) + t24 * real(75.0) + real(0.5) * sec2E2;
+    let t41 = t40 + t38 * t38 * real(0.25) * t23 + t34 * state.sigma2 * s_scale2;
     // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
     // (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4
     // eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 +
     // varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2 = e2 * (t40 + t34 * state.sigma2 * s_scale2 + t38 * t29) + Lam2_error_bound;
+    let Lam2 = e2 * (t41 + t39 * t23) + Lam2_error_bound;
 
     // -- control (64) of block 2 --
-    let t41 = state.zeta2 * real(50.0);
+    let t42 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 + A_hat2 - h1_dot + t41 + D_hat2 + Lam2;
-    let t42 = bracket2
+    let bracket2 = F2 + A_hat2 - h1_dot + t42 + D_hat2 + Lam2;
+    let t43 = bracket2
         .hadamard(Vector::<T, 3>::from_f64([1355818.0, 13558180.0, 13558180.0]));
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t42;
+    let u = -t43;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
@@ -867,10 +960,10 @@ pub fn law<T: Real>(
         T,
         3,
     >::from_f64([7.375621211696555e-7, 7.375621211696555e-8, 7.375621211696555e-8])
-        .hadamard(u_sat + t42) - t41;
+        .hadamard(u_sat + t43) - t42;
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t43 = Vector([
+    let t44 = Vector([
         real(3.0) * w_hat2[1],
         real(-3.0) * w_hat2[0],
         real(3.0) * w_hat2[3],
@@ -878,7 +971,7 @@ pub fn law<T: Real>(
         real(3.0) * w_hat2[5],
         real(-3.0) * w_hat2[4],
     ]);
-    let t44 = Vector([
+    let t45 = Vector([
         real(-1.5) * Lam2[0],
         real(1.5) * Lam2[0],
         real(1.5) * Lam2[1],
@@ -888,11 +981,11 @@ pub fn law<T: Real>(
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
     // w_hat_2 + S_2 Lam_2
-    let th2_dot = t43 + t44;
+    let th2_dot = t44 + t45;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (t30 * e2.dot(t35) - state.eps2);
+    let eps2_dot = real(0.1) * (t24 * e2.dot(t35) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
@@ -901,28 +994,12 @@ pub fn law<T: Real>(
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t38 + real(2.0);
+    let phi2_decay = t39 + real(2.0);
 
     // -- status --
     // some E_i >= pi/2 - delta
     let violated = violated1.or(violated2);
-
-    // -- states of block 1, one sample later --
-    // zeta1(t + dt) = zeta1 + Gamma zeta1'
-    let zeta1_next = state.zeta1 + zeta1_dot * real(0.0019605280423838395);
-    // h1(t + dt) = h1 + Gamma h1'
-    let h1_next = state.h1 + h1_dot * real(0.00198013266932447);
-    // th1(t + dt) = th1 + Gamma th1'
-    let th1_next = state.th1
-        - (D_hat1 + t24 + G1 * x2) * real(10.0) * real(0.00198013266932447);
-    // W_1(t + dt) = (1 - Gamma Gamma_1 lambda_1) W_1 + Gamma Gamma_1 P_1 c_1 I_1
-    let W1_next = state.W1 * real(0.9998000199986667)
-        + P1.outer(c1 * real(0.00019998000133326671));
-
-    // -- states of block 2, one sample later --
-    // zeta2(t + dt) = zeta2 + Gamma zeta2'
-    let zeta2_next = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
-    let t45 = Vector([
+    let t46 = Vector([
         real(0.0019999760360430705) * th2_dot[0]
             + real(1.1975964129556617e-5) * th2_dot[1],
         real(-5.9879820647783075e-6) * th2_dot[0]
@@ -936,19 +1013,37 @@ pub fn law<T: Real>(
         real(-1.3981226186927993e-5) * th2_dot[4]
             + real(0.0019919747640585435) * th2_dot[5],
     ]);
-    // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + t45;
-    // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
-    let W2_next = state.W2 * real(0.9998000199986667)
-        + P2.outer(c2 * real(0.00019998000133326671));
-    // eps2(t + dt) = eps2 + Gamma eps2'
-    let eps2_next = state.eps2 + real(0.001999800013332667) * eps2_dot;
-    // sigma2(t + dt) = sigma2 + Gamma sigma2'
-    let sigma2_next = state.sigma2 + real(0.001999800013332667) * sigma2_dot;
+
+    // -- states of block 2, one sample later --
     // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
     let phi2_min = (Psi2 * real(0.02)).sqrt();
+
+    // -- states of block 1, one sample later --
+    // zeta1(t + dt) = zeta1 + Gamma zeta1'
+    state.zeta1 = state.zeta1 + zeta1_dot * real(0.0019605280423838395);
+    // h1(t + dt) = h1 + Gamma h1'
+    state.h1 = state.h1 + h1_dot * real(0.00198013266932447);
+    // th1(t + dt) = th1 + Gamma th1'
+    state.th1 = state.th1
+        - (D_hat1 + t27 + G1 * x2) * real(10.0) * real(0.00198013266932447);
+    // W_1(t + dt) = (1 - Gamma Gamma_1 lambda_1) W_1 + Gamma Gamma_1 P_1 c_1 I_1
+    state.W1 = state.W1 * real(0.9998000199986667)
+        + P1.outer(c1 * real(0.00019998000133326671));
+
+    // -- states of block 2, one sample later --
+    // zeta2(t + dt) = zeta2 + Gamma zeta2'
+    state.zeta2 = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
+    // th2(t + dt) = th2 + Gamma th2'
+    state.th2 = state.th2 + t46;
+    // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
+    state.W2 = state.W2 * real(0.9998000199986667)
+        + P2.outer(c2 * real(0.00019998000133326671));
+    // eps2(t + dt) = eps2 + Gamma eps2'
+    state.eps2 = state.eps2 + real(0.001999800013332667) * eps2_dot;
+    // sigma2(t + dt) = sigma2 + Gamma sigma2'
+    state.sigma2 = state.sigma2 + real(0.001999800013332667) * sigma2_dot;
     // phi_2(t + dt) = max(phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)), phi_min)
-    let phi2_next = T::select(
+    state.phi2 = T::select(
             s2.sqrt().ge(real(0.01)),
             state.phi2 * (-(real(0.002) * phi2_decay)).exp(),
             state.phi2,
@@ -966,31 +1061,20 @@ pub fn law<T: Real>(
         e2,
         k2: clock.k2,
         D_hat2,
-        next: State {
-            zeta1: zeta1_next,
-            zeta2: zeta2_next,
-            W1: W1_next,
-            th1: th1_next,
-            h1: h1_next,
-            W2: W2_next,
-            th2: th2_next,
-            eps2: eps2_next,
-            sigma2: sigma2_next,
-            phi2: phi2_next,
-        },
     }
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 520 additions, 794 multiplications, 14 divisions, 4 square roots, 29 elementary
-/// functions, 21 comparisons and selections.
+/// Operations: 520 additions, 794 multiplications, 14 divisions, 4 square roots, 26 elementary
+/// functions, 23 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 3>,
     x2: Vector<T, 3>,
-    state: &State<T>,
+    state: &mut State<T>,
     params: &Params<T>,
 ) -> ControlOutputs<T> {
     let prepared = prepare(params);

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: b178fe70ad22d2276613da97ebe4bc2b77b97674a7dc264241a2d5d5c0a0672e
+// SHA-256 of the text below: befa97251c55fffd96fa1d766eff728cda48a90fee1192e16a190c05f29f0b5a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// lyapunov: 1928 additions, 2394 multiplications, 21 divisions, 3 square roots, 34 elementary functions, 32 comparisons and selections
+// lyapunov: 1928 additions, 2394 multiplications, 21 divisions, 3 square roots, 30 elementary functions, 34 comparisons and selections
 
 //! `nsv_attitude`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,8 +29,8 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 1928 additions, 2394 multiplications, 21 divisions, 3 square roots, 34
-/// elementary functions, 32 comparisons and selections.
+/// Operations: 1928 additions, 2394 multiplications, 21 divisions, 3 square roots, 30
+/// elementary functions, 34 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
@@ -51,7 +51,6 @@ pub fn lyapunov<T: Real>(
     let t2 = at_alpha_deg_2.CL_alpha + at_alpha_deg_2.CL_LE + at_alpha_deg_2.CL_RE;
     let lift = t1 * t2;
     let beta = x1[1];
-    let mu = x1[2];
     let t3 = real(97170193.3485195) * params.CY_scale;
     let t4 = at_alpha_deg_2.CY_beta * beta + at_alpha_deg_2.CY_LE + at_alpha_deg_2.CY_RE
         + at_alpha_deg_2.CY_RUD;
@@ -90,99 +89,98 @@ pub fn lyapunov<T: Real>(
     let yaw_delta = dCn * (real(18.288) * params.Cn_scale) * real(97170193.3485195);
 
     // -- known dynamics of block 1 (attitude) (11) --
-    let t11 = Vector([alpha, mu, beta]);
-    let [sin_alpha, sin_mu, sin_beta] = t11.sin().0;
-    let [cos_alpha, cos_mu, cos_beta] = t11.cos().0;
-    let t12 = real(1332506.5352200002) * cos_mu;
-    let t13 = t12 - lift;
-    let t14 = real(410460000.0) * cos_beta;
-    let t15 = real(1332506.5352200002) * sin_mu;
-    let [_, _, tan_beta] = t11.tan().0;
-    let t16 = t12 * tan_beta;
+    let [sin_alpha, sin_beta, sin_x1_2] = x1.sin().0;
+    let [cos_alpha, cos_beta, cos_x1_2] = x1.cos().0;
+    let t11 = real(1332506.5352200002) * cos_x1_2;
+    let t12 = t11 - lift;
+    let t13 = real(410460000.0) * cos_beta;
+    let t14 = real(1332506.5352200002) * sin_x1_2;
+    let [_, tan_beta, _] = x1.tan().0;
+    let t15 = t11 * tan_beta;
     // F_1(x_1 .. x_1)
     let F1 = Vector([
-        t13 / t14,
-        (side + t15) * real(2.4362909905959168e-9),
-        (lift * tan_beta - t16) * real(2.4362909905959168e-9),
+        t12 / t13,
+        (side + t14) * real(2.4362909905959168e-9),
+        (lift * tan_beta - t15) * real(2.4362909905959168e-9),
     ]);
-    let t17 = -tan_beta;
-    let t18 = t17 * cos_alpha;
-    let t19 = t17 * sin_alpha;
-    let t20 = -cos_alpha;
-    let t21 = real(1.0) / cos_beta;
-    let t22 = cos_alpha * t21;
-    let t23 = sin_alpha * t21;
+    let t16 = -tan_beta;
+    let t17 = t16 * cos_alpha;
+    let t18 = t16 * sin_alpha;
+    let t19 = -cos_alpha;
+    let t20 = real(1.0) / cos_beta;
+    let t21 = cos_alpha * t20;
+    let t22 = sin_alpha * t20;
     // G_1(x_1 .. x_1)
     let G1 = Matrix::rows([
-        [t18, real(1.0), t19],
-        [sin_alpha, real(0.0), t20],
-        [t22, real(0.0), t23],
+        [t17, real(1.0), t18],
+        [sin_alpha, real(0.0), t19],
+        [t21, real(0.0), t22],
     ]);
 
     // -- known dynamics of block 2 (rates) (11) --
-    let t24 = real(12202362.0) * p * r;
-    let t25 = real(-12202362.0) * p * q;
+    let t23 = real(12202362.0) * p * r;
+    let t24 = real(-12202362.0) * p * q;
     // F_2(x_1 .. x_2)
     let F2 = Vector([
         roll * real(7.375621211696555e-7),
-        (t24 + pitch) * real(7.375621211696555e-8),
-        (t25 + yaw) * real(7.375621211696555e-8),
+        (t23 + pitch) * real(7.375621211696555e-8),
+        (t24 + yaw) * real(7.375621211696555e-8),
     ]);
-    let t26 = roll_delta[0] * real(7.375621211696555e-7);
-    let t27 = roll_delta[1] * real(7.375621211696555e-7);
-    let t28 = roll_delta[2] * real(7.375621211696555e-7);
-    let t29 = pitch_delta[0] * real(7.375621211696555e-8);
-    let t30 = pitch_delta[1] * real(7.375621211696555e-8);
-    let t31 = pitch_delta[2] * real(7.375621211696555e-8);
-    let t32 = yaw_delta[0] * real(7.375621211696555e-8);
-    let t33 = yaw_delta[1] * real(7.375621211696555e-8);
-    let t34 = yaw_delta[2] * real(7.375621211696555e-8);
+    let t25 = roll_delta[0] * real(7.375621211696555e-7);
+    let t26 = roll_delta[1] * real(7.375621211696555e-7);
+    let t27 = roll_delta[2] * real(7.375621211696555e-7);
+    let t28 = pitch_delta[0] * real(7.375621211696555e-8);
+    let t29 = pitch_delta[1] * real(7.375621211696555e-8);
+    let t30 = pitch_delta[2] * real(7.375621211696555e-8);
+    let t31 = yaw_delta[0] * real(7.375621211696555e-8);
+    let t32 = yaw_delta[1] * real(7.375621211696555e-8);
+    let t33 = yaw_delta[2] * real(7.375621211696555e-8);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix::rows([[t26, t27, t28], [t29, t30, t31], [t32, t33, t34]]);
+    let H2 = Matrix::rows([[t25, t26, t27], [t28, t29, t30], [t31, t32, t33]]);
 
     // -- reference and constraints --
-    let t35 = t.le(real(4.0));
-    let t36 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
-    let t37 = real(2.0) * t;
-    let t38 = real(0.5) * t;
-    let t39 = real(0.9424777960769379) * t;
-    let t40 = Vector([t, t36, t39, t38, t37]);
-    let [sin_t, sin_t36, sin_t39, sin_t38, sin_t37] = t40.sin().0;
-    let [cos_t, cos_t36, cos_t39, cos_t38, cos_t37] = t40.cos().0;
-    let t41 = real(0.5) * cos_t38;
+    let t34 = t.le(real(4.0));
+    let t35 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
+    let t36 = real(2.0) * t;
+    let t37 = real(0.5) * t;
+    let t38 = real(0.9424777960769379) * t;
+    let t39 = Vector([t, t35, t38, t37, t36]);
+    let [sin_t, sin_t35, sin_t38, sin_t37, sin_t36] = t39.sin().0;
+    let [cos_t, cos_t35, cos_t38, cos_t37, cos_t36] = t39.cos().0;
+    let t40 = real(0.5) * cos_t37;
     // y_r(t)
     let y_r = Vector([
         T::select(
-            t35,
-            (real(2.5) * sin_t36 + real(1.5)) * real(0.017453292519943295),
+            t34,
+            (real(2.5) * sin_t35 + real(1.5)) * real(0.017453292519943295),
             real(0.06981317007977318),
         ),
-        real(0.5) * sin_t39 * real(0.017453292519943295),
-        (real(-2.0) * sin_t + t41) * real(0.017453292519943295),
+        real(0.5) * sin_t38 * real(0.017453292519943295),
+        (real(-2.0) * sin_t + t40) * real(0.017453292519943295),
     ]);
     // y_r'
     let y_r_dot = Vector([
         T::select(
-            t35,
-            real(0.017453292519943295) * (real(2.5) * (cos_t36 * real(FRAC_PI_4))),
+            t34,
+            real(0.017453292519943295) * (real(2.5) * (cos_t35 * real(FRAC_PI_4))),
             real(0.0),
         ),
-        real(0.017453292519943295) * (real(0.5) * (cos_t39 * real(0.9424777960769379))),
+        real(0.017453292519943295) * (real(0.5) * (cos_t38 * real(0.9424777960769379))),
         real(0.017453292519943295)
-            * (real(-2.0) * cos_t - real(0.5) * (sin_t38 * real(0.5))),
+            * (real(-2.0) * cos_t - real(0.5) * (sin_t37 * real(0.5))),
     ]);
-    let t42 = -t;
-    let t43 = real(-0.1) * t;
-    let [exp_t42, exp_t43] = Vector([t42, t43]).exp().0;
-    let t44 = real(3.0) * exp_t42;
+    let t41 = -t;
+    let t42 = real(-0.1) * t;
+    let [exp_t41, exp_t42] = Vector([t41, t42]).exp().0;
+    let t43 = real(3.0) * exp_t41;
     // k_2(t)
-    let k2 = t44 + real(0.5);
+    let k2 = t43 + real(0.5);
     // k_1(t)
     let k1 = k2 * real(0.017453292519943295);
     // k1'
-    let k1_dot = -(real(0.017453292519943295) * t44);
+    let k1_dot = -(real(0.017453292519943295) * t43);
     // k2'
-    let k2_dot = -t44;
+    let k2_dot = -t43;
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -191,28 +189,55 @@ pub fn lyapunov<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t45 = k1 * k1;
-    let t46 = real(1.0) / t45;
-    let t47 = s1 * t46;
+    let t44 = k1 * k1;
+    let t45 = real(1.0) / t44;
+    let t46 = s1 * t45;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t47 * t47);
+    let E1_free = real(FRAC_PI_2) * (t46 * t46);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
+
+    // -- error variable of block 2 (14) --
+    // e_2 = x_2 - h_1 - zeta_2
+    let e2 = x2 - state.h1 - state.zeta2;
+
+    // -- barrier of block 2 (23) (26) --
+    // s_2 = e_2^T e_2
+    let s2 = e2.sum_squares();
+    let t47 = k2 * k2;
+    let t48 = real(1.0) / t47;
+    let t49 = s2 * t48;
+    // pi s_2^2 / (2 k_2^4), before the clamp
+    let E2_free = real(FRAC_PI_2) * (t49 * t49);
+    // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
+    let E2 = E2_free.min(real(1.5697963267948967));
+    let t50 = Vector([E1, E2]);
+    let [cos_E1, cos_E2] = t50.cos().0;
+    // cos E_2
+    let cosE2 = cos_E2;
+    let t51 = cosE2 * cosE2;
+    // 1 / cos^2 E_2
+    let sec2E2 = real(1.0) / t51;
+    let t52 = s2 * sec2E2;
+    // c_2 = s_2 e_2^T / cos^2 E_2
+    let c2 = e2 * t52;
+
+    // -- barrier of block 1 (23) (26) --
     // cos E_1
-    let cosE1 = E1.cos();
-    let t48 = cosE1 * cosE1;
+    let cosE1 = cos_E1;
+    let t53 = cosE1 * cosE1;
     // 1 / cos^2 E_1
-    let sec2E1 = real(1.0) / t48;
-    let t49 = s1 * sec2E1;
+    let sec2E1 = real(1.0) / t53;
+    let t54 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * t49;
+    let c1 = e1 * t54;
 
     // -- MTPN of block 1 (4) (16) --
     // P_1 = P_m(z_1), 19 nodes
     let P1 = polynomials::basis1(x1);
-    let t50 = state.W1.transpose();
+    let t55 = state.W1.transpose();
     // A_hat_1 = iota_1 W_1^T P_1
-    let A_hat1 = t50 * P1 * real(0.1);
+    let A_hat1 = t55 * P1 * real(0.1);
 
     // -- disturbance observer of block 1 (20) (49) --
     // D_hat_1 = th_1 + S_1 x_1
@@ -223,33 +248,34 @@ pub fn lyapunov<T: Real>(
     let G_norm2_1 = G1.sum_squares();
 
     // -- robust feedback of block 1 (31) (63) --
-    let t51 = kernel::sin_cos_over(E1);
-    let t52 = real(1.0) / E1_free;
-    let t53 = real(1.5697963267948967) * t52;
-    let t54 = real(0.5) * G_norm2_1;
-    let t55 = real(2.375) * (t51 * real(1.0).min(t53)) + real(2.0) + t49 * real(0.5)
-        + t49 * t54;
+    let [sin_E1, sin_E2] = t50.sin().0;
+    let t56 = T::select(E1.eq(real(0.0)), real(1.0), sin_E1 * cosE1 / E1);
+    let t57 = real(1.0) / E1_free;
+    let t58 = real(1.5697963267948967) * t57;
+    let t59 = real(0.5) * G_norm2_1;
+    let t60 = real(2.375) * (t56 * real(1.0).min(t58)) + real(2.0) + t54 * real(0.5)
+        + t54 * t59;
     // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1 * t55;
+    let Lam1 = e1 * t60;
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t56 = F1 + A_hat1;
-    let t57 = state.zeta1 * real(20.0);
+    let t61 = F1 + A_hat1;
+    let t62 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t56 - y_r_dot + t57 + D_hat1 + Lam1;
-    let t58 = Matrix::rows([[sin_alpha, t20], [t22, t23]]);
-    let t59 = t58.solve(Vector([bracket1[1], bracket1[2]]));
-    let t60 = bracket1[0] - t18 * t59[0] - t19 * t59[1];
-    let t61 = Vector([t59[0], t60, t59[1]]);
+    let bracket1 = t61 - y_r_dot + t62 + D_hat1 + Lam1;
+    let t63 = Matrix::rows([[sin_alpha, t19], [t21, t22]]);
+    let t64 = t63.solve(Vector([bracket1[1], bracket1[2]]));
+    let t65 = bracket1[0] - t17 * t64[0] - t18 * t64[1];
+    let t66 = Vector([t64[0], t65, t64[1]]);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t61;
+    let alpha1 = -t66;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t57;
+    let zeta1_dot = G1 * state.zeta2 - t62;
 
     // -- weight law of block 1 (32) (65) --
     // W_1' = Gamma_1 (P_1 c_1 I_1 - lambda_1 W_1)
@@ -258,29 +284,6 @@ pub fn lyapunov<T: Real>(
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
     let h1_dot = (alpha1 - state.h1) * real(10.0);
-
-    // -- error variable of block 2 (14) --
-    // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 - state.h1 - state.zeta2;
-
-    // -- barrier of block 2 (23) (26) --
-    // s_2 = e_2^T e_2
-    let s2 = e2.sum_squares();
-    let t62 = k2 * k2;
-    let t63 = real(1.0) / t62;
-    let t64 = s2 * t63;
-    // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t64 * t64);
-    // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
-    let E2 = E2_free.min(real(1.5697963267948967));
-    // cos E_2
-    let cosE2 = E2.cos();
-    let t65 = cosE2 * cosE2;
-    // 1 / cos^2 E_2
-    let sec2E2 = real(1.0) / t65;
-    let t66 = s2 * sec2E2;
-    // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * t66;
 
     // -- MTPN of block 2 (4) (16) --
     // P_2 = P_m(z_2), 19 nodes
@@ -310,46 +313,46 @@ pub fn lyapunov<T: Real>(
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
-    let t69 = E2.sin();
-    let t70 = real(3.0) * sec2E2;
-    let t71 = real(8.0) * E2_free * t69 * (cosE2 * (sec2E2 * sec2E2)) + t70;
+    let t69 = real(3.0) * sec2E2;
+    let t70 = real(8.0) * E2_free * sin_E2 * (cosE2 * (sec2E2 * sec2E2)) + t69;
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = (t71 * t71 + real(2.0) * (t70 * t70)).sqrt();
+    let Ybar_norm2 = (t70 * t70 + real(2.0) * (t69 * t69)).sqrt();
     // S_2 H_2
     let SH2 = Matrix::rows([
-        [real(-1.5) * t26, real(-1.5) * t27, real(-1.5) * t28],
-        [real(1.5) * t26, real(1.5) * t27, real(1.5) * t28],
-        [real(1.5) * t29, real(1.5) * t30, real(1.5) * t31],
-        [t29, t30, t31],
-        [real(-2.0) * t32, real(-2.0) * t33, real(-2.0) * t34],
-        [real(4.0) * t32, real(4.0) * t33, real(4.0) * t34],
+        [real(-1.5) * t25, real(-1.5) * t26, real(-1.5) * t27],
+        [real(1.5) * t25, real(1.5) * t26, real(1.5) * t27],
+        [real(1.5) * t28, real(1.5) * t29, real(1.5) * t30],
+        [t28, t29, t30],
+        [real(-2.0) * t31, real(-2.0) * t32, real(-2.0) * t33],
+        [real(4.0) * t31, real(4.0) * t32, real(4.0) * t33],
     ]);
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
-    let t72 = H_norm2_2 * Ybar_norm2;
+    let t71 = H_norm2_2 * Ybar_norm2;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t72 * t72 * real(0.5) + real(12.0)
+    let Psi2 = t71 * t71 * real(0.5) + real(12.0)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
-    let t73 = (e2 * real(0.5)).tanh();
+    let t72 = (e2 * real(0.5)).tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t73 * state.eps2;
-    let t74 = s2 * s2;
+    let Lam2_error_bound = t72 * state.eps2;
+    let t73 = s2 * s2;
     // 1 / sqrt(s_2^2 + varsigma_2^2)
-    let s_scale2 = real(1.0) / (t74 + real(1.0)).sqrt();
+    let s_scale2 = real(1.0) / (t73 + real(1.0)).sqrt();
+    let t74 = real(2.5)
+        * (T::select(E2.eq(real(0.0)), real(1.0), sin_E2 * cosE2 / E2)
+            * real(1.0).min(real(1.5697963267948967) / E2_free));
     let t75 = G_norm2_1 * s_c1;
     let t76 = state.phi2 * state.phi2;
-    let t77 = Psi2 / (t76 + t74);
-    let t78 = real(2.5)
-        * (kernel::sin_cos_over(E2) * real(1.0).min(real(1.5697963267948967) / E2_free))
-        + real(2.0) + t66 * real(75.0);
-    let t79 = t78 + real(0.5) * sec2E2 + t75 * t75 * real(0.25) * t65;
+    let t77 = Psi2 / (t76 + t73);
+    let t78 = t74 + real(2.0) + t52 * real(75.0) + real(0.5) * sec2E2;
+    let t79 = t78 + t75 * t75 * real(0.25) * t51 + t71 * state.sigma2 * s_scale2;
     // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
     // (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4
     // eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 +
     // varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2 = e2 * (t79 + t72 * state.sigma2 * s_scale2 + t77 * t65) + Lam2_error_bound;
+    let Lam2 = e2 * (t79 + t77 * t51) + Lam2_error_bound;
 
     // -- control (64) of block 2 --
     let t80 = state.zeta2 * real(50.0);
@@ -400,12 +403,12 @@ pub fn lyapunov<T: Real>(
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (t66 * e2.dot(t73) - state.eps2);
+    let eps2_dot = real(0.1) * (t52 * e2.dot(t72) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t72 * t74 * sec2E2 * s_scale2 - real(0.1) * state.sigma2;
+    let sigma2_dot = t71 * t73 * sec2E2 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
@@ -420,19 +423,19 @@ pub fn lyapunov<T: Real>(
     // -- true dynamics of block 1 (attitude) (11) --
     let t85 = real(97170193.3485195) * plant.CL_scale;
     let t86 = t85 * t2;
-    let t87 = t12 - t86;
+    let t87 = t11 - t86;
     let t88 = real(97170193.3485195) * plant.CY_scale;
     // F_1 with the plant's parameters
     let F1_plant = Vector([
-        t87 / t14,
-        (t88 * t4 + t15) * real(2.4362909905959168e-9),
-        (t86 * tan_beta - t16) * real(2.4362909905959168e-9),
+        t87 / t13,
+        (t88 * t4 + t14) * real(2.4362909905959168e-9),
+        (t86 * tan_beta - t15) * real(2.4362909905959168e-9),
     ]);
-    let t89 = real(0.02) * sin_t37;
-    let t90 = t89 * exp_t43;
+    let t89 = real(0.02) * sin_t36;
+    let t90 = t89 * exp_t42;
     let t91 = real(0.02) * sin_t;
     // d_1(t)
-    let d1 = Vector([t90, t91 * exp_t43, t90]);
+    let d1 = Vector([t90, t91 * exp_t42, t90]);
     let t92 = G1 * x2;
     // F_1 + G_1 x_2 + d_1
     let x1_flow = F1_plant + t92 + d1;
@@ -442,9 +445,9 @@ pub fn lyapunov<T: Real>(
     // F_2 with the plant's parameters
     let F2_plant = Vector([
         t93 * t7 * real(7.375621211696555e-7),
-        (t24 + real(2369397994.6102996) * plant.Cm_scale * t8)
+        (t23 + real(2369397994.6102996) * plant.Cm_scale * t8)
             * real(7.375621211696555e-8),
-        (t25 + real(1777048495.9577248) * plant.Cn_scale * t10)
+        (t24 + real(1777048495.9577248) * plant.Cn_scale * t10)
             * real(7.375621211696555e-8),
     ]);
     // d_2 = L_2 w_2 (12)
@@ -484,13 +487,13 @@ pub fn lyapunov<T: Real>(
     let HSigma2 = t97 * real(0.05);
 
     // -- Lyapunov function of block 1 (23) (52) --
-    let t98 = t45 * t45 * real(0.15915494309189535);
-    let t99 = E1.tan();
+    let t98 = t44 * t44 * real(0.15915494309189535);
+    let [tan_E1, tan_E2] = t50.tan().0;
     // k_1^4/(2 pi) tan E_1
-    let V_T1 = t98 * t99;
-    let t100 = t50 * state.W1;
+    let V_T1 = t98 * tan_E1;
+    let t99 = t55 * state.W1;
     // tr(W_1^T W_1)/(2 Gamma_1)
-    let V_W1 = (t100[(0, 0)] + t100[(1, 1)] + t100[(2, 2)]) * real(0.5);
+    let V_W1 = (t99[(0, 0)] + t99[(1, 1)] + t99[(2, 2)]) * real(0.5);
     // D_1 = d_1 + model error of block 1
     let D1 = d1 + (F1_plant - F1);
     // D_1 - D_hat_1
@@ -500,18 +503,17 @@ pub fn lyapunov<T: Real>(
     // 1/2 ||zeta_1||^2
     let V_zeta1 = state.zeta1.sum_squares() * real(0.5);
     // chi_1 = h_1 - alpha_1 (34)
-    let chi1 = state.h1 + t61;
+    let chi1 = state.h1 + t66;
     // 1/2 ||chi_1||^2
     let V_chi1 = chi1.sum_squares() * real(0.5);
 
     // -- Lyapunov function of block 2 (23) (52) --
-    let t101 = t62 * t62 * real(0.15915494309189535);
-    let t102 = E2.tan();
+    let t100 = t47 * t47 * real(0.15915494309189535);
     // k_2^4/(2 pi) tan E_2
-    let V_T2 = t101 * t102;
-    let t103 = t67 * state.W2;
+    let V_T2 = t100 * tan_E2;
+    let t101 = t67 * state.W2;
     // tr(W_2^T W_2)/(2 Gamma_2)
-    let V_W2 = (t103[(0, 0)] + t103[(1, 1)] + t103[(2, 2)]) * real(0.5);
+    let V_W2 = (t101[(0, 0)] + t101[(1, 1)] + t101[(2, 2)]) * real(0.5);
     // w_2 - w_hat_2
     let w_error2 = w2 - w_hat2;
     // 1/2 ||theta_2 - th_2||^2
@@ -520,16 +522,16 @@ pub fn lyapunov<T: Real>(
     let V_zeta2 = state.zeta2.sum_squares() * real(0.5);
     // eps_hat_2^2/(2 iota_20)
     let V_eps2 = state.eps2 * state.eps2 * real(5.0);
-    let t104 = real(0.0075000000000000015) - state.sigma2;
+    let t102 = real(0.0075000000000000015) - state.sigma2;
     // (sigma_bar_2 - sigma_hat_2)^2/(2 taubar_2)
-    let V_sigma2 = t104 * t104 * real(0.5);
+    let V_sigma2 = t102 * t102 * real(0.5);
     // phi_2^2/2
     let V_phi2 = t76 * real(0.5);
 
     // -- Lyapunov function (52) --
-    let t105 = V_T1 + V_W1 + V_D1 + V_zeta1 + V_chi1 + V_T2 + V_W2 + V_D2 + V_zeta2;
+    let t103 = V_T1 + V_W1 + V_D1 + V_zeta1 + V_chi1 + V_T2 + V_W2 + V_D2 + V_zeta2;
     // V, sum of the parts above
-    let V = t105 + V_eps2 + V_sigma2 + V_phi2;
+    let V = t103 + V_eps2 + V_sigma2 + V_phi2;
 
     // -- Ito generator (2) --
     // column 1 of HSigma2
@@ -540,12 +542,12 @@ pub fn lyapunov<T: Real>(
     let HSigma2_3 = Vector([HSigma2[(0, 2)], HSigma2[(1, 2)], HSigma2[(2, 2)]]);
     // e1' along the flow
     let e1_flow = x1_flow - y_r_dot - zeta1_dot;
-    let t106 = e1_flow.dot(e1);
+    let t104 = e1_flow.dot(e1);
     // s1' along the flow
-    let s1_flow = t106 + t106;
-    let t107 = (t47 + t47) * (s1_flow * t46 - t47 * t46 * ((k1 + k1) * k1_dot));
+    let s1_flow = t104 + t104;
+    let t105 = (t46 + t46) * (s1_flow * t45 - t46 * t45 * ((k1 + k1) * k1_dot));
     // E1_free' along the flow
-    let E1_free_flow = real(FRAC_PI_2) * t107;
+    let E1_free_flow = real(FRAC_PI_2) * t105;
     // E1' along the flow
     let E1_flow = T::select(
         E1_free.lt(real(1.5697963267948967)),
@@ -553,147 +555,149 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t99 * (real(4.0) * (t45 * k1) * k1_dot * real(0.15915494309189535))
-        + t98 * (E1_flow / t48);
-    let t108 = W1_dot.transpose();
-    let t109 = t108 * state.W1 + t50 * W1_dot;
+    let V_T1_flow = tan_E1
+        * (real(4.0) * (t44 * k1) * k1_dot * real(0.15915494309189535))
+        + t98 * (E1_flow / t53);
+    let t106 = W1_dot.transpose();
+    let t107 = t106 * state.W1 + t55 * W1_dot;
     // V_W1' along the flow
-    let V_W1_flow = (t109[(0, 0)] + t109[(1, 1)] + t109[(2, 2)]) * real(0.5);
-    let t110 = exp_t43 * real(-0.1);
-    let t111 = exp_t43 * (real(0.02) * (cos_t37 * real(2.0))) + t89 * t110;
+    let V_W1_flow = (t107[(0, 0)] + t107[(1, 1)] + t107[(2, 2)]) * real(0.5);
+    let t108 = exp_t42 * real(-0.1);
+    let t109 = exp_t42 * (real(0.02) * (cos_t36 * real(2.0))) + t89 * t108;
     // d1'
-    let d1_dot = Vector([t111, exp_t43 * (real(0.02) * cos_t) + t91 * t110, t111]);
-    let t112 = real(1.0) / t14;
-    let t113 = sin_beta * x1_flow[1];
-    let t114 = real(410460000.0) * t113;
-    let t115 = real(1332506.5352200002) * (sin_mu * x1_flow[2]);
-    let t116 = x1_flow[0] * real(57.29577951308232);
-    let t117 = real(0.0001485745427349122) * t116;
-    let t118 = at_alpha_deg_2.CL_alpha_d1 * t116 + t117 + t117;
-    let t119 = t85 * t118;
-    let t120 = beta * (at_alpha_deg_2.CY_beta_d1 * t116)
-        + at_alpha_deg_2.CY_beta * x1_flow[1] + at_alpha_deg_2.CY_LE_d1 * t116
-        + at_alpha_deg_2.CY_RE_d1 * t116;
-    let t121 = t120 + real(4.86e-20) * t116;
-    let t122 = real(1332506.5352200002) * (cos_mu * x1_flow[2]);
-    let t123 = x1_flow[1] / (cos_beta * cos_beta);
-    let t124 = t12 * t123 - tan_beta * t115;
+    let d1_dot = Vector([t109, exp_t42 * (real(0.02) * cos_t) + t91 * t108, t109]);
+    let t110 = real(1.0) / t13;
+    let t111 = sin_beta * x1_flow[1];
+    let t112 = real(410460000.0) * t111;
+    let t113 = real(1332506.5352200002) * (sin_x1_2 * x1_flow[2]);
+    let t114 = x1_flow[0] * real(57.29577951308232);
+    let t115 = real(0.0001485745427349122) * t114;
+    let t116 = at_alpha_deg_2.CL_alpha_d1 * t114 + t115 + t115;
+    let t117 = t85 * t116;
+    let t118 = beta * (at_alpha_deg_2.CY_beta_d1 * t114)
+        + at_alpha_deg_2.CY_beta * x1_flow[1] + at_alpha_deg_2.CY_LE_d1 * t114
+        + at_alpha_deg_2.CY_RE_d1 * t114;
+    let t119 = t118 + real(4.86e-20) * t114;
+    let t120 = real(1332506.5352200002) * (cos_x1_2 * x1_flow[2]);
+    let t121 = x1_flow[1] / (cos_beta * cos_beta);
+    let t122 = t11 * t121 - tan_beta * t113;
     // F1_plant' along the flow
     let F1_plant_flow = Vector([
-        t87 * t112 * t112 * t114 - (t115 + t119) * t112,
-        (t88 * t121 + t122) * real(2.4362909905959168e-9),
-        (tan_beta * t119 + t86 * t123 - t124) * real(2.4362909905959168e-9),
+        t87 * t110 * t110 * t112 - (t113 + t117) * t110,
+        (t88 * t119 + t120) * real(2.4362909905959168e-9),
+        (tan_beta * t117 + t86 * t121 - t122) * real(2.4362909905959168e-9),
     ]);
-    let t125 = t1 * t118;
+    let t123 = t1 * t116;
     // F1' along the flow
     let F1_flow = Vector([
-        t13 * t112 * t112 * t114 - (t115 + t125) * t112,
-        (t3 * t121 + t122) * real(2.4362909905959168e-9),
-        (tan_beta * t125 + lift * t123 - t124) * real(2.4362909905959168e-9),
+        t12 * t110 * t110 * t112 - (t113 + t123) * t110,
+        (t3 * t119 + t120) * real(2.4362909905959168e-9),
+        (tan_beta * t123 + lift * t121 - t122) * real(2.4362909905959168e-9),
     ]);
     // D1' along the flow
     let D1_flow = d1_dot + (F1_plant_flow - F1_flow);
     // D_hat1' along the flow
-    let D_hat1_flow = x1_flow * real(10.0) - (D_hat1 + t56 + t92) * real(10.0);
+    let D_hat1_flow = x1_flow * real(10.0) - (D_hat1 + t61 + t92) * real(10.0);
     // D_error1' along the flow
     let D_error1_flow = D1_flow - D_hat1_flow;
-    let t126 = D_error1_flow.dot(D_error1);
+    let t124 = D_error1_flow.dot(D_error1);
     // V_D1' along the flow
-    let V_D1_flow = (t126 + t126) * real(0.5);
-    let t127 = zeta1_dot.dot(state.zeta1);
+    let V_D1_flow = (t124 + t124) * real(0.5);
+    let t125 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
-    let V_zeta1_flow = (t127 + t127) * real(0.5);
-    let t128 = sin_alpha * x1_flow[0];
-    let t129 = cos_alpha * t123 - tan_beta * t128;
-    let t130 = cos_alpha * x1_flow[0];
-    let t131 = sin_alpha * t123 + tan_beta * t130;
-    let t132 = t22 * t21 * t113 - t128 * t21;
-    let t133 = t130 * t21 + t23 * t21 * t113;
+    let V_zeta1_flow = (t125 + t125) * real(0.5);
+    let t126 = sin_alpha * x1_flow[0];
+    let t127 = cos_alpha * t121 - tan_beta * t126;
+    let t128 = cos_alpha * x1_flow[0];
+    let t129 = sin_alpha * t121 + tan_beta * t128;
+    let t130 = t21 * t20 * t111 - t126 * t20;
+    let t131 = t128 * t20 + t22 * t20 * t111;
     // G1' along the flow
     let G1_flow = Matrix::rows([
-        [-t129, real(0.0), -t131],
-        [t130, real(0.0), t128],
-        [t132, real(0.0), t133],
+        [-t127, real(0.0), -t129],
+        [t128, real(0.0), t126],
+        [t130, real(0.0), t131],
     ]);
     // P1' along the flow
     let P1_flow = polynomials::basis1_rate(x1, x1_flow);
     // A_hat1' along the flow
-    let A_hat1_flow = (t108 * P1 + t50 * P1_flow) * real(0.1);
+    let A_hat1_flow = (t106 * P1 + t55 * P1_flow) * real(0.1);
     // y_r''
     let y_r_dot2 = Vector([
         T::select(
-            t35,
+            t34,
             real(0.017453292519943295)
-                * (real(2.5) * -(real(FRAC_PI_4) * (sin_t36 * real(FRAC_PI_4)))),
+                * (real(2.5) * -(real(FRAC_PI_4) * (sin_t35 * real(FRAC_PI_4)))),
             real(0.0),
         ),
         real(0.017453292519943295)
             * (real(0.5)
-                * -(real(0.9424777960769379) * (sin_t39 * real(0.9424777960769379)))),
+                * -(real(0.9424777960769379) * (sin_t38 * real(0.9424777960769379)))),
         real(0.017453292519943295)
-            * (real(-2.0) * -sin_t - real(0.5) * (real(0.5) * t41)),
+            * (real(-2.0) * -sin_t - real(0.5) * (real(0.5) * t40)),
     ]);
-    let t134 = real(1.0).lt(t53);
-    let t135 = T::select(t134, real(1.0), t53);
-    let t136 = t135 * (kernel::sin_cos_over_d1(E1) * E1_flow)
-        + T::select(t134, real(0.0), -(t51 * (t53 * t52 * E1_free_flow)));
-    let t137 = t51 * t135;
+    let t132 = real(1.0).lt(t58);
+    let t133 = T::select(t132, real(1.0), t58);
+    let t134 = t133 * (kernel::sin_cos_over_d1(E1) * E1_flow)
+        + T::select(t132, real(0.0), -(t56 * (t58 * t57 * E1_free_flow)));
+    let t135 = t56 * t133;
     // Lam0_1' along the flow
     let Lam0_1_flow = Vector([
-        real(2.375) * e1[0] * t136 + t137 * (real(2.375) * e1_flow[0])
+        real(2.375) * e1[0] * t134 + t135 * (real(2.375) * e1_flow[0])
             + real(2.0) * e1_flow[0],
-        real(2.375) * e1[1] * t136 + t137 * (real(2.375) * e1_flow[1])
+        real(2.375) * e1[1] * t134 + t135 * (real(2.375) * e1_flow[1])
             + real(2.0) * e1_flow[1],
-        real(2.375) * e1[2] * t136 + t137 * (real(2.375) * e1_flow[2])
+        real(2.375) * e1[2] * t134 + t135 * (real(2.375) * e1_flow[2])
             + real(2.0) * e1_flow[2],
     ]);
     // cosE1' along the flow
-    let cosE1_flow = -(E1.sin() * E1_flow);
-    let t138 = e1
+    let cosE1_flow = -(sin_E1 * E1_flow);
+    let t136 = e1
         * (s1_flow * sec2E1 - s1 * (sec2E1 * sec2E1 * ((cosE1 + cosE1) * cosE1_flow)));
     // c1' along the flow
-    let c1_flow = t138 + e1_flow * t49;
+    let c1_flow = t136 + e1_flow * t54;
     // Lam1_disturbance' along the flow
     let Lam1_disturbance_flow = c1_flow * real(0.5);
-    let t139 = -((t18 + t18) * t129) - (t19 + t19) * t131
-        + (sin_alpha + sin_alpha) * t130;
-    let t140 = t139 + (t20 - cos_alpha) * t128 + (t22 + t22) * t132;
+    let t137 = -((t17 + t17) * t127) - (t18 + t18) * t129
+        + (sin_alpha + sin_alpha) * t128;
+    let t138 = t137 + (t19 - cos_alpha) * t126 + (t21 + t21) * t130;
     // G_norm2_1' along the flow
-    let G_norm2_1_flow = t140 + (t23 + t23) * t133;
+    let G_norm2_1_flow = t138 + (t22 + t22) * t131;
     // Lam1_filter' along the flow
-    let Lam1_filter_flow = c1 * (real(0.5) * G_norm2_1_flow) + c1_flow * t54;
+    let Lam1_filter_flow = c1 * (real(0.5) * G_norm2_1_flow) + c1_flow * t59;
     // Lam1' along the flow
     let Lam1_flow = Lam0_1_flow + Lam1_disturbance_flow + Lam1_filter_flow;
     // bracket1' along the flow
     let bracket1_flow = F1_flow + A_hat1_flow - y_r_dot2 + zeta1_dot * real(20.0)
         + D_hat1_flow + Lam1_flow;
-    let t141 = bracket1_flow - G1_flow * t61;
-    let t142 = t58.solve(Vector([t141[1], t141[2]]));
+    let t139 = bracket1_flow - G1_flow * t66;
+    let t140 = t63.solve(Vector([t139[1], t139[2]]));
     // chi1' along the flow
     let chi1_flow = h1_dot
-        + Vector([t142[0], t141[0] - t18 * t142[0] - t19 * t142[1], t142[1]]);
-    let t143 = chi1_flow.dot(chi1);
+        + Vector([t140[0], t139[0] - t17 * t140[0] - t18 * t140[1], t140[1]]);
+    let t141 = chi1_flow.dot(chi1);
     // V_chi1' along the flow
-    let V_chi1_flow = (t143 + t143) * real(0.5);
+    let V_chi1_flow = (t141 + t141) * real(0.5);
     // e2' along the flow
     let e2_flow = x2_flow - h1_dot - zeta2_dot;
-    let t144 = e2_flow.dot(e2);
+    let t142 = e2_flow.dot(e2);
     // s2' along the flow
-    let s2_flow = t144 + t144;
-    let t145 = t64 + t64;
+    let s2_flow = t142 + t142;
+    let t143 = t49 + t49;
     // E2_free' along the flow
     let E2_free_flow = real(FRAC_PI_2)
-        * (t145 * (s2_flow * t63 - t64 * t63 * ((k2 + k2) * k2_dot)));
-    let t146 = E2_free.lt(real(1.5697963267948967));
+        * (t143 * (s2_flow * t48 - t49 * t48 * ((k2 + k2) * k2_dot)));
+    let t144 = E2_free.lt(real(1.5697963267948967));
     // E2' along the flow
-    let E2_flow = T::select(t146, E2_free_flow, real(0.0));
+    let E2_flow = T::select(t144, E2_free_flow, real(0.0));
     // V_T2' along the flow
-    let V_T2_flow = t102 * (real(4.0) * (t62 * k2) * k2_dot * real(0.15915494309189535))
-        + t101 * (E2_flow / t65);
-    let t147 = W2_dot.transpose() * state.W2 + t67 * W2_dot;
+    let V_T2_flow = tan_E2
+        * (real(4.0) * (t47 * k2) * k2_dot * real(0.15915494309189535))
+        + t100 * (E2_flow / t51);
+    let t145 = W2_dot.transpose() * state.W2 + t67 * W2_dot;
     // V_W2' along the flow
-    let V_W2_flow = (t147[(0, 0)] + t147[(1, 1)] + t147[(2, 2)]) * real(0.5);
-    let t148 = Vector([
+    let V_W2_flow = (t145[(0, 0)] + t145[(1, 1)] + t145[(2, 2)]) * real(0.5);
+    let t146 = Vector([
         real(-1.5) * e2_flow[0],
         real(1.5) * e2_flow[0],
         real(1.5) * e2_flow[1],
@@ -702,44 +706,44 @@ pub fn lyapunov<T: Real>(
         real(4.0) * e2_flow[2],
     ]);
     // w_hat2' along the flow
-    let w_hat2_flow = th2_dot + t148;
+    let w_hat2_flow = th2_dot + t146;
     // w_error2' along the flow
     let w_error2_flow = w2_flow - w_hat2_flow;
-    let t149 = w_error2_flow.dot(w_error2);
+    let t147 = w_error2_flow.dot(w_error2);
     // V_D2' along the flow
-    let V_D2_flow = (t149 + t149) * real(0.5);
-    let t150 = zeta2_dot.dot(state.zeta2);
+    let V_D2_flow = (t147 + t147) * real(0.5);
+    let t148 = zeta2_dot.dot(state.zeta2);
     // V_zeta2' along the flow
-    let V_zeta2_flow = (t150 + t150) * real(0.5);
-    let t151 = eps2_dot * state.eps2;
+    let V_zeta2_flow = (t148 + t148) * real(0.5);
+    let t149 = eps2_dot * state.eps2;
     // V_eps2' along the flow
-    let V_eps2_flow = (t151 + t151) * real(5.0);
+    let V_eps2_flow = (t149 + t149) * real(5.0);
     // V_sigma2' along the flow
-    let V_sigma2_flow = (-sigma2_dot * t104 - t104 * sigma2_dot) * real(0.5);
-    let t152 = phi2_dot * state.phi2;
+    let V_sigma2_flow = (-sigma2_dot * t102 - t102 * sigma2_dot) * real(0.5);
+    let t150 = phi2_dot * state.phi2;
     // V_phi2' along the flow
-    let V_phi2_flow = (t152 + t152) * real(0.5);
-    let t153 = HSigma2_1.dot(e2);
+    let V_phi2_flow = (t150 + t150) * real(0.5);
+    let t151 = HSigma2_1.dot(e2);
     // D^1 s2 along noise1
-    let s2_noise1_ = t153 + t153;
-    let t154 = s2_noise1_ * t63;
+    let s2_noise1_ = t151 + t151;
+    let t152 = s2_noise1_ * t48;
     // D^1 E2_free along noise1
-    let E2_free_noise1_ = real(FRAC_PI_2) * (t145 * t154);
+    let E2_free_noise1_ = real(FRAC_PI_2) * (t143 * t152);
     // D^1 E2 along noise1
-    let E2_noise1_ = T::select(t146, E2_free_noise1_, real(0.0));
-    let t155 = HSigma2_1.sum_squares();
+    let E2_noise1_ = T::select(t144, E2_free_noise1_, real(0.0));
+    let t153 = HSigma2_1.sum_squares();
     // D^2 s2 along noise1
-    let s2_noise1_2 = t155 + t155;
+    let s2_noise1_2 = t153 + t153;
     // D^2 E2_free along noise1
     let E2_free_noise1_2 = real(FRAC_PI_2)
-        * (t154 * (t154 + t154) + t145 * (s2_noise1_2 * t63));
+        * (t152 * (t152 + t152) + t143 * (s2_noise1_2 * t48));
     // D^2 E2 along noise1
-    let E2_noise1_2 = T::select(t146, E2_free_noise1_2, real(0.0));
-    let t156 = cosE2 + cosE2;
+    let E2_noise1_2 = T::select(t144, E2_free_noise1_2, real(0.0));
+    let t154 = cosE2 + cosE2;
     // D^2 V_T2 along noise1
-    let V_T2_noise1_2 = t101
+    let V_T2_noise1_2 = t100
         * (E2_noise1_2 * sec2E2
-            + E2_noise1_ * sec2E2 * sec2E2 * (t156 * (t69 * E2_noise1_)));
+            + E2_noise1_ * sec2E2 * sec2E2 * (t154 * (sin_E2 * E2_noise1_)));
     // D^1 w_hat2 along noise1
     let w_hat2_noise1_ = Vector([
         real(-1.5) * HSigma2[(0, 0)],
@@ -749,29 +753,29 @@ pub fn lyapunov<T: Real>(
         real(-2.0) * HSigma2[(2, 0)],
         real(4.0) * HSigma2[(2, 0)],
     ]);
-    let t157 = w_hat2_noise1_.sum_squares();
+    let t155 = w_hat2_noise1_.sum_squares();
     // D^2 V_D2 along noise1
-    let V_D2_noise1_2 = (t157 + t157) * real(0.5);
-    let t158 = HSigma2_2.dot(e2);
+    let V_D2_noise1_2 = (t155 + t155) * real(0.5);
+    let t156 = HSigma2_2.dot(e2);
     // D^1 s2 along noise2
-    let s2_noise2_ = t158 + t158;
-    let t159 = s2_noise2_ * t63;
+    let s2_noise2_ = t156 + t156;
+    let t157 = s2_noise2_ * t48;
     // D^1 E2_free along noise2
-    let E2_free_noise2_ = real(FRAC_PI_2) * (t145 * t159);
+    let E2_free_noise2_ = real(FRAC_PI_2) * (t143 * t157);
     // D^1 E2 along noise2
-    let E2_noise2_ = T::select(t146, E2_free_noise2_, real(0.0));
-    let t160 = HSigma2_2.sum_squares();
+    let E2_noise2_ = T::select(t144, E2_free_noise2_, real(0.0));
+    let t158 = HSigma2_2.sum_squares();
     // D^2 s2 along noise2
-    let s2_noise2_2 = t160 + t160;
+    let s2_noise2_2 = t158 + t158;
     // D^2 E2_free along noise2
     let E2_free_noise2_2 = real(FRAC_PI_2)
-        * (t159 * (t159 + t159) + t145 * (s2_noise2_2 * t63));
+        * (t157 * (t157 + t157) + t143 * (s2_noise2_2 * t48));
     // D^2 E2 along noise2
-    let E2_noise2_2 = T::select(t146, E2_free_noise2_2, real(0.0));
+    let E2_noise2_2 = T::select(t144, E2_free_noise2_2, real(0.0));
     // D^2 V_T2 along noise2
-    let V_T2_noise2_2 = t101
+    let V_T2_noise2_2 = t100
         * (E2_noise2_2 * sec2E2
-            + E2_noise2_ * sec2E2 * sec2E2 * (t156 * (t69 * E2_noise2_)));
+            + E2_noise2_ * sec2E2 * sec2E2 * (t154 * (sin_E2 * E2_noise2_)));
     // D^1 w_hat2 along noise2
     let w_hat2_noise2_ = Vector([
         real(-1.5) * HSigma2[(0, 1)],
@@ -781,29 +785,29 @@ pub fn lyapunov<T: Real>(
         real(-2.0) * HSigma2[(2, 1)],
         real(4.0) * HSigma2[(2, 1)],
     ]);
-    let t161 = w_hat2_noise2_.sum_squares();
+    let t159 = w_hat2_noise2_.sum_squares();
     // D^2 V_D2 along noise2
-    let V_D2_noise2_2 = (t161 + t161) * real(0.5);
-    let t162 = HSigma2_3.dot(e2);
+    let V_D2_noise2_2 = (t159 + t159) * real(0.5);
+    let t160 = HSigma2_3.dot(e2);
     // D^1 s2 along noise3
-    let s2_noise3_ = t162 + t162;
-    let t163 = s2_noise3_ * t63;
+    let s2_noise3_ = t160 + t160;
+    let t161 = s2_noise3_ * t48;
     // D^1 E2_free along noise3
-    let E2_free_noise3_ = real(FRAC_PI_2) * (t145 * t163);
+    let E2_free_noise3_ = real(FRAC_PI_2) * (t143 * t161);
     // D^1 E2 along noise3
-    let E2_noise3_ = T::select(t146, E2_free_noise3_, real(0.0));
-    let t164 = HSigma2_3.sum_squares();
+    let E2_noise3_ = T::select(t144, E2_free_noise3_, real(0.0));
+    let t162 = HSigma2_3.sum_squares();
     // D^2 s2 along noise3
-    let s2_noise3_2 = t164 + t164;
+    let s2_noise3_2 = t162 + t162;
     // D^2 E2_free along noise3
     let E2_free_noise3_2 = real(FRAC_PI_2)
-        * (t163 * (t163 + t163) + t145 * (s2_noise3_2 * t63));
+        * (t161 * (t161 + t161) + t143 * (s2_noise3_2 * t48));
     // D^2 E2 along noise3
-    let E2_noise3_2 = T::select(t146, E2_free_noise3_2, real(0.0));
+    let E2_noise3_2 = T::select(t144, E2_free_noise3_2, real(0.0));
     // D^2 V_T2 along noise3
-    let V_T2_noise3_2 = t101
+    let V_T2_noise3_2 = t100
         * (E2_noise3_2 * sec2E2
-            + E2_noise3_ * sec2E2 * sec2E2 * (t156 * (t69 * E2_noise3_)));
+            + E2_noise3_ * sec2E2 * sec2E2 * (t154 * (sin_E2 * E2_noise3_)));
     // D^1 w_hat2 along noise3
     let w_hat2_noise3_ = Vector([
         real(-1.5) * HSigma2[(0, 2)],
@@ -813,17 +817,17 @@ pub fn lyapunov<T: Real>(
         real(-2.0) * HSigma2[(2, 2)],
         real(4.0) * HSigma2[(2, 2)],
     ]);
-    let t165 = w_hat2_noise3_.sum_squares();
+    let t163 = w_hat2_noise3_.sum_squares();
     // D^2 V_D2 along noise3
-    let V_D2_noise3_2 = (t165 + t165) * real(0.5);
-    let t166 = V_T1_flow + V_W1_flow + V_D1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow
+    let V_D2_noise3_2 = (t163 + t163) * real(0.5);
+    let t164 = V_T1_flow + V_W1_flow + V_D1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow
         + V_W2_flow + V_D2_flow + V_zeta2_flow;
-    let t167 = t166 + V_eps2_flow + V_sigma2_flow + V_phi2_flow
+    let t165 = t164 + V_eps2_flow + V_sigma2_flow + V_phi2_flow
         + V_T2_noise1_2 * real(0.5) + V_D2_noise1_2 * real(0.5);
-    let t168 = t167 + V_T2_noise2_2 * real(0.5) + V_D2_noise2_2 * real(0.5)
+    let t166 = t165 + V_T2_noise2_2 * real(0.5) + V_D2_noise2_2 * real(0.5)
         + V_T2_noise3_2 * real(0.5) + V_D2_noise3_2 * real(0.5);
     // LV = V_t + V_x f + 1/2 sum_j g_j^T V_xx g_j
-    let LV = t168 + real(0.5) + real(0.5) + real(0.5) + real(0.5) + real(0.5)
+    let LV = t166 + real(0.5) + real(0.5) + real(0.5) + real(0.5) + real(0.5)
         + real(0.5);
     LyapunovOutputs { V, LV }
 }

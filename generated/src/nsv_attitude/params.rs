@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 1960f5098c648f6b25013ba0e0e6bceb5ce137cd02c348a1be38e0f77c13898f
+// SHA-256 of the text below: ac54fa7776eddf6bd8fcedcbebe3314a5c5abc47a3ee0bcc409ace262dbf8397
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 
@@ -13,6 +13,7 @@ use nsv_runtime::real::Real;
 
 /// Run-time parameters, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Params<T> {
     /// Unit: dimensionless. Plant 1.0, dispersed uniformly between 0.8 and 1.2; controller 1.0.
     /// Source: paper, section 5.

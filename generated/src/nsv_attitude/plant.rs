@@ -1,4 +1,4 @@
-// SHA-256 of the text below: e444afb34749dbad5e3345ebd6b9a23189317427eb95041f44505127937739e5
+// SHA-256 of the text below: e01b6e730fa15ec14907dcbd95e9d6d823a794ffdd2d51766f9aaf5d1bb12c56
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // plant: 131 additions, 196 multiplications, 2 divisions, 0 square roots, 12 elementary functions, 0 comparisons and selections
@@ -43,6 +43,8 @@ pub const INITIAL_STATE: [f64; STATES] = [
 pub struct Plant<T> {
     /// Parameters.
     pub params: Params<T>,
+    /// Values of [`prepare`] for these parameters.
+    pub prepared: Prepared<T>,
     /// Control, held between samples.
     pub u_sat: Vector<T, 3>,
     /// Noise, standard normal, held between samples.
@@ -51,26 +53,27 @@ pub struct Plant<T> {
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
     #[inline(always)]
-    fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+    fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
         T::outlined(Drift { plant: self, t, x })
     }
 
     #[inline(always)]
-    fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
+    fn diffusion(&self, _t: f64, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
 }
 /// Drift, with the noise that is held between samples.
 struct Drift<'a, T> {
     plant: &'a Plant<T>,
-    t: T,
+    t: f64,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Drift<'_, T> {
     type Output = Vector<T, STATES>;
     #[inline(always)]
     fn run(self) -> Vector<T, STATES> {
-        let rate = plant(self.t, *self.x, self.plant.u_sat, &self.plant.params);
+        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
+        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.prepared, &clock);
         rate.drift + diffuse(&rate.diffusion, &self.plant.xi)
     }
 }
@@ -102,6 +105,7 @@ fn diffuse<T: Real>(
 
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Prepared<T> {
     /// Part of `lift`.
     pub lift_1: T,
@@ -146,9 +150,20 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
 /// Values of [`clock`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Clock<T> {
     /// `d_1(t)`
     pub d1: Vector<T, 3>,
+}
+
+impl<T: Real> Clock<T> {
+    /// The same values in every lane.
+    #[inline(always)]
+    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+        Self {
+            d1: Vector::splat_lanes(clock.d1),
+        }
+    }
 }
 
 /// What depends on time and parameters alone: needed once for a sample of all runs with these

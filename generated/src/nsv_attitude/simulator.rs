@@ -1,4 +1,4 @@
-// SHA-256 of the text below: c61603c184c899350fe95688804da65d3190cf74b1cb1a7c1ef22f3f42a52758
+// SHA-256 of the text below: 290471c70030b6d9e41e84026216a5892fa0dda5879d0519d94f362bee60e16d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 
@@ -8,7 +8,7 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Controller, Output, SAMPLE_TIME, State};
+use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State, clock};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -34,6 +34,7 @@ pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;
 pub struct Simulator<T: Real = f64> {
     controller: Controller<T>,
     truth: Params<T>,
+    prepared: plant::Prepared<T>,
     x: Vector<T, STATES>,
     state: State<T>,
     output: Output<T>,
@@ -162,16 +163,14 @@ impl<T: Real> Runs<T> for Simulator<T> {
         controller
             .reset(T::zero(), Vector([x[0], x[1], x[2]]), Vector([x[3], x[4], x[5]]));
         let state = *controller.state();
-        let output = controller
-            .clone()
-            .step(T::zero(), Vector([x[0], x[1], x[2]]), Vector([x[3], x[4], x[5]]));
         let process = Noise::process(options.seed, options.run);
         Self {
+            prepared: plant::prepare(&truth),
             controller,
             truth,
             x,
             state,
-            output,
+            output: Output::zero(),
             sample: 0,
             noise: options.noise.then_some(process),
         }
@@ -185,24 +184,32 @@ impl<T: Real> Runs<T> for Simulator<T> {
     #[inline(always)]
     fn control(&mut self) {
         let t = T::from_f64(self.time());
-        self.output = self.controller.step(t, self.x1(), self.x2());
+        self.output = self
+            .controller
+            .step_at(
+                t,
+                &Clock::splat(&clock(T::Scalar::from_f64(self.time()))),
+                self.x1(),
+                self.x2(),
+            );
     }
 
     #[inline(always)]
     fn advance(&mut self) {
         let plant = Plant {
             params: self.truth,
+            prepared: self.prepared,
             u_sat: self.output.u_sat,
             xi: self.draw(self.sample),
         };
         for substep in 0..SUBSTEPS {
-            let t = T::from_f64(self.time() + f64::from(substep) * SUBSTEP);
+            let t = self.time() + f64::from(substep) * SUBSTEP;
             self.x = sde::step(
                 Scheme::RungeKutta4,
                 &plant,
                 t,
                 &self.x,
-                T::from_f64(SUBSTEP),
+                SUBSTEP,
                 &Vector([]),
             );
         }

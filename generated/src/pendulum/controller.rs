@@ -1,8 +1,8 @@
-// SHA-256 of the text below: b7ec34c8544e7bf7304e2136269cc6d143915ab773b47e5141703fa8ab5a31c7
+// SHA-256 of the text below: 78bf461ec36cecb23052b828ca0ca5fe8e1dced97290405be8deda676bee6a74
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// initial: 5 additions, 18 multiplications, 4 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
-// control: 39 additions, 63 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
+// initial: 5 additions, 18 multiplications, 4 divisions, 0 square roots, 5 elementary functions, 4 comparisons and selections
+// control: 39 additions, 63 multiplications, 6 divisions, 0 square roots, 6 elementary functions, 7 comparisons and selections
 
 //! `pendulum`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -13,7 +13,6 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
-use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -29,6 +28,7 @@ pub const SAFE_INPUT: [f64; 1] = [0.0];
 
 /// The controller's states, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct State<T> {
     /// Auxiliary anti-windup state zeta (13): position (theta).
     ///
@@ -118,6 +118,24 @@ pub struct Output<T: Real> {
     /// `D_hat_2 = th_2 + S_2 x_2`
     pub D_hat2: Vector<T, 1>,
 }
+impl<T: Real> Output<T> {
+    /// Before the first sample: all zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self {
+            status: Status::OK,
+            valid: T::Mask::splat(false),
+            u: Vector::zero(),
+            u_sat: Vector::zero(),
+            y_r: Vector::zero(),
+            e1: Vector::zero(),
+            k1: T::zero(),
+            alpha1: Vector::zero(),
+            e2: Vector::zero(),
+            D_hat2: Vector::zero(),
+        }
+    }
+}
 
 /// Single-link arm in a gusty wind
 ///
@@ -125,6 +143,7 @@ pub struct Output<T: Real> {
 #[derive(Clone, Debug)]
 pub struct Controller<T: Real> {
     params: Params<T>,
+    prepared: Prepared<T>,
     state: State<T>,
     started: T::Mask,
 }
@@ -134,6 +153,7 @@ impl<T: Real> Controller<T> {
     #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
+            prepared: prepare(&params),
             params,
             state: State::zero(),
             started: T::Mask::splat(false),
@@ -143,22 +163,24 @@ impl<T: Real> Controller<T> {
     /// Starts anew from these measurements; from the next ones if they are not finite.
     #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) {
-        let start = initial(t, x1, x2);
-        let finite = start
-            .is_finite()
-            .and(t.is_finite())
-            .and(x1.is_finite())
-            .and(x2.is_finite());
-        self.state = State::select(finite, &start, &State::zero());
-        self.started = finite;
+        self.state = State::zero();
+        self.started = T::Mask::splat(false);
+        let mask = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
+        T::outlined(Begin {
+            controller: self,
+            mask,
+            t,
+            x1,
+            x2,
+        });
     }
 
     /// One sample: the control for the time since start (s) and the measured states (SI), after
     /// which the states are those of the next sample.
     ///
     /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
-    /// the status has `NON_FINITE_INPUT`, and the states stay as they were. `SATURATED` means that
-    /// a control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
+    /// the status has `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a
+    /// control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
     /// barrier was clamped.
     ///
     /// The first step with finite measurements initialises the states; so does the step after one
@@ -166,6 +188,20 @@ impl<T: Real> Controller<T> {
     /// use.
     #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> Output<T> {
+        let clock = clock(t);
+        self.step_at(t, &clock, x1, x2)
+    }
+
+    /// As [`Controller::step`], with the values of [`clock`] at this time, which can serve many
+    /// runs.
+    #[inline(always)]
+    pub fn step_at(
+        &mut self,
+        t: T,
+        clock: &Clock<T>,
+        x1: Vector<T, 1>,
+        x2: Vector<T, 1>,
+    ) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
         let starting = measured.and(self.started.not());
         if starting.any() {
@@ -177,17 +213,21 @@ impl<T: Real> Controller<T> {
                 x2,
             });
         }
-        let law = control(t, x1, x2, &self.state, &self.params);
+        let before = if measured.all() { None } else { Some(self.state) };
+        let law = law(x1, x2, &mut self.state, &self.prepared, clock);
         let valid = measured
+            .and(self.started)
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
-            .and(law.next.is_finite());
-        self.state = if valid.all() {
-            law.next
-        } else {
-            State::select(valid, &law.next, &self.state)
-        };
-        self.started = valid.or(self.started.and(measured.not()));
+            .and(self.state.is_finite());
+        if !valid.all() {
+            T::outlined(Restore {
+                controller: self,
+                valid,
+                measured,
+                before,
+            });
+        }
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
         let saturated = u[0].ne(u_sat[0]);
@@ -236,13 +276,45 @@ impl<T: Real> Part for Begin<'_, T> {
         let start = initial(self.t, self.x1, self.x2);
         let mask = self.mask.and(start.is_finite());
         self.controller.state = State::select(mask, &start, &self.controller.state);
+        self.controller.started = self.controller.started.or(mask);
+    }
+}
+
+/// Gives the states back where the law was not finite: those before it, or if they made it
+/// overflow those of a start at the origin, until the next sample.
+struct Restore<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    valid: T::Mask,
+    measured: T::Mask,
+    before: Option<State<T>>,
+}
+impl<T: Real> Part for Restore<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let zero = State::zero();
+        let controller = self.controller;
+        let kept = match &self.before {
+            Some(before) => State::select(self.measured, &zero, before),
+            None => zero,
+        };
+        controller.state = State::select(self.valid, &controller.state, &kept);
+        let mask = self.measured.and(self.valid.not());
+        T::outlined(Begin {
+            controller: &mut *controller,
+            mask,
+            t: T::zero(),
+            x1: Vector::zero(),
+            x2: Vector::zero(),
+        });
+        controller.started = controller.started.and(mask.not());
     }
 }
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 5 additions, 18 multiplications, 4 divisions, 0 square roots, 6 elementary
-/// functions, 3 comparisons and selections.
+/// Operations: 5 additions, 18 multiplications, 4 divisions, 0 square roots, 5 elementary
+/// functions, 4 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     let real = T::from_f64;
@@ -280,11 +352,10 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
 
     // -- robust feedback of block 1 (31) (63) --
-    let t2 = real(5.0)
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + real(4.0) + s1 * sec2E1 * real(0.5);
+    let t2 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free);
     // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1 * t2;
+    let Lam1 = e1 * (real(5.0) * t2 + real(4.0) + s1 * sec2E1 * real(0.5));
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
@@ -302,6 +373,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
 
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Prepared<T> {
     /// Part of `F2`.
     pub F2_1: T,
@@ -332,6 +404,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
 /// Values of [`clock`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Clock<T> {
     /// `y_r(t)`
     pub y_r: Vector<T, 1>,
@@ -341,6 +414,19 @@ pub struct Clock<T> {
     pub k1: T,
     /// Part of `E1_free`.
     pub E1_free_1: T,
+}
+
+impl<T: Real> Clock<T> {
+    /// The same values in every lane.
+    #[inline(always)]
+    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+        Self {
+            y_r: Vector::splat_lanes(clock.y_r),
+            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
+            k1: T::splat(clock.k1),
+            E1_free_1: T::splat(clock.E1_free_1),
+        }
+    }
 }
 
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
@@ -390,19 +476,18 @@ pub struct ControlOutputs<T: Real> {
     pub e2: Vector<T, 1>,
     /// `D_hat_2 = th_2 + S_2 x_2`
     pub D_hat2: Vector<T, 1>,
-    /// All outputs `next.*`.
-    pub next: State<T>,
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 38 additions, 56 multiplications, 3 divisions, 0 square roots, 4 elementary
-/// functions, 6 comparisons and selections.
+/// Operations: 38 additions, 56 multiplications, 3 divisions, 0 square roots, 3 elementary
+/// functions, 7 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 1>,
     x2: Vector<T, 1>,
-    state: &State<T>,
+    state: &mut State<T>,
     prepared: &Prepared<T>,
     clock: &Clock<T>,
 ) -> ControlOutputs<T> {
@@ -440,25 +525,23 @@ pub fn law<T: Real>(
     let c1 = e1 * t3;
 
     // -- robust feedback of block 1 (31) (63) --
+    let t4 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free);
     // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1
-        * (real(5.0)
-            * (kernel::sin_cos_over(E1)
-                * real(1.0).min(real(1.5697963267948967) / E1_free)) + real(4.0)
-            + t3 * real(0.5));
+    let Lam1 = e1 * (real(5.0) * t4 + real(4.0) + t3 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t4 = state.zeta1 * real(20.0);
+    let t5 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t4 - clock.y_r_dot + Lam1;
+    let bracket1 = t5 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t4;
+    let zeta1_dot = state.zeta2 - t5;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -492,34 +575,34 @@ pub fn law<T: Real>(
     let Lam2 = e2 * (real(22.5) + s2 * real(0.5) + s_c1 * s_c1 * real(0.25));
 
     // -- control (64) of block 2 --
-    let t5 = F2 + A_hat2;
-    let t6 = state.zeta2 * real(50.0);
+    let t6 = F2 + A_hat2;
+    let t7 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t5 - h1_dot + t6 + D_hat2 + Lam2;
-    let t7 = bracket2 * prepared.u_1;
+    let bracket2 = t6 - h1_dot + t7 + D_hat2 + Lam2;
+    let t8 = bracket2 * prepared.u_1;
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t7;
+    let u = -t8;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-8.0))).min(Vector::splat(real(8.0)));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = prepared.G2 * (u_sat + t7) - t6;
+    let zeta2_dot = prepared.G2 * (u_sat + t8) - t7;
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'
-    let zeta1_next = state.zeta1 + zeta1_dot * real(0.0019605280423838395);
+    state.zeta1 = state.zeta1 + zeta1_dot * real(0.0019605280423838395);
     // h1(t + dt) = h1 + Gamma h1'
-    let h1_next = state.h1 + h1_dot * real(0.0019032516392808085);
+    state.h1 = state.h1 + h1_dot * real(0.0019032516392808085);
 
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
-    let zeta2_next = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
+    state.zeta2 = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2
-        - (D_hat2 + t5 + prepared.G2 * u_sat) * real(20.0) * real(0.0019605280423838395);
+    state.th2 = state.th2
+        - (D_hat2 + t6 + prepared.G2 * u_sat) * real(20.0) * real(0.0019605280423838395);
     // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
-    let W2_next = state.W2 * real(0.9998000199986667)
+    state.W2 = state.W2 * real(0.9998000199986667)
         + P2.outer(c2 * real(0.001999800013332667));
     ControlOutputs {
         u,
@@ -531,26 +614,20 @@ pub fn law<T: Real>(
         alpha1,
         e2,
         D_hat2,
-        next: State {
-            zeta1: zeta1_next,
-            zeta2: zeta2_next,
-            h1: h1_next,
-            W2: W2_next,
-            th2: th2_next,
-        },
     }
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 39 additions, 63 multiplications, 6 divisions, 0 square roots, 7 elementary
-/// functions, 6 comparisons and selections.
+/// Operations: 39 additions, 63 multiplications, 6 divisions, 0 square roots, 6 elementary
+/// functions, 7 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 1>,
     x2: Vector<T, 1>,
-    state: &State<T>,
+    state: &mut State<T>,
     params: &Params<T>,
 ) -> ControlOutputs<T> {
     let prepared = prepare(params);

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 175ac648d4fa2103a6f4dd3e59210a370a8d98380ceca0bf225f9b5be54539fa
+// SHA-256 of the text below: 0fed9a9881359c2eeaf2d28c32fc9dd4122b5321625a18a7981bccdf46b1463a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 
@@ -13,6 +13,7 @@ use nsv_runtime::real::Real;
 
 /// Run-time parameters, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Params<T> {
     /// Unit: kg. Plant 1.0, dispersed uniformly between 0.8 and 1.2; controller 1.0. Source: drake
     /// pendulum example; the spread is chosen.

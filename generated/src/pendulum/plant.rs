@@ -1,4 +1,4 @@
-// SHA-256 of the text below: cf3af7411c90ffdd871c68bbcc988862e5c7201d5087b40bedcded7d919f7a8a
+// SHA-256 of the text below: 4c8de750bc93cc243154c3d47310719c3957a0b4716cd345c19bf4cb94962449
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // plant: 4 additions, 7 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -28,37 +28,42 @@ pub const INITIAL_STATE: [f64; STATES] = [0.08726646259971647, 0.0];
 pub struct Plant<T> {
     /// Parameters.
     pub params: Params<T>,
+    /// Values of [`prepare`] for these parameters.
+    pub prepared: Prepared<T>,
     /// Control, held between samples.
     pub u_sat: Vector<T, 1>,
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
     #[inline(always)]
-    fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+    fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
         T::outlined(Drift { plant: self, t, x })
     }
 
     #[inline(always)]
-    fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
+    fn diffusion(&self, _t: f64, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
 }
 /// Drift.
 struct Drift<'a, T> {
     plant: &'a Plant<T>,
-    t: T,
+    t: f64,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Drift<'_, T> {
     type Output = Vector<T, STATES>;
     #[inline(always)]
     fn run(self) -> Vector<T, STATES> {
-        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
+        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
+        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.prepared, &clock);
+        rate.drift
     }
 }
 
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Prepared<T> {
     /// Part of `F2_plant`.
     pub F2_plant_1: T,
@@ -86,9 +91,20 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
 /// Values of [`clock`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Clock<T> {
     /// `d_2(t)`
     pub d2: Vector<T, 1>,
+}
+
+impl<T: Real> Clock<T> {
+    /// The same values in every lane.
+    #[inline(always)]
+    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+        Self {
+            d2: Vector::splat_lanes(clock.d2),
+        }
+    }
 }
 
 /// What depends on time and parameters alone: needed once for a sample of all runs with these

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 671488c9431fc12a76a2222ccab8437df93436c75a6b89dbff26fdd556e2fc83
+// SHA-256 of the text below: e1a6e9c7361ba23697ea87859ddf673dc3458af776385539f6e880efb248565c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 
@@ -8,7 +8,7 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Controller, Output, SAMPLE_TIME, State};
+use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State, clock};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -34,6 +34,7 @@ pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;
 pub struct Simulator<T: Real = f64> {
     controller: Controller<T>,
     truth: Params<T>,
+    prepared: plant::Prepared<T>,
     x: Vector<T, STATES>,
     state: State<T>,
     output: Output<T>,
@@ -115,13 +116,13 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let mut controller = Controller::new(Params::design());
         controller.reset(T::zero(), Vector([x[0]]), Vector([x[1]]));
         let state = *controller.state();
-        let output = controller.clone().step(T::zero(), Vector([x[0]]), Vector([x[1]]));
         Self {
+            prepared: plant::prepare(&truth),
             controller,
             truth,
             x,
             state,
-            output,
+            output: Output::zero(),
             sample: 0,
         }
     }
@@ -134,23 +135,31 @@ impl<T: Real> Runs<T> for Simulator<T> {
     #[inline(always)]
     fn control(&mut self) {
         let t = T::from_f64(self.time());
-        self.output = self.controller.step(t, self.x1(), self.x2());
+        self.output = self
+            .controller
+            .step_at(
+                t,
+                &Clock::splat(&clock(T::Scalar::from_f64(self.time()))),
+                self.x1(),
+                self.x2(),
+            );
     }
 
     #[inline(always)]
     fn advance(&mut self) {
         let plant = Plant {
             params: self.truth,
+            prepared: self.prepared,
             u_sat: self.output.u_sat,
         };
         for substep in 0..SUBSTEPS {
-            let t = T::from_f64(self.time() + f64::from(substep) * SUBSTEP);
+            let t = self.time() + f64::from(substep) * SUBSTEP;
             self.x = sde::step(
                 Scheme::RungeKutta4,
                 &plant,
                 t,
                 &self.x,
-                T::from_f64(SUBSTEP),
+                SUBSTEP,
                 &Vector([]),
             );
         }

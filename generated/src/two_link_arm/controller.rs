@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 4211ea75ce4182f6d7f8ed213100f182c416d54c8160fa550fe41e7cdca25fd8
+// SHA-256 of the text below: 54113f09c00a5b413154063a0af433475c6a3bca08720ccb176e93dcf5d38831
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// initial: 11 additions, 27 multiplications, 4 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
-// control: 184 additions, 276 multiplications, 9 divisions, 0 square roots, 13 elementary functions, 13 comparisons and selections
+// initial: 11 additions, 27 multiplications, 4 divisions, 0 square roots, 5 elementary functions, 4 comparisons and selections
+// control: 184 additions, 276 multiplications, 9 divisions, 0 square roots, 11 elementary functions, 15 comparisons and selections
 
 //! `two_link_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -13,7 +13,6 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
-use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -29,6 +28,7 @@ pub const SAFE_INPUT: [f64; 2] = [0.0, 0.0];
 
 /// The controller's states, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct State<T> {
     /// Auxiliary anti-windup state zeta (13): joints (q1, q2).
     ///
@@ -129,6 +129,25 @@ pub struct Output<T: Real> {
     /// `d_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 2>,
 }
+impl<T: Real> Output<T> {
+    /// Before the first sample: all zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self {
+            status: Status::OK,
+            valid: T::Mask::splat(false),
+            u: Vector::zero(),
+            u_sat: Vector::zero(),
+            y_r: Vector::zero(),
+            e1: Vector::zero(),
+            k1: T::zero(),
+            alpha1: Vector::zero(),
+            e2: Vector::zero(),
+            k2: T::zero(),
+            D_hat2: Vector::zero(),
+        }
+    }
+}
 
 /// Two-link arm with an unknown load
 ///
@@ -136,6 +155,7 @@ pub struct Output<T: Real> {
 #[derive(Clone, Debug)]
 pub struct Controller<T: Real> {
     params: Params<T>,
+    prepared: Prepared<T>,
     state: State<T>,
     started: T::Mask,
 }
@@ -145,6 +165,7 @@ impl<T: Real> Controller<T> {
     #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
+            prepared: prepare(&params),
             params,
             state: State::zero(),
             started: T::Mask::splat(false),
@@ -154,22 +175,24 @@ impl<T: Real> Controller<T> {
     /// Starts anew from these measurements; from the next ones if they are not finite.
     #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) {
-        let start = initial(t, x1, x2);
-        let finite = start
-            .is_finite()
-            .and(t.is_finite())
-            .and(x1.is_finite())
-            .and(x2.is_finite());
-        self.state = State::select(finite, &start, &State::zero());
-        self.started = finite;
+        self.state = State::zero();
+        self.started = T::Mask::splat(false);
+        let mask = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
+        T::outlined(Begin {
+            controller: self,
+            mask,
+            t,
+            x1,
+            x2,
+        });
     }
 
     /// One sample: the control for the time since start (s) and the measured states (SI), after
     /// which the states are those of the next sample.
     ///
     /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
-    /// the status has `NON_FINITE_INPUT`, and the states stay as they were. `SATURATED` means that
-    /// a control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
+    /// the status has `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a
+    /// control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
     /// barrier was clamped.
     ///
     /// The first step with finite measurements initialises the states; so does the step after one
@@ -177,6 +200,20 @@ impl<T: Real> Controller<T> {
     /// use.
     #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> Output<T> {
+        let clock = clock(t);
+        self.step_at(t, &clock, x1, x2)
+    }
+
+    /// As [`Controller::step`], with the values of [`clock`] at this time, which can serve many
+    /// runs.
+    #[inline(always)]
+    pub fn step_at(
+        &mut self,
+        t: T,
+        clock: &Clock<T>,
+        x1: Vector<T, 2>,
+        x2: Vector<T, 2>,
+    ) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
         let starting = measured.and(self.started.not());
         if starting.any() {
@@ -188,17 +225,21 @@ impl<T: Real> Controller<T> {
                 x2,
             });
         }
-        let law = control(t, x1, x2, &self.state, &self.params);
+        let before = if measured.all() { None } else { Some(self.state) };
+        let law = law(x1, x2, &mut self.state, &self.prepared, clock);
         let valid = measured
+            .and(self.started)
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
-            .and(law.next.is_finite());
-        self.state = if valid.all() {
-            law.next
-        } else {
-            State::select(valid, &law.next, &self.state)
-        };
-        self.started = valid.or(self.started.and(measured.not()));
+            .and(self.state.is_finite());
+        if !valid.all() {
+            T::outlined(Restore {
+                controller: self,
+                valid,
+                measured,
+                before,
+            });
+        }
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
         let saturated = u[0].ne(u_sat[0]).or(u[1].ne(u_sat[1]));
@@ -248,13 +289,45 @@ impl<T: Real> Part for Begin<'_, T> {
         let start = initial(self.t, self.x1, self.x2);
         let mask = self.mask.and(start.is_finite());
         self.controller.state = State::select(mask, &start, &self.controller.state);
+        self.controller.started = self.controller.started.or(mask);
+    }
+}
+
+/// Gives the states back where the law was not finite: those before it, or if they made it
+/// overflow those of a start at the origin, until the next sample.
+struct Restore<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    valid: T::Mask,
+    measured: T::Mask,
+    before: Option<State<T>>,
+}
+impl<T: Real> Part for Restore<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let zero = State::zero();
+        let controller = self.controller;
+        let kept = match &self.before {
+            Some(before) => State::select(self.measured, &zero, before),
+            None => zero,
+        };
+        controller.state = State::select(self.valid, &controller.state, &kept);
+        let mask = self.measured.and(self.valid.not());
+        T::outlined(Begin {
+            controller: &mut *controller,
+            mask,
+            t: T::zero(),
+            x1: Vector::zero(),
+            x2: Vector::zero(),
+        });
+        controller.started = controller.started.and(mask.not());
     }
 }
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 11 additions, 27 multiplications, 4 divisions, 0 square roots, 6 elementary
-/// functions, 3 comparisons and selections.
+/// Operations: 11 additions, 27 multiplications, 4 divisions, 0 square roots, 5 elementary
+/// functions, 4 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let real = T::from_f64;
@@ -294,11 +367,10 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
 
     // -- robust feedback of block 1 (31) (63) --
-    let t5 = real(5.0)
-        * (kernel::sin_cos_over(E1) * real(1.0).min(real(1.5697963267948967) / E1_free))
-        + real(4.0) + s1 * sec2E1 * real(0.5);
+    let t5 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free);
     // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1 * t5;
+    let Lam1 = e1 * (real(5.0) * t5 + real(4.0) + s1 * sec2E1 * real(0.5));
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
@@ -329,6 +401,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
 
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Prepared<T> {
     /// `a_2`.
     pub a_2: T,
@@ -373,6 +446,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
 /// Values of [`clock`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Clock<T> {
     /// `y_r(t)`
     pub y_r: Vector<T, 2>,
@@ -386,6 +460,21 @@ pub struct Clock<T> {
     pub E1_free_1: T,
     /// Part of `E2_free`.
     pub E2_free_1: T,
+}
+
+impl<T: Real> Clock<T> {
+    /// The same values in every lane.
+    #[inline(always)]
+    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+        Self {
+            y_r: Vector::splat_lanes(clock.y_r),
+            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
+            k1: T::splat(clock.k1),
+            k2: T::splat(clock.k2),
+            E1_free_1: T::splat(clock.E1_free_1),
+            E2_free_1: T::splat(clock.E2_free_1),
+        }
+    }
 }
 
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
@@ -445,19 +534,18 @@ pub struct ControlOutputs<T: Real> {
     pub k2: T,
     /// `d_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 2>,
-    /// All outputs `next.*`.
-    pub next: State<T>,
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 178 additions, 259 multiplications, 7 divisions, 0 square roots, 10 elementary
-/// functions, 13 comparisons and selections.
+/// Operations: 178 additions, 259 multiplications, 7 divisions, 0 square roots, 8 elementary
+/// functions, 15 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 2>,
     x2: Vector<T, 2>,
-    state: &State<T>,
+    state: &mut State<T>,
     prepared: &Prepared<T>,
     clock: &Clock<T>,
 ) -> ControlOutputs<T> {
@@ -495,38 +583,6 @@ pub fn law<T: Real>(
     let violated1 = E1_free.ge(real(1.5697963267948967));
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
-    // cos E_1
-    let cosE1 = E1.cos();
-    // 1 / cos^2 E_1
-    let sec2E1 = real(1.0) / (cosE1 * cosE1);
-    let t5 = s1 * sec2E1;
-    // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * t5;
-
-    // -- robust feedback of block 1 (31) (63) --
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1
-        * (real(5.0)
-            * (kernel::sin_cos_over(E1)
-                * real(1.0).min(real(1.5697963267948967) / E1_free)) + real(4.0)
-            + t5 * real(0.5));
-    // ||c_1||^2
-    let s_c1 = c1.sum_squares();
-
-    // -- virtual control (31) of block 1 --
-    let t6 = state.zeta1 * real(20.0);
-    // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t6 - clock.y_r_dot + Lam1;
-    // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -bracket1;
-
-    // -- auxiliary system of block 1 (13) (E1) --
-    // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t6;
-
-    // -- dynamic surface filter of block 1 (33) --
-    // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (alpha1 - state.h1) * real(50.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
@@ -535,21 +591,57 @@ pub fn law<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t7 = s2 * clock.E2_free_1;
+    let t5 = s2 * clock.E2_free_1;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t7 * t7);
-    // E_2 >= pi/2 - delta
-    let violated2 = E2_free.ge(real(1.5697963267948967));
+    let E2_free = real(FRAC_PI_2) * (t5 * t5);
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
+    let t6 = Vector([E1, E2]);
+    let [cos_E1, cos_E2] = t6.cos().0;
     // cos E_2
-    let cosE2 = E2.cos();
-    let t8 = cosE2 * cosE2;
+    let cosE2 = cos_E2;
+    // E_2 >= pi/2 - delta
+    let violated2 = E2_free.ge(real(1.5697963267948967));
+    let t7 = cosE2 * cosE2;
     // 1 / cos^2 E_2
-    let sec2E2 = real(1.0) / t8;
-    let t9 = s2 * sec2E2;
+    let sec2E2 = real(1.0) / t7;
+    let t8 = s2 * sec2E2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * t9;
+    let c2 = e2 * t8;
+
+    // -- barrier of block 1 (23) (26) --
+    // cos E_1
+    let cosE1 = cos_E1;
+    // 1 / cos^2 E_1
+    let sec2E1 = real(1.0) / (cosE1 * cosE1);
+    let t9 = s1 * sec2E1;
+    // c_1 = s_1 e_1^T / cos^2 E_1
+    let c1 = e1 * t9;
+
+    // -- robust feedback of block 1 (31) (63) --
+    let [sin_E1, sin_E2] = t6.sin().0;
+    let t10 = real(5.0)
+        * (T::select(E1.eq(real(0.0)), real(1.0), sin_E1 * cosE1 / E1)
+            * real(1.0).min(real(1.5697963267948967) / E1_free));
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1 * (t10 + real(4.0) + t9 * real(0.5));
+    // ||c_1||^2
+    let s_c1 = c1.sum_squares();
+
+    // -- virtual control (31) of block 1 --
+    let t11 = state.zeta1 * real(20.0);
+    // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
+    let bracket1 = t11 - clock.y_r_dot + Lam1;
+    // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
+    let alpha1 = -bracket1;
+
+    // -- auxiliary system of block 1 (13) (E1) --
+    // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
+    let zeta1_dot = state.zeta2 - t11;
+
+    // -- dynamic surface filter of block 1 (33) --
+    // h_1' = (alpha_1 - h_1) / Fl_1
+    let h1_dot = (alpha1 - state.h1) * real(50.0);
 
     // -- MTPN of block 2 (4) (16) --
     // z_2, network inputs
@@ -573,25 +665,25 @@ pub fn law<T: Real>(
     let D_hat2 = Vector([w_hat2[0], w_hat2[2] + w_hat2[3]]);
 
     // -- robust feedback of block 2 (31) (63) --
-    let t10 = e2.tanh();
+    let t12 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t10 * state.eps2;
-    let t11 = real(10.0)
-        * (kernel::sin_cos_over(E2) * real(1.0).min(real(1.5697963267948967) / E2_free))
-        + real(8.0) + t9 * real(0.9999999999999998);
+    let Lam2_error_bound = t12 * state.eps2;
+    let t13 = real(10.0)
+        * (T::select(E2.eq(real(0.0)), real(1.0), sin_E2 * cosE2 / E2)
+            * real(1.0).min(real(1.5697963267948967) / E2_free));
+    let t14 = t13 + real(8.0) + t8 * real(0.9999999999999998) + real(0.5) * sec2E2;
     // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
     // (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4
     // eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2 = e2 * (t11 + real(0.5) * sec2E2 + s_c1 * s_c1 * real(0.25) * t8)
-        + Lam2_error_bound;
+    let Lam2 = e2 * (t14 + s_c1 * s_c1 * real(0.25) * t7) + Lam2_error_bound;
 
     // -- control (64) of block 2 --
-    let t12 = state.zeta2 * real(50.0);
+    let t15 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 + A_hat2 - h1_dot + t12 + D_hat2 + Lam2;
-    let t13 = Matrix::rows([[M_11, M_12], [M_12, prepared.a_2]]) * bracket2;
+    let bracket2 = F2 + A_hat2 - h1_dot + t15 + D_hat2 + Lam2;
+    let t16 = Matrix::rows([[M_11, M_12], [M_12, prepared.a_2]]) * bracket2;
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t13;
+    let u = -t16;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
@@ -599,10 +691,10 @@ pub fn law<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = inverse_M * (u_sat + t13) - t12;
+    let zeta2_dot = inverse_M * (u_sat + t16) - t15;
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t14 = Vector([
+    let t17 = Vector([
         real(12.0) * Lam2[0],
         real(36.0) * Lam2[0],
         real(8.0) * Lam2[1],
@@ -617,25 +709,17 @@ pub fn law<T: Real>(
         real(0.0),
         real(3.0) * w_hat2[4],
         real(-3.0) * w_hat2[3],
-    ]) + t14;
+    ]) + t17;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (t9 * e2.dot(t10) - state.eps2);
+    let eps2_dot = real(0.1) * (t8 * e2.dot(t12) - state.eps2);
 
     // -- status --
     // some E_i >= pi/2 - delta
     let violated = violated1.or(violated2);
 
-    // -- states of block 1, one sample later --
-    // zeta1(t + dt) = zeta1 + Gamma zeta1'
-    let zeta1_next = state.zeta1 + zeta1_dot * real(0.0019605280423838395);
-    // h1(t + dt) = h1 + Gamma h1'
-    let h1_next = state.h1 + h1_dot * real(0.0019032516392808085);
-
     // -- states of block 2, one sample later --
-    // zeta2(t + dt) = zeta2 + Gamma zeta2'
-    let zeta2_next = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
     // Gamma of th2
     let th2_step: Matrix<T, 5, 5> = Matrix::from_f64([
         [0.001976143425723861, 1.984071770174817e-6, 0.0, 0.0, 0.0],
@@ -650,13 +734,23 @@ pub fn law<T: Real>(
         [0.0, 0.0, -4.0171910527606606e-6, 0.001995970820999854, 5.991956185266466e-6],
         [0.0, 0.0, -2.1845797894047418e-5, -2.784571417199025e-5, 0.0019999442315428947],
     ]);
+
+    // -- states of block 1, one sample later --
+    // zeta1(t + dt) = zeta1 + Gamma zeta1'
+    state.zeta1 = state.zeta1 + zeta1_dot * real(0.0019605280423838395);
+    // h1(t + dt) = h1 + Gamma h1'
+    state.h1 = state.h1 + h1_dot * real(0.0019032516392808085);
+
+    // -- states of block 2, one sample later --
+    // zeta2(t + dt) = zeta2 + Gamma zeta2'
+    state.zeta2 = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + th2_step * th2_dot;
+    state.th2 = state.th2 + th2_step * th2_dot;
     // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
-    let W2_next = state.W2 * real(0.9998000199986667)
+    state.W2 = state.W2 * real(0.9998000199986667)
         + P2.outer(c2 * real(0.001999800013332667));
     // eps2(t + dt) = eps2 + Gamma eps2'
-    let eps2_next = state.eps2 + real(0.001999800013332667) * eps2_dot;
+    state.eps2 = state.eps2 + real(0.001999800013332667) * eps2_dot;
     ControlOutputs {
         u,
         u_sat,
@@ -668,27 +762,20 @@ pub fn law<T: Real>(
         e2,
         k2: clock.k2,
         D_hat2,
-        next: State {
-            zeta1: zeta1_next,
-            zeta2: zeta2_next,
-            h1: h1_next,
-            W2: W2_next,
-            th2: th2_next,
-            eps2: eps2_next,
-        },
     }
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 184 additions, 276 multiplications, 9 divisions, 0 square roots, 13 elementary
-/// functions, 13 comparisons and selections.
+/// Operations: 184 additions, 276 multiplications, 9 divisions, 0 square roots, 11 elementary
+/// functions, 15 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 2>,
     x2: Vector<T, 2>,
-    state: &State<T>,
+    state: &mut State<T>,
     params: &Params<T>,
 ) -> ControlOutputs<T> {
     let prepared = prepare(params);

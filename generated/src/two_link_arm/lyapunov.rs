@@ -1,7 +1,7 @@
-// SHA-256 of the text below: c8915a52093403e035b4a4f4a6bab1b0ae14b479c15f3c735d251764ffddcd02
+// SHA-256 of the text below: c8d95461f185cbdc45f15e5051c1e6c807bd1bef2b7270e0f871a43f2cb2ce4a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// lyapunov: 502 additions, 638 multiplications, 12 divisions, 0 square roots, 16 elementary functions, 18 comparisons and selections
+// lyapunov: 502 additions, 638 multiplications, 12 divisions, 0 square roots, 13 elementary functions, 20 comparisons and selections
 
 //! `two_link_arm`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -29,8 +29,8 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 502 additions, 638 multiplications, 12 divisions, 0 square roots, 16 elementary
-/// functions, 18 comparisons and selections.
+/// Operations: 502 additions, 638 multiplications, 12 divisions, 0 square roots, 13 elementary
+/// functions, 20 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
     t: T,
@@ -102,39 +102,6 @@ pub fn lyapunov<T: Real>(
     let E1_free = real(FRAC_PI_2) * (t15 * t15);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
-    // cos E_1
-    let cosE1 = E1.cos();
-    let t16 = cosE1 * cosE1;
-    // 1 / cos^2 E_1
-    let sec2E1 = real(1.0) / t16;
-    let t17 = s1 * sec2E1;
-    // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * t17;
-
-    // -- robust feedback of block 1 (31) (63) --
-    let t18 = kernel::sin_cos_over(E1);
-    let t19 = real(1.0) / E1_free;
-    let t20 = real(1.5697963267948967) * t19;
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1
-        * (real(5.0) * (t18 * real(1.0).min(t20)) + real(4.0) + t17 * real(0.5));
-    // ||c_1||^2
-    let s_c1 = c1.sum_squares();
-
-    // -- virtual control (31) of block 1 --
-    let t21 = state.zeta1 * real(20.0);
-    // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t21 - y_r_dot + Lam1;
-    // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -bracket1;
-
-    // -- auxiliary system of block 1 (13) (E1) --
-    // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t21;
-
-    // -- dynamic surface filter of block 1 (33) --
-    // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (alpha1 - state.h1) * real(50.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
@@ -143,30 +110,68 @@ pub fn lyapunov<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t22 = k2 * k2;
-    let t23 = real(1.0) / t22;
-    let t24 = s2 * t23;
+    let t16 = k2 * k2;
+    let t17 = real(1.0) / t16;
+    let t18 = s2 * t17;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t24 * t24);
+    let E2_free = real(FRAC_PI_2) * (t18 * t18);
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
+    let t19 = Vector([E1, E2]);
+    let [cos_E1, cos_E2] = t19.cos().0;
     // cos E_2
-    let cosE2 = E2.cos();
-    let t25 = cosE2 * cosE2;
+    let cosE2 = cos_E2;
+    let t20 = cosE2 * cosE2;
     // 1 / cos^2 E_2
-    let sec2E2 = real(1.0) / t25;
-    let t26 = s2 * sec2E2;
+    let sec2E2 = real(1.0) / t20;
+    let t21 = s2 * sec2E2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * t26;
+    let c2 = e2 * t21;
+
+    // -- barrier of block 1 (23) (26) --
+    // cos E_1
+    let cosE1 = cos_E1;
+    let t22 = cosE1 * cosE1;
+    // 1 / cos^2 E_1
+    let sec2E1 = real(1.0) / t22;
+    let t23 = s1 * sec2E1;
+    // c_1 = s_1 e_1^T / cos^2 E_1
+    let c1 = e1 * t23;
+
+    // -- robust feedback of block 1 (31) (63) --
+    let [sin_E1, sin_E2] = t19.sin().0;
+    let t24 = T::select(E1.eq(real(0.0)), real(1.0), sin_E1 * cosE1 / E1);
+    let t25 = real(1.0) / E1_free;
+    let t26 = real(1.5697963267948967) * t25;
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1
+        * (real(5.0) * (t24 * real(1.0).min(t26)) + real(4.0) + t23 * real(0.5));
+    // ||c_1||^2
+    let s_c1 = c1.sum_squares();
+
+    // -- virtual control (31) of block 1 --
+    let t27 = state.zeta1 * real(20.0);
+    // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
+    let bracket1 = t27 - y_r_dot + Lam1;
+    // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
+    let alpha1 = -bracket1;
+
+    // -- auxiliary system of block 1 (13) (E1) --
+    // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
+    let zeta1_dot = state.zeta2 - t27;
+
+    // -- dynamic surface filter of block 1 (33) --
+    // h_1' = (alpha_1 - h_1) / Fl_1
+    let h1_dot = (alpha1 - state.h1) * real(50.0);
 
     // -- MTPN of block 2 (4) (16) --
     // z_2, network inputs
     let z2 = Vector([v1, v2, q2]);
     // P_2 = P_m(z_2), 20 nodes
     let P2 = polynomials::basis2(z2);
-    let t27 = state.W2.transpose();
+    let t28 = state.W2.transpose();
     // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = t27 * P2;
+    let A_hat2 = t28 * P2;
 
     // -- disturbance observer of block 2 (20) (49) --
     // w_hat_2 = th_2 + S_2 e_2
@@ -182,25 +187,25 @@ pub fn lyapunov<T: Real>(
     let D_hat2 = Vector([w_hat2[0], w_hat2[2] + w_hat2[3]]);
 
     // -- robust feedback of block 2 (31) (63) --
-    let t28 = e2.tanh();
+    let t29 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t28 * state.eps2;
-    let t29 = real(10.0)
-        * (kernel::sin_cos_over(E2) * real(1.0).min(real(1.5697963267948967) / E2_free))
-        + real(8.0) + t26 * real(0.9999999999999998);
+    let Lam2_error_bound = t29 * state.eps2;
+    let t30 = real(10.0)
+        * (T::select(E2.eq(real(0.0)), real(1.0), sin_E2 * cosE2 / E2)
+            * real(1.0).min(real(1.5697963267948967) / E2_free));
+    let t31 = t30 + real(8.0) + t21 * real(0.9999999999999998) + real(0.5) * sec2E2;
     // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
     // (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4
     // eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2 = e2 * (t29 + real(0.5) * sec2E2 + s_c1 * s_c1 * real(0.25) * t25)
-        + Lam2_error_bound;
+    let Lam2 = e2 * (t31 + s_c1 * s_c1 * real(0.25) * t20) + Lam2_error_bound;
 
     // -- control (64) of block 2 --
-    let t30 = state.zeta2 * real(50.0);
+    let t32 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 + A_hat2 - h1_dot + t30 + D_hat2 + Lam2;
-    let t31 = Matrix::rows([[M_11, M_12], [M_12, a_2]]) * bracket2;
+    let bracket2 = F2 + A_hat2 - h1_dot + t32 + D_hat2 + Lam2;
+    let t33 = Matrix::rows([[M_11, M_12], [M_12, a_2]]) * bracket2;
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t31;
+    let u = -t33;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
@@ -208,14 +213,14 @@ pub fn lyapunov<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = inverse_M * (u_sat + t31) - t30;
+    let zeta2_dot = inverse_M * (u_sat + t33) - t32;
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t32 = Vector([
+    let t34 = Vector([
         real(12.0) * Lam2[0],
         real(36.0) * Lam2[0],
         real(8.0) * Lam2[1],
@@ -230,26 +235,26 @@ pub fn lyapunov<T: Real>(
         real(0.0),
         real(3.0) * w_hat2[4],
         real(-3.0) * w_hat2[3],
-    ]) + t32;
+    ]) + t34;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (t26 * e2.dot(t28) - state.eps2);
+    let eps2_dot = real(0.1) * (t21 * e2.dot(t29) - state.eps2);
 
     // -- true dynamics of block 2 (rates) (11) --
-    let t33 = plant.m_e * real(0.36);
-    let t34 = real(0.25) + t33;
-    let t35 = plant.m_e * real(0.6);
-    let t36 = t35 * real(0.8660254037844386);
-    let t37 = t35 * real(0.5);
-    let t38 = t34 + t36 * t3 + t37 * t4;
-    let t39 = -t38;
-    let t40 = real(0.62) + t33 + plant.m_e + real(2.0) * t36 * t3 + real(2.0) * t37 * t4;
+    let t35 = plant.m_e * real(0.36);
+    let t36 = real(0.25) + t35;
+    let t37 = plant.m_e * real(0.6);
+    let t38 = t37 * real(0.8660254037844386);
+    let t39 = t37 * real(0.5);
+    let t40 = t36 + t38 * t3 + t39 * t4;
+    let t41 = -t40;
+    let t42 = real(0.62) + t35 + plant.m_e + real(2.0) * t38 * t3 + real(2.0) * t39 * t4;
     // G_2 with the plant's parameters
-    let G2_plant = Matrix::rows([[t34, t39], [t39, t40]])
-        * (real(1.0) / (t40 * t34 - t38 * t38));
+    let G2_plant = Matrix::rows([[t36, t41], [t41, t42]])
+        * (real(1.0) / (t42 * t36 - t40 * t40));
     // F_2 with the plant's parameters
-    let F2_plant = -G2_plant * (t6 * (t36 * t4 - t37 * t3));
+    let F2_plant = -G2_plant * (t6 * (t38 * t4 - t39 * t3));
     // d_2 = L_2 w_2 (12)
     let d2 = Vector([w2[0], w2[2] + w2[3]]);
     // w_2' = M_2 w_2 (12)
@@ -264,10 +269,10 @@ pub fn lyapunov<T: Real>(
     let x2_flow = F2_plant + G2_plant * u_sat + d2;
 
     // -- Lyapunov function of block 1 (23) (52) --
-    let t41 = t13 * t13 * real(0.15915494309189535);
-    let t42 = E1.tan();
+    let t43 = t13 * t13 * real(0.15915494309189535);
+    let [tan_E1, tan_E2] = t19.tan().0;
     // k_1^4/(2 pi) tan E_1
-    let V_T1 = t41 * t42;
+    let V_T1 = t43 * tan_E1;
     // 1/2 ||zeta_1||^2
     let V_zeta1 = state.zeta1.sum_squares() * real(0.5);
     // chi_1 = h_1 - alpha_1 (34)
@@ -276,11 +281,10 @@ pub fn lyapunov<T: Real>(
     let V_chi1 = chi1.sum_squares() * real(0.5);
 
     // -- Lyapunov function of block 2 (23) (52) --
-    let t43 = t22 * t22 * real(0.15915494309189535);
-    let t44 = E2.tan();
+    let t44 = t16 * t16 * real(0.15915494309189535);
     // k_2^4/(2 pi) tan E_2
-    let V_T2 = t43 * t44;
-    let t45 = t27 * state.W2;
+    let V_T2 = t44 * tan_E2;
+    let t45 = t28 * state.W2;
     // tr(W_2^T W_2)/(2 Gamma_2)
     let V_W2 = (t45[(0, 0)] + t45[(1, 1)]) * real(0.5);
     // w_2 - w_hat_2
@@ -312,19 +316,20 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t42 * (real(4.0) * (t13 * k1) * k1_dot * real(0.15915494309189535))
-        + t41 * (E1_flow / t16);
+    let V_T1_flow = tan_E1
+        * (real(4.0) * (t13 * k1) * k1_dot * real(0.15915494309189535))
+        + t43 * (E1_flow / t22);
     let t48 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
     let V_zeta1_flow = (t48 + t48) * real(0.5);
     let t49 = real(2.0) * (t8 * real(2.0));
     // y_r''
     let y_r_dot2 = Vector([real(0.5235987755982989) * t49, real(FRAC_PI_4) * t49]);
-    let t50 = real(1.0).lt(t20);
-    let t51 = T::select(t50, real(1.0), t20);
+    let t50 = real(1.0).lt(t26);
+    let t51 = T::select(t50, real(1.0), t26);
     let t52 = t51 * (kernel::sin_cos_over_d1(E1) * E1_flow)
-        + T::select(t50, real(0.0), -(t18 * (t20 * t19 * E1_free_flow)));
-    let t53 = t18 * t51;
+        + T::select(t50, real(0.0), -(t24 * (t26 * t25 * E1_free_flow)));
+    let t53 = t24 * t51;
     // Lam0_1' along the flow
     let Lam0_1_flow = Vector([
         real(5.0) * e1[0] * t52 + t53 * (real(5.0) * e1_flow[0])
@@ -332,11 +337,11 @@ pub fn lyapunov<T: Real>(
         real(5.0) * e1[1] * t52 + t53 * (real(5.0) * e1_flow[1]) + real(4.0) * e1_flow[1],
     ]);
     // cosE1' along the flow
-    let cosE1_flow = -(E1.sin() * E1_flow);
+    let cosE1_flow = -(sin_E1 * E1_flow);
     let t54 = e1
         * (s1_flow * sec2E1 - s1 * (sec2E1 * sec2E1 * ((cosE1 + cosE1) * cosE1_flow)));
     // c1' along the flow
-    let c1_flow = t54 + e1_flow * t17;
+    let c1_flow = t54 + e1_flow * t23;
     // Lam1_filter' along the flow
     let Lam1_filter_flow = c1_flow * real(0.5);
     // Lam1' along the flow
@@ -353,7 +358,7 @@ pub fn lyapunov<T: Real>(
     let t56 = e2_flow.dot(e2);
     // s2' along the flow
     let s2_flow = t56 + t56;
-    let t57 = (t24 + t24) * (s2_flow * t23 - t24 * t23 * ((k2 + k2) * k2_dot));
+    let t57 = (t18 + t18) * (s2_flow * t17 - t18 * t17 * ((k2 + k2) * k2_dot));
     // E2_free' along the flow
     let E2_free_flow = real(FRAC_PI_2) * t57;
     // E2' along the flow
@@ -363,9 +368,10 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T2' along the flow
-    let V_T2_flow = t44 * (real(4.0) * (t22 * k2) * k2_dot * real(0.15915494309189535))
-        + t43 * (E2_flow / t25);
-    let t58 = W2_dot.transpose() * state.W2 + t27 * W2_dot;
+    let V_T2_flow = tan_E2
+        * (real(4.0) * (t16 * k2) * k2_dot * real(0.15915494309189535))
+        + t44 * (E2_flow / t20);
+    let t58 = W2_dot.transpose() * state.W2 + t28 * W2_dot;
     // V_W2' along the flow
     let V_W2_flow = (t58[(0, 0)] + t58[(1, 1)]) * real(0.5);
     // w_hat2' along the flow

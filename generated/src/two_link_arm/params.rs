@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 1404904e65d7915455625b5d92212c94e933767056b3bb554de9ea110871d1fa
+// SHA-256 of the text below: a616e497a3d2082a7a188166a46b80effe52e4f277f703382d37f77e75670bd4
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 
@@ -13,6 +13,7 @@ use nsv_runtime::real::Real;
 
 /// Run-time parameters, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Params<T> {
     /// Unit: kg. Plant 2.0, dispersed uniformly between 1.5 and 2.5; controller 2.0. Source:
     /// Slotine and Li; the spread is chosen.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 26fbe18ce4768075d3763e654ef95268030eca290ba7379e7fca1e4e7e95a800
+// SHA-256 of the text below: 67ce533797b581306eb345556c071b3de6c8c41a8ac8f8e4aa13c7dabb59e523
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // plant: 20 additions, 33 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -29,37 +29,40 @@ pub const INITIAL_STATE: [f64; STATES] = [0.1, -0.1, 0.0, 0.0, 0.5, -0.2, 1.0, 0
 pub struct Plant<T> {
     /// Parameters.
     pub params: Params<T>,
+    /// Values of [`prepare`] for these parameters.
+    pub prepared: Prepared<T>,
     /// Control, held between samples.
     pub u_sat: Vector<T, 2>,
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
     #[inline(always)]
-    fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        T::outlined(Drift { plant: self, t, x })
+    fn drift(&self, _t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+        T::outlined(Drift { plant: self, x })
     }
 
     #[inline(always)]
-    fn diffusion(&self, _t: T, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
+    fn diffusion(&self, _t: f64, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
 }
 /// Drift.
 struct Drift<'a, T> {
     plant: &'a Plant<T>,
-    t: T,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Drift<'_, T> {
     type Output = Vector<T, STATES>;
     #[inline(always)]
     fn run(self) -> Vector<T, STATES> {
-        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
+        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.prepared);
+        rate.drift
     }
 }
 
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Prepared<T> {
     /// `a_2`.
     pub a_2: T,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: f58d9b3c13f716bad8ed61fc9c45e60d948543326e8d19d4ca0387c9f3ccf0a3
+// SHA-256 of the text below: f2e62ff71d8778c83fb7b2e7499f584577b195e96eb369fb90b9d386af90fcfb
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 
@@ -8,7 +8,7 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Controller, Output, SAMPLE_TIME, State};
+use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State, clock};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -34,6 +34,7 @@ pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;
 pub struct Simulator<T: Real = f64> {
     controller: Controller<T>,
     truth: Params<T>,
+    prepared: plant::Prepared<T>,
     x: Vector<T, STATES>,
     state: State<T>,
     output: Output<T>,
@@ -134,15 +135,13 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let mut controller = Controller::new(Params::design());
         controller.reset(T::zero(), Vector([x[0], x[1]]), Vector([x[2], x[3]]));
         let state = *controller.state();
-        let output = controller
-            .clone()
-            .step(T::zero(), Vector([x[0], x[1]]), Vector([x[2], x[3]]));
         Self {
+            prepared: plant::prepare(&truth),
             controller,
             truth,
             x,
             state,
-            output,
+            output: Output::zero(),
             sample: 0,
         }
     }
@@ -155,23 +154,31 @@ impl<T: Real> Runs<T> for Simulator<T> {
     #[inline(always)]
     fn control(&mut self) {
         let t = T::from_f64(self.time());
-        self.output = self.controller.step(t, self.x1(), self.x2());
+        self.output = self
+            .controller
+            .step_at(
+                t,
+                &Clock::splat(&clock(T::Scalar::from_f64(self.time()))),
+                self.x1(),
+                self.x2(),
+            );
     }
 
     #[inline(always)]
     fn advance(&mut self) {
         let plant = Plant {
             params: self.truth,
+            prepared: self.prepared,
             u_sat: self.output.u_sat,
         };
         for substep in 0..SUBSTEPS {
-            let t = T::from_f64(self.time() + f64::from(substep) * SUBSTEP);
+            let t = self.time() + f64::from(substep) * SUBSTEP;
             self.x = sde::step(
                 Scheme::RungeKutta4,
                 &plant,
                 t,
                 &self.x,
-                T::from_f64(SUBSTEP),
+                SUBSTEP,
                 &Vector([]),
             );
         }

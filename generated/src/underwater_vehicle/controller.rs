@@ -1,8 +1,8 @@
-// SHA-256 of the text below: a172a726d416819170657b458eb458ef873168863fe093df14736c523e8e8dd2
+// SHA-256 of the text below: 9a7476a112f82bf1721bce154e8094d3979a788fa08ab5b614949221feaf4393
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
-// initial: 89 additions, 150 multiplications, 10 divisions, 0 square roots, 20 elementary functions, 3 comparisons and selections
-// control: 714 additions, 1032 multiplications, 20 divisions, 3 square roots, 27 elementary functions, 19 comparisons and selections
+// initial: 89 additions, 150 multiplications, 10 divisions, 0 square roots, 19 elementary functions, 4 comparisons and selections
+// control: 714 additions, 1032 multiplications, 20 divisions, 3 square roots, 26 elementary functions, 20 comparisons and selections
 
 //! `underwater_vehicle`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -13,7 +13,6 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
-use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -30,6 +29,7 @@ pub const SAFE_INPUT: [f64; 6] = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 
 /// The controller's states, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct State<T> {
     /// Auxiliary anti-windup state zeta (13): pose (north, east, down, phi, theta, psi).
     ///
@@ -155,6 +155,25 @@ pub struct Output<T: Real> {
     /// `d_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 6>,
 }
+impl<T: Real> Output<T> {
+    /// Before the first sample: all zero.
+    #[inline(always)]
+    pub fn zero() -> Self {
+        Self {
+            status: Status::OK,
+            valid: T::Mask::splat(false),
+            u: Vector::zero(),
+            u_sat: Vector::zero(),
+            y_r: Vector::zero(),
+            e1: Vector::zero(),
+            k1: T::zero(),
+            alpha1: Vector::zero(),
+            D_hat1: Vector::zero(),
+            e2: Vector::zero(),
+            D_hat2: Vector::zero(),
+        }
+    }
+}
 
 /// Underwater vehicle in waves and a current
 ///
@@ -162,6 +181,7 @@ pub struct Output<T: Real> {
 #[derive(Clone, Debug)]
 pub struct Controller<T: Real> {
     params: Params<T>,
+    prepared: Prepared<T>,
     state: State<T>,
     started: T::Mask,
 }
@@ -171,6 +191,7 @@ impl<T: Real> Controller<T> {
     #[inline(always)]
     pub fn new(params: Params<T>) -> Self {
         Self {
+            prepared: prepare(&params),
             params,
             state: State::zero(),
             started: T::Mask::splat(false),
@@ -180,22 +201,24 @@ impl<T: Real> Controller<T> {
     /// Starts anew from these measurements; from the next ones if they are not finite.
     #[inline(always)]
     pub fn reset(&mut self, t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) {
-        let start = initial(t, x1, x2);
-        let finite = start
-            .is_finite()
-            .and(t.is_finite())
-            .and(x1.is_finite())
-            .and(x2.is_finite());
-        self.state = State::select(finite, &start, &State::zero());
-        self.started = finite;
+        self.state = State::zero();
+        self.started = T::Mask::splat(false);
+        let mask = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
+        T::outlined(Begin {
+            controller: self,
+            mask,
+            t,
+            x1,
+            x2,
+        });
     }
 
     /// One sample: the control for the time since start (s) and the measured states (SI), after
     /// which the states are those of the next sample.
     ///
     /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
-    /// the status has `NON_FINITE_INPUT`, and the states stay as they were. `SATURATED` means that
-    /// a control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
+    /// the status has `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a
+    /// control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
     /// barrier was clamped.
     ///
     /// The first step with finite measurements initialises the states; so does the step after one
@@ -203,6 +226,20 @@ impl<T: Real> Controller<T> {
     /// use.
     #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> Output<T> {
+        let clock = clock(t);
+        self.step_at(t, &clock, x1, x2)
+    }
+
+    /// As [`Controller::step`], with the values of [`clock`] at this time, which can serve many
+    /// runs.
+    #[inline(always)]
+    pub fn step_at(
+        &mut self,
+        t: T,
+        clock: &Clock<T>,
+        x1: Vector<T, 6>,
+        x2: Vector<T, 6>,
+    ) -> Output<T> {
         let measured = t.is_finite().and(x1.is_finite()).and(x2.is_finite());
         let starting = measured.and(self.started.not());
         if starting.any() {
@@ -214,17 +251,21 @@ impl<T: Real> Controller<T> {
                 x2,
             });
         }
-        let law = control(t, x1, x2, &self.state, &self.params);
+        let before = if measured.all() { None } else { Some(self.state) };
+        let law = law(x1, x2, &mut self.state, &self.params, &self.prepared, clock);
         let valid = measured
+            .and(self.started)
             .and(law.u.is_finite())
             .and(law.u_sat.is_finite())
-            .and(law.next.is_finite());
-        self.state = if valid.all() {
-            law.next
-        } else {
-            State::select(valid, &law.next, &self.state)
-        };
-        self.started = valid.or(self.started.and(measured.not()));
+            .and(self.state.is_finite());
+        if !valid.all() {
+            T::outlined(Restore {
+                controller: self,
+                valid,
+                measured,
+                before,
+            });
+        }
         let u = Vector::select(valid, law.u, Vector::from_f64(SAFE_INPUT));
         let u_sat = Vector::select(valid, law.u_sat, Vector::from_f64(SAFE_INPUT));
         let saturated = u[0]
@@ -280,21 +321,53 @@ impl<T: Real> Part for Begin<'_, T> {
         let start = initial(self.t, self.x1, self.x2);
         let mask = self.mask.and(start.is_finite());
         self.controller.state = State::select(mask, &start, &self.controller.state);
+        self.controller.started = self.controller.started.or(mask);
+    }
+}
+
+/// Gives the states back where the law was not finite: those before it, or if they made it
+/// overflow those of a start at the origin, until the next sample.
+struct Restore<'a, T: Real> {
+    controller: &'a mut Controller<T>,
+    valid: T::Mask,
+    measured: T::Mask,
+    before: Option<State<T>>,
+}
+impl<T: Real> Part for Restore<'_, T> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        let zero = State::zero();
+        let controller = self.controller;
+        let kept = match &self.before {
+            Some(before) => State::select(self.measured, &zero, before),
+            None => zero,
+        };
+        controller.state = State::select(self.valid, &controller.state, &kept);
+        let mask = self.measured.and(self.valid.not());
+        T::outlined(Begin {
+            controller: &mut *controller,
+            mask,
+            t: T::zero(),
+            x1: Vector::zero(),
+            x2: Vector::zero(),
+        });
+        controller.started = controller.started.and(mask.not());
     }
 }
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 89 additions, 150 multiplications, 10 divisions, 0 square roots, 20 elementary
-/// functions, 3 comparisons and selections.
+/// Operations: 89 additions, 150 multiplications, 10 divisions, 0 square roots, 19 elementary
+/// functions, 4 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     let real = T::from_f64;
 
     // -- plant model --
     let psi = x1[5];
-    let phi = x1[3];
     let theta = x1[4];
+    let phi = x1[3];
 
     // -- reference and constraints --
     let t1 = real(0.3) * t;
@@ -359,10 +432,10 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     let D_hat1 = x1 - x1;
 
     // -- norms of block 1 --
-    let t17 = Vector([psi, theta, phi]);
-    let [cos_psi, cos_theta, cos_phi] = t17.cos().0;
+    let t17 = Vector([phi, theta, psi]);
+    let [cos_phi, cos_theta, cos_psi] = t17.cos().0;
     let t18 = cos_psi * cos_theta;
-    let [sin_psi, sin_theta, sin_phi] = t17.sin().0;
+    let [sin_phi, sin_theta, sin_psi] = t17.sin().0;
     let t19 = cos_psi * sin_theta;
     let t20 = t19 * sin_phi - sin_psi * cos_phi;
     let t21 = t19 * cos_phi + sin_psi * sin_phi;
@@ -388,12 +461,11 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
 
     // -- robust feedback of block 1 (31) (63) --
     let t37 = s1 * sec2E1;
-    let t38 = kernel::sin_cos_over(E1)
-        * real(1.0).min(real(1.5697963267948967) / E1_free) + real(0.5)
-        + t37 * real(0.5);
+    let t38 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free);
     // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1 * (t38 + t37 * (real(0.5) * G_norm2_1));
+    let Lam1 = e1 * (t38 + real(0.5) + t37 * real(0.5) + t37 * (real(0.5) * G_norm2_1));
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
@@ -440,6 +512,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
 
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Prepared<T> {
     /// Part of `F2`.
     pub F2_1: T,
@@ -583,6 +656,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
 /// Values of [`clock`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Clock<T> {
     /// `y_r(t)`
     pub y_r: Vector<T, 6>,
@@ -592,6 +666,19 @@ pub struct Clock<T> {
     pub k1: T,
     /// Part of `E1_free`.
     pub E1_free_1: T,
+}
+
+impl<T: Real> Clock<T> {
+    /// The same values in every lane.
+    #[inline(always)]
+    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+        Self {
+            y_r: Vector::splat_lanes(clock.y_r),
+            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
+            k1: T::splat(clock.k1),
+            E1_free_1: T::splat(clock.E1_free_1),
+        }
+    }
 }
 
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
@@ -666,19 +753,18 @@ pub struct ControlOutputs<T: Real> {
     pub e2: Vector<T, 6>,
     /// `d_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 6>,
-    /// All outputs `next.*`.
-    pub next: State<T>,
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 666 additions, 899 multiplications, 11 divisions, 2 square roots, 19 elementary
-/// functions, 19 comparisons and selections.
+/// Operations: 666 additions, 899 multiplications, 11 divisions, 2 square roots, 18 elementary
+/// functions, 20 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 6>,
     x2: Vector<T, 6>,
-    state: &State<T>,
+    state: &mut State<T>,
     params: &Params<T>,
     prepared: &Prepared<T>,
     clock: &Clock<T>,
@@ -687,11 +773,11 @@ pub fn law<T: Real>(
 
     // -- plant model --
     let psi = x1[5];
-    let phi = x1[3];
     let theta = x1[4];
-    let t1 = Vector([psi, theta, phi]);
-    let [cos_psi, cos_theta, cos_phi] = t1.cos().0;
-    let [sin_psi, sin_theta, sin_phi] = t1.sin().0;
+    let phi = x1[3];
+    let t1 = Vector([phi, theta, psi]);
+    let [cos_phi, cos_theta, cos_psi] = t1.cos().0;
+    let [sin_phi, sin_theta, sin_psi] = t1.sin().0;
     let t2 = -sin_theta;
     let t3 = cos_theta * sin_phi;
     let t4 = cos_theta * cos_phi;
@@ -799,12 +885,11 @@ pub fn law<T: Real>(
         + (t25 * t25 + t26 * t26);
 
     // -- robust feedback of block 1 (31) (63) --
-    let t31 = kernel::sin_cos_over(E1)
-        * real(1.0).min(real(1.5697963267948967) / E1_free) + real(0.5)
-        + t13 * real(0.5);
+    let t31 = T::select(E1.eq(real(0.0)), real(1.0), E1.sin() * cosE1 / E1)
+        * real(1.0).min(real(1.5697963267948967) / E1_free);
     // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1 * (t31 + t13 * (real(0.5) * G_norm2_1));
+    let Lam1 = e1 * (t31 + real(0.5) + t13 * real(0.5) + t13 * (real(0.5) * G_norm2_1));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
@@ -970,12 +1055,6 @@ pub fn law<T: Real>(
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
     let phi2_decay = t41 + real(0.5);
-
-    // -- states of block 1, one sample later --
-    // zeta1(t + dt) = zeta1 + Gamma zeta1'
-    let zeta1_next = state.zeta1 + zeta1_dot * real(0.009754115099857198);
-    // h1(t + dt) = h1 + Gamma h1'
-    let h1_next = state.h1 + h1_dot * real(0.009516258196404044);
     let t53 = Vector([
         t14 * surge + t16 * sway + t17 * heave,
         t18 * surge + t20 * sway + t21 * heave,
@@ -984,12 +1063,6 @@ pub fn law<T: Real>(
         cos_phi * q - sin_phi * r,
         t25 * q + t26 * r,
     ]);
-    // th1(t + dt) = th1 + Gamma th1'
-    let th1_next = state.th1 - (D_hat1 + t53) * real(0.009950166250831947);
-
-    // -- states of block 2, one sample later --
-    // zeta2(t + dt) = zeta2 + Gamma zeta2'
-    let zeta2_next = state.zeta2 + zeta2_dot * real(0.009516258196404044);
     let t54 = Vector([
         real(0.0099985222988428) * th2_dot[0]
             + real(0.00044110044503657773) * th2_dot[1],
@@ -1016,17 +1089,29 @@ pub fn law<T: Real>(
         real(-4.9011160559619754e-5) * th2_dot[10]
             + real(0.009704455335485081) * th2_dot[11],
     ]);
+
+    // -- states of block 1, one sample later --
+    // zeta1(t + dt) = zeta1 + Gamma zeta1'
+    state.zeta1 = state.zeta1 + zeta1_dot * real(0.009754115099857198);
+    // h1(t + dt) = h1 + Gamma h1'
+    state.h1 = state.h1 + h1_dot * real(0.009516258196404044);
+    // th1(t + dt) = th1 + Gamma th1'
+    state.th1 = state.th1 - (D_hat1 + t53) * real(0.009950166250831947);
+
+    // -- states of block 2, one sample later --
+    // zeta2(t + dt) = zeta2 + Gamma zeta2'
+    state.zeta2 = state.zeta2 + zeta2_dot * real(0.009516258196404044);
     // th2(t + dt) = th2 + Gamma th2'
-    let th2_next = state.th2 + t54;
+    state.th2 = state.th2 + t54;
     // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
-    let W2_next = state.W2 * real(0.999000499833375)
+    state.W2 = state.W2 * real(0.999000499833375)
         + P2.outer(c2 * real(0.009995001666250083));
     // eps2(t + dt) = eps2 + Gamma eps2'
-    let eps2_next = state.eps2 + real(0.009995001666250083) * eps2_dot;
+    state.eps2 = state.eps2 + real(0.009995001666250083) * eps2_dot;
     // sigma2(t + dt) = sigma2 + Gamma sigma2'
-    let sigma2_next = state.sigma2 + real(0.009995001666250083) * sigma2_dot;
+    state.sigma2 = state.sigma2 + real(0.009995001666250083) * sigma2_dot;
     // phi_2(t + dt) = max(phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)), phi_min)
-    let phi2_next = T::select(
+    state.phi2 = T::select(
             s2.sqrt().ge(real(0.2)),
             state.phi2 * (-(real(0.01) * phi2_decay)).exp(),
             state.phi2,
@@ -1043,30 +1128,20 @@ pub fn law<T: Real>(
         D_hat1,
         e2,
         D_hat2,
-        next: State {
-            zeta1: zeta1_next,
-            zeta2: zeta2_next,
-            th1: th1_next,
-            h1: h1_next,
-            W2: W2_next,
-            th2: th2_next,
-            eps2: eps2_next,
-            sigma2: sigma2_next,
-            phi2: phi2_next,
-        },
     }
 }
 
-/// One sample of the control law: control, next states and the signals on the way.
+/// One sample of the control law: control and the signals on the way; the states become those
+/// of the next sample.
 ///
-/// Operations: 714 additions, 1032 multiplications, 20 divisions, 3 square roots, 27 elementary
-/// functions, 19 comparisons and selections.
+/// Operations: 714 additions, 1032 multiplications, 20 divisions, 3 square roots, 26 elementary
+/// functions, 20 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,
     x1: Vector<T, 6>,
     x2: Vector<T, 6>,
-    state: &State<T>,
+    state: &mut State<T>,
     params: &Params<T>,
 ) -> ControlOutputs<T> {
     let prepared = prepare(params);

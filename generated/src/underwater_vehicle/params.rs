@@ -1,4 +1,4 @@
-// SHA-256 of the text below: f49a750c7fbfb2aa99d4fcf7c5ea1805c8182528e70548ef41c67888dad5a273
+// SHA-256 of the text below: 14559405bd7c688296d36103fc51ff14dc7ea70c0f198b5cd0343c1a8b1b804a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
@@ -13,6 +13,7 @@ use nsv_runtime::real::Real;
 
 /// Run-time parameters, in SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Params<T> {
     /// Unit: dimensionless. Plant 1.0, dispersed uniformly between 0.8 and 1.2; controller 1.0.
     /// Source: chosen.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 3d8b5fffcce0637701789b51077736c97742568d0085daac52ce8ea9d606a47c
+// SHA-256 of the text below: 7d18b44eaa8783d387b1189dbbbfc8bd46c17b2880e247ec74f5f7b13408997b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // plant: 83 additions, 136 multiplications, 5 divisions, 0 square roots, 13 elementary functions, 0 comparisons and selections
@@ -55,20 +55,22 @@ pub const INITIAL_STATE: [f64; STATES] = [
 pub struct Plant<T> {
     /// Parameters.
     pub params: Params<T>,
+    /// Values of [`prepare`] for these parameters.
+    pub prepared: Prepared<T>,
     /// Control, held between samples.
     pub u_sat: Vector<T, 6>,
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
     #[inline(always)]
-    fn drift(&self, t: T, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+    fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
         T::outlined(Drift { plant: self, t, x })
     }
 
     #[inline(always)]
     fn diffusion(
         &self,
-        t: T,
+        t: f64,
         x: &Vector<T, STATES>,
     ) -> Matrix<T, STATES, NOISE_CHANNELS> {
         T::outlined(Diffusion { plant: self, t, x })
@@ -77,7 +79,7 @@ impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
     #[inline(always)]
     fn drift_and_noise(
         &self,
-        t: T,
+        t: f64,
         x: &Vector<T, STATES>,
         dw: &Vector<T, NOISE_CHANNELS>,
     ) -> (Vector<T, STATES>, Vector<T, STATES>) {
@@ -87,33 +89,49 @@ impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
 /// Drift.
 struct Drift<'a, T> {
     plant: &'a Plant<T>,
-    t: T,
+    t: f64,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Drift<'_, T> {
     type Output = Vector<T, STATES>;
     #[inline(always)]
     fn run(self) -> Vector<T, STATES> {
-        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).drift
+        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
+        let rate = dynamics(
+            *self.x,
+            self.plant.u_sat,
+            &self.plant.params,
+            &clock,
+            &self.plant.prepared,
+        );
+        rate.drift
     }
 }
 /// Diffusion.
 struct Diffusion<'a, T> {
     plant: &'a Plant<T>,
-    t: T,
+    t: f64,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Diffusion<'_, T> {
     type Output = Matrix<T, STATES, NOISE_CHANNELS>;
     #[inline(always)]
     fn run(self) -> Matrix<T, STATES, NOISE_CHANNELS> {
-        plant(self.t, *self.x, self.plant.u_sat, &self.plant.params).diffusion
+        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
+        let rate = dynamics(
+            *self.x,
+            self.plant.u_sat,
+            &self.plant.params,
+            &clock,
+            &self.plant.prepared,
+        );
+        rate.diffusion
     }
 }
 /// Drift, and diffusion times noise.
 struct Rates<'a, T> {
     plant: &'a Plant<T>,
-    t: T,
+    t: f64,
     x: &'a Vector<T, STATES>,
     dw: &'a Vector<T, NOISE_CHANNELS>,
 }
@@ -121,7 +139,14 @@ impl<T: Real> Part for Rates<'_, T> {
     type Output = (Vector<T, STATES>, Vector<T, STATES>);
     #[inline(always)]
     fn run(self) -> (Vector<T, STATES>, Vector<T, STATES>) {
-        let rate = plant(self.t, *self.x, self.plant.u_sat, &self.plant.params);
+        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
+        let rate = dynamics(
+            *self.x,
+            self.plant.u_sat,
+            &self.plant.params,
+            &clock,
+            &self.plant.prepared,
+        );
         (rate.drift, diffuse(&rate.diffusion, self.dw))
     }
 }
@@ -162,6 +187,7 @@ fn diffuse<T: Real>(
 
 /// Values of [`prepare`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Prepared<T> {
     /// Part of `x2_flow`.
     pub x2_flow_1: T,
@@ -246,6 +272,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
 /// Values of [`clock`].
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
 pub struct Clock<T> {
     /// Part of `d1`.
     pub d1_1: T,
@@ -255,6 +282,19 @@ pub struct Clock<T> {
     pub d1_3: T,
     /// `d_1(t)`
     pub d1: Vector<T, 6>,
+}
+
+impl<T: Real> Clock<T> {
+    /// The same values in every lane.
+    #[inline(always)]
+    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+        Self {
+            d1_1: T::splat(clock.d1_1),
+            d1_2: T::splat(clock.d1_2),
+            d1_3: T::splat(clock.d1_3),
+            d1: Vector::splat_lanes(clock.d1),
+        }
+    }
 }
 
 /// What depends on time and parameters alone: needed once for a sample of all runs with these

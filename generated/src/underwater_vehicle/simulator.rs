@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 36715b9d7391661c6a1663836f3be928029c385f31dc3987ba18cf129138388a
+// SHA-256 of the text below: 61e4b6a66c91a693ca46e56519013a96768004c7c2dca47b35d671c61a5ac3b5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
@@ -8,7 +8,7 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Controller, Output, SAMPLE_TIME, State};
+use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State, clock};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -34,6 +34,7 @@ pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;
 pub struct Simulator<T: Real = f64> {
     controller: Controller<T>,
     truth: Params<T>,
+    prepared: plant::Prepared<T>,
     x: Vector<T, STATES>,
     state: State<T>,
     output: Output<T>,
@@ -223,20 +224,14 @@ impl<T: Real> Runs<T> for Simulator<T> {
                 Vector([x[6], x[7], x[8], x[9], x[10], x[11]]),
             );
         let state = *controller.state();
-        let output = controller
-            .clone()
-            .step(
-                T::zero(),
-                Vector([x[0], x[1], x[2], x[3], x[4], x[5]]),
-                Vector([x[6], x[7], x[8], x[9], x[10], x[11]]),
-            );
         let process = Noise::process(options.seed, options.run);
         Self {
+            prepared: plant::prepare(&truth),
             controller,
             truth,
             x,
             state,
-            output,
+            output: Output::zero(),
             sample: 0,
             noise: options.noise.then_some(process),
         }
@@ -250,7 +245,14 @@ impl<T: Real> Runs<T> for Simulator<T> {
     #[inline(always)]
     fn control(&mut self) {
         let t = T::from_f64(self.time());
-        self.output = self.controller.step(t, self.x1(), self.x2());
+        self.output = self
+            .controller
+            .step_at(
+                t,
+                &Clock::splat(&clock(T::Scalar::from_f64(self.time()))),
+                self.x1(),
+                self.x2(),
+            );
     }
 
     /// Platen's scheme: no state changes the diffusion, so that its correction is 0 and the scheme
@@ -259,20 +261,14 @@ impl<T: Real> Runs<T> for Simulator<T> {
     fn advance(&mut self) {
         let plant = Plant {
             params: self.truth,
+            prepared: self.prepared,
             u_sat: self.output.u_sat,
         };
         for substep in 0..SUBSTEPS {
-            let t = T::from_f64(self.time() + f64::from(substep) * SUBSTEP);
+            let t = self.time() + f64::from(substep) * SUBSTEP;
             let step = self.sample * u64::from(SUBSTEPS) + u64::from(substep);
             let dw = self.draw(step) * T::from_f64(SUBSTEP).sqrt();
-            self.x = sde::step(
-                Scheme::EulerMaruyama,
-                &plant,
-                t,
-                &self.x,
-                T::from_f64(SUBSTEP),
-                &dw,
-            );
+            self.x = sde::step(Scheme::EulerMaruyama, &plant, t, &self.x, SUBSTEP, &dw);
         }
         self.sample += 1;
     }

@@ -82,6 +82,8 @@ pub trait Real:
     type Mask: Mask;
     /// Representations.
     type Bits: Bits;
+    /// The number of one lane.
+    type Scalar: Real<Scalar = Self::Scalar>;
 
     /// Number of lanes; 1 for a scalar.
     const LANES: usize;
@@ -90,6 +92,8 @@ pub trait Real:
     /// Binary digits of the significand: 53 in double precision, 24 in single.
     const MANTISSA_DIGITS: u32;
 
+    /// The same number in every lane.
+    fn splat(value: Self::Scalar) -> Self;
     /// The nearest value to `value`, in every lane.
     fn from_f64(value: f64) -> Self;
     /// The value of the first lane.

@@ -129,9 +129,15 @@ macro_rules! scalar {
         impl Real for $float {
             type Mask = bool;
             type Bits = $bits;
+            type Scalar = Self;
 
             const LANES: usize = 1;
             const MANTISSA_DIGITS: u32 = $float::MANTISSA_DIGITS;
+
+            #[inline(always)]
+            fn splat(value: Self) -> Self {
+                value
+            }
 
             #[inline(always)]
             fn from_f64(value: f64) -> Self {

@@ -111,9 +111,8 @@ impl Flight<'_> {
     fn simulate<L: ClosedLoop>(&self, block: u64) -> Option<Vec<Record>> {
         let runs = self.shard.runs_of(block, self.campaign);
         let width = match self.campaign.width {
-            _ if L::SCALAR_ONLY => Width::Scalar,
-            Some(width) => width,
-            None => Width::widest(),
+            Some(width) if L::WIDTHS.contains(&width) => width,
+            _ => Width::widest_of(L::WIDTHS),
         };
         let mut records = Vec::with_capacity((runs.end - runs.start) as usize);
         for first in runs.clone().step_by(width.lanes()) {

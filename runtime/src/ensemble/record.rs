@@ -60,7 +60,7 @@ struct Batch<'a, L> {
 impl<L: ClosedLoop> Kernel for Batch<'_, L> {
     type Output = Vec<Record>;
 
-    const SCALAR_ONLY: bool = L::SCALAR_ONLY;
+    const WIDTHS: &'static [Width] = L::WIDTHS;
 
     #[inline(always)]
     fn run<T: Real>(self) -> Vec<Record> {

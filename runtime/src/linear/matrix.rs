@@ -65,6 +65,18 @@ impl<T: Real, const R: usize, const C: usize> Matrix<T, R, C> {
         rows
     }
 
+    /// The same entries in every lane.
+    #[inline(always)]
+    pub fn splat_lanes(values: Matrix<T::Scalar, R, C>) -> Self {
+        let mut matrix = Self::zero();
+        let mut j = 0;
+        while j < C {
+            matrix.0[j] = Vector::splat_lanes(values.0[j]);
+            j += 1;
+        }
+        matrix
+    }
+
     elementwise!();
 
     /// `f` of each entry.

@@ -29,6 +29,18 @@ impl<T: Real, const N: usize> Vector<T, N> {
         vector
     }
 
+    /// The same entries in every lane.
+    #[inline(always)]
+    pub fn splat_lanes(values: Vector<T::Scalar, N>) -> Self {
+        let mut vector = Self::zero();
+        let mut i = 0;
+        while i < N {
+            vector.0[i] = T::splat(values.0[i]);
+            i += 1;
+        }
+        vector
+    }
+
     elementwise!();
 
     /// `f` of each entry.

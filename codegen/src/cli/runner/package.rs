@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use std::io;
 use std::path::Path;
 
+use nsv_math::lanes::Width;
 use sha2::{Digest, Sha256};
 
 mod embedded {
@@ -31,15 +32,23 @@ strip = true
 [workspace]
 "#;
 
-const MAIN: &str = "//! Simulates one control problem.
+/// The main function of a simulator in lanes of `lanes` numbers and in scalars. Results do not depend on the lanes, the time to compile does.
+fn main(lanes: usize) -> String {
+    format!(
+        "//! Simulates one control problem.
 #![allow(dead_code, reason = \"a simulation calls a part of the generated code\")]
 
 mod spec;
 
-fn main() -> std::process::ExitCode {
-    nsv_runtime::runner::main::<spec::simulator::Simulator>()
+use nsv_runtime::closed_loop::InLanes;
+use spec::simulator::Simulator;
+
+fn main() -> std::process::ExitCode {{
+    nsv_runtime::runner::main::<InLanes<Simulator, {lanes}>>()
+}}
+"
+    )
 }
-";
 
 /// Files of a package by path, forward slashes between.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,7 +77,7 @@ impl Package {
         files.insert("runtime/math/Cargo.toml".into(), manifest_of_math());
         files.insert("Cargo.toml".into(), MANIFEST.into());
         files.insert("Cargo.lock".into(), lock());
-        files.insert("src/main.rs".into(), MAIN.into());
+        files.insert("src/main.rs".into(), main(Width::widest().lanes()));
         files.extend(
             generated
                 .iter()
@@ -147,7 +156,9 @@ pub(super) mod tests {
     /// A package whose runtime is a fake that answers the protocol with the argument list.
     pub(crate) fn fake(spec: &str) -> Package {
         let runtime = "#![no_std]\n#[cfg(feature = \"std\")]\nextern crate std;\n#[cfg(feature = \"std\")]\npub mod runner;\n\
-                       pub trait ClosedLoop { const NAME: &'static str; }\n";
+                       pub trait ClosedLoop { const NAME: &'static str; }\npub mod closed_loop {\n\
+                       pub struct InLanes<L, const LANES: usize>(L);\n\
+                       impl<L: crate::ClosedLoop, const LANES: usize> crate::ClosedLoop for InLanes<L, LANES> { const NAME: &'static str = L::NAME; }\n}\n";
         let runner = "use std::process::ExitCode;\npub fn main<L: crate::ClosedLoop>() -> ExitCode {\n\
                       std::println!(\"{} {}\", L::NAME, 4.0_f64.sqrt());\nExitCode::SUCCESS\n}\n";
         let generated = [

@@ -21,8 +21,8 @@ use crate::real::{Part, Real};
 pub trait Kernel {
     /// What it gives.
     type Output;
-    /// Whether [`run`] does it with scalars, whatever the width: for work that is too large to be compiled for each.
-    const SCALAR_ONLY: bool = false;
+    /// The widths that it is compiled for, the scalar one among them: fewer for work that takes the compiler long.
+    const WIDTHS: &'static [Width] = &Width::ALL;
     /// The work; `#[inline(always)]` in every implementation.
     fn run<T: Real>(self) -> Self::Output;
 }
@@ -70,10 +70,13 @@ impl Width {
 
     /// The widest that this processor has.
     pub fn widest() -> Width {
-        let available = Self::ALL
-            .into_iter()
-            .rev()
-            .find(|width| width.is_available());
+        Self::widest_of(&Self::ALL)
+    }
+
+    /// The widest of some, narrowest first, that this processor has; scalar if it has none of them.
+    pub fn widest_of(widths: &[Width]) -> Width {
+        let mut widest_first = widths.iter().rev().copied();
+        let available = widest_first.find(|width| width.is_available());
         available.unwrap_or(Width::Scalar)
     }
 }
@@ -116,25 +119,43 @@ fn in_lanes<T: Real, K: Kernel>(kernel: K) -> K::Output {
     T::outlined(InLanes::<T, K>(kernel, PhantomData))
 }
 
-/// Runs a kernel in lanes of `f64`; `None` if the processor lacks the width.
+/// Whether a width is among some, for the compiler to leave out what is not.
+const fn contains(widths: &[Width], width: Width) -> bool {
+    let mut i = 0;
+    while i < widths.len() {
+        if widths[i] as u8 == width as u8 {
+            return true;
+        }
+        i += 1;
+    }
+    false
+}
+
+/// Runs a kernel in lanes of `f64`; `None` if the processor lacks the width, or the kernel is not compiled for it.
 #[inline]
 pub fn run<K: Kernel>(width: Width, kernel: K) -> Option<K::Output> {
     if !width.is_available() {
         return None;
     }
-    if K::SCALAR_ONLY {
-        return Some(in_lanes::<f64, K>(kernel));
-    }
     Some(match width {
-        Width::Scalar => in_lanes::<f64, K>(kernel),
+        Width::Scalar if const { contains(K::WIDTHS, Width::Scalar) } => in_lanes::<f64, K>(kernel),
         #[cfg(target_arch = "x86_64")]
-        Width::Bits128 => in_lanes::<x86::F64x2, K>(kernel),
+        Width::Bits128 if const { contains(K::WIDTHS, Width::Bits128) } => {
+            in_lanes::<x86::F64x2, K>(kernel)
+        }
         #[cfg(target_arch = "x86_64")]
-        Width::Bits256 => in_lanes::<x86::F64x4, K>(kernel),
+        Width::Bits256 if const { contains(K::WIDTHS, Width::Bits256) } => {
+            in_lanes::<x86::F64x4, K>(kernel)
+        }
         #[cfg(target_arch = "x86_64")]
-        Width::Bits512 => in_lanes::<x86::F64x8, K>(kernel),
+        Width::Bits512 if const { contains(K::WIDTHS, Width::Bits512) } => {
+            in_lanes::<x86::F64x8, K>(kernel)
+        }
         #[cfg(not(target_arch = "x86_64"))]
-        _ => in_lanes::<portable::F64x2, K>(kernel),
+        Width::Bits128 if const { contains(K::WIDTHS, Width::Bits128) } => {
+            in_lanes::<portable::F64x2, K>(kernel)
+        }
+        _ => return None,
     })
 }
 

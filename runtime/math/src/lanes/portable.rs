@@ -162,16 +162,22 @@ macro_rules! entry_by_entry {
     };
 }
 
-impl<S: Real<Mask = bool>, const N: usize> Real for Array<S, N> {
+impl<S: Real<Mask = bool, Scalar = S>, const N: usize> Real for Array<S, N> {
     type Mask = Array<bool, N>;
     type Bits = Array<S::Bits, N>;
+    type Scalar = S;
 
     const LANES: usize = N;
     const MANTISSA_DIGITS: u32 = S::MANTISSA_DIGITS;
 
     #[inline(always)]
+    fn splat(value: S) -> Self {
+        Array([value; N])
+    }
+
+    #[inline(always)]
     fn from_f64(value: f64) -> Self {
-        Array([S::from_f64(value); N])
+        Self::splat(S::from_f64(value))
     }
 
     #[inline(always)]

@@ -22,12 +22,12 @@ struct Brownian<T> {
 
 impl<T: Real> Sde<T, 3, 3> for Brownian<T> {
     #[inline(always)]
-    fn drift(&self, _t: T, u: &Vector<T, 3>) -> Vector<T, 3> {
+    fn drift(&self, _: f64, u: &Vector<T, 3>) -> Vector<T, 3> {
         *u * self.growth
     }
 
     #[inline(always)]
-    fn diffusion(&self, _t: T, u: &Vector<T, 3>) -> Matrix<T, 3, 3> {
+    fn diffusion(&self, _: f64, u: &Vector<T, 3>) -> Matrix<T, 3, 3> {
         let mut diagonal = Matrix::zero();
         for i in 0..3 {
             diagonal[(i, i)] = u[i] * self.volatility;
@@ -36,7 +36,7 @@ impl<T: Real> Sde<T, 3, 3> for Brownian<T> {
     }
 
     #[inline(always)]
-    fn drift_and_noise(&self, t: T, u: &Vector<T, 3>, dw: &Vector<T, 3>) -> (Vector<T, 3>, Vector<T, 3>) {
+    fn drift_and_noise(&self, t: f64, u: &Vector<T, 3>, dw: &Vector<T, 3>) -> (Vector<T, 3>, Vector<T, 3>) {
         let mut noise = *u * self.volatility;
         for i in 0..3 {
             noise[i] = noise[i] * dw[i];
@@ -57,14 +57,15 @@ impl Kernel for BrownianRuns<'_> {
     fn run<T: Real>(self) {
         const STEPS: u64 = 256;
         let real = T::from_f64;
-        let (dt, root) = (real(1.0 / STEPS as f64), real((1.0 / STEPS as f64).sqrt()));
+        const DT: f64 = 1.0 / STEPS as f64;
+        let root = real(DT.sqrt());
         let motion = Brownian { growth: real(1.5), volatility: real(0.01) };
         for (group, finals) in self.finals.chunks_mut(T::LANES).enumerate() {
             let noise = Noise::<T>::process(self.seed, (group * T::LANES) as u64);
             let mut u = Vector::splat(real(0.1));
             for step in 0..STEPS {
                 let dw = noise.normals::<3>(step) * root;
-                u = sde::step(Scheme::EulerMaruyama, &motion, T::zero(), &u, dt, &dw);
+                u = sde::step(Scheme::EulerMaruyama, &motion, 0.0, &u, DT, &dw);
             }
             store(&u, finals);
         }
@@ -77,13 +78,13 @@ struct Lorenz<T> {
 
 impl<T: Real> Sde<T, 3, 0> for Lorenz<T> {
     #[inline(always)]
-    fn drift(&self, _t: T, u: &Vector<T, 3>) -> Vector<T, 3> {
+    fn drift(&self, _: f64, u: &Vector<T, 3>) -> Vector<T, 3> {
         let real = T::from_f64;
         Vector([real(10.0) * (u[1] - u[0]), u[0] * (self.rayleigh - u[2]) - u[1], u[0] * u[1] - real(8.0 / 3.0) * u[2]])
     }
 
     #[inline(always)]
-    fn diffusion(&self, _t: T, _u: &Vector<T, 3>) -> Matrix<T, 3, 0> {
+    fn diffusion(&self, _: f64, _u: &Vector<T, 3>) -> Matrix<T, 3, 0> {
         Matrix::zero()
     }
 }
@@ -98,13 +99,13 @@ impl Kernel for LorenzRuns<'_> {
     #[inline(always)]
     fn run<T: Real>(self) {
         const STEPS: u64 = 1000;
-        let step = T::from_f64(1.0 / STEPS as f64);
+        const STEP: f64 = 1.0 / STEPS as f64;
         let last = (self.finals.len() - 1) as f64;
         for (group, finals) in self.finals.chunks_mut(T::LANES).enumerate() {
             let rayleigh = T::from_lanes(|lane| 21.0 * ((group * T::LANES + lane) as f64 / last));
             let mut u = Vector::from_f64([1.0, 0.0, 0.0]);
             for _ in 0..STEPS {
-                u = sde::step(Scheme::RungeKutta4, &Lorenz { rayleigh }, T::zero(), &u, step, &Vector([]));
+                u = sde::step(Scheme::RungeKutta4, &Lorenz { rayleigh }, 0.0, &u, STEP, &Vector([]));
             }
             store(&u, finals);
         }

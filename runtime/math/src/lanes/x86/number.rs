@@ -58,13 +58,19 @@ macro_rules! lanes {
         impl Real for $lanes {
             type Mask = $mask;
             type Bits = $bits;
+            type Scalar = $element;
 
             const LANES: usize = $count;
             const MANTISSA_DIGITS: u32 = <$element>::MANTISSA_DIGITS;
 
             #[inline(always)]
+            fn splat(value: $element) -> Self {
+                Self(unsafe { $splat(value) })
+            }
+
+            #[inline(always)]
             fn from_f64(value: f64) -> Self {
-                Self(unsafe { $splat(value as $element) })
+                Self::splat(value as $element)
             }
 
             #[inline(always)]
