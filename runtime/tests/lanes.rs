@@ -88,10 +88,14 @@ impl<const N: usize> Text for LinearAlgebra<N> {
             a.transpose_mul(singular),
             x.sin(),
             x.tanh(),
+            a.mul_fused(x),
+            a.transpose_mul_fused(singular),
+            x.scale_add(singular[0], singular).mul_add(x, singular),
         ]
         .iter()
         .flat_map(|vector| vector.0)
         .chain([a.sum_squares(), x.dot(singular)])
+        .chain([a.sum_squares_fused(), x.dot_fused(singular)])
         .collect()
     }
 }
@@ -102,6 +106,7 @@ fn linear_algebra_agrees_lane_by_lane() {
     check::<LinearAlgebra<2>>(&cases(40, 4));
     check::<LinearAlgebra<3>>(&cases(40, 9));
     check::<LinearAlgebra<5>>(&cases(40, 25));
+    check::<LinearAlgebra<9>>(&cases(10, 81));
 }
 
 struct Kernels;

@@ -153,7 +153,8 @@ impl Builder<'_> {
             Op::Dot(..) => ("dot", Vec::new()),
             Op::Outer(..) => ("outer", Vec::new()),
             Op::SumSquares(_) => ("sum_squares", Vec::new()),
-            Op::Solve(..)
+            Op::MulAdd(..)
+            | Op::Solve(..)
             | Op::SingularVector(_)
             | Op::Family(..)
             | Op::Basis(..)

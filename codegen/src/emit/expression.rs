@@ -116,23 +116,33 @@ impl Names<'_> {
             Op::And(a, b) => self.method(*a, "and", &[*b]),
             Op::Or(a, b) => self.method(*a, "or", &[*b]),
             Op::Not(a) => self.method(*a, "not", &[]),
+            Op::MulAdd(a, b, c) => {
+                let scaled = self.program.shape(*a) != self.program.shape(*b);
+                let name = if scaled { "scale_add" } else { "mul_add" };
+                self.method(*a, name, &[*b, *c])
+            }
             Op::Select(condition, a, b) => self.select(ty, *condition, *a, *b),
             Op::Array(items) => self.array(ty, items),
             Op::Element(a, row, column) => self.element(*a, *row, *column),
             Op::MatMul(a, b) => match self.transposed(*a) {
                 Some(a) if matches!(self.program.shape(*b), Shape::Vector(_)) => {
-                    self.method(a, "transpose_mul", &[*b])
+                    self.method(a, self.fused("transpose_mul"), &[*b])
+                }
+                _ if self.program.fused => {
+                    let vector = matches!(self.program.shape(*b), Shape::Vector(_));
+                    let name = if vector { "mul_fused" } else { "matmul_fused" };
+                    self.method(*a, name, &[*b])
                 }
                 _ => return self.infix(Level::Product, *a, &quote!(*), *b),
             },
             Op::Transpose(a) => self.method(*a, "transpose", &[]),
-            Op::Dot(a, b) => self.method(*a, "dot", &[*b]),
+            Op::Dot(a, b) => self.method(*a, self.fused("dot"), &[*b]),
             Op::Outer(a, b) => self.method(*a, "outer", &[*b]),
             Op::SumSquares(a) if is_scalar(self.program.ty(*a)) => {
                 let a = self.at(*a, Level::Postfix);
                 quote!(#a.powi(2))
             }
-            Op::SumSquares(a) => self.method(*a, "sum_squares", &[]),
+            Op::SumSquares(a) => self.method(*a, self.fused("sum_squares"), &[]),
             Op::Solve(a, b) => self.method(*a, "solve", &[*b]),
             Op::SingularVector(a) => self.method(*a, "singular_vector", &[]),
             Op::Polynomial(polynomial, arguments) => {
@@ -151,6 +161,16 @@ impl Names<'_> {
                 self.call(&self.bases[basis.0 as usize][2], &[*z, *rate, *rate2])
             }
         })
+    }
+
+    /// The method of that name, or where the program is fused its fused form.
+    fn fused(&self, name: &'static str) -> &'static str {
+        match name {
+            _ if !self.program.fused => name,
+            "dot" => "dot_fused",
+            "sum_squares" => "sum_squares_fused",
+            _ => "transpose_mul_fused",
+        }
     }
 
     /// The names of the family whose values these are.

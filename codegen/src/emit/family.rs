@@ -44,10 +44,12 @@ impl FamilyNames {
 /// The struct and the function. `source` tells where a member's data comes from.
 pub(crate) fn items<'s>(
     family: &PolynomialFamily,
+    fused: bool,
     names: &FamilyNames,
     source: impl Fn(&str) -> Option<&'s str>,
 ) -> [TokenStream; 2] {
     let argument = Scope::default().claim(&family.argument);
+    let horner = format_ident!("{}", if fused { "horner_fused" } else { "horner" });
     let FamilyNames {
         function,
         ty,
@@ -69,7 +71,7 @@ pub(crate) fn items<'s>(
         let (width, rows, fields) = (index(members.len()), index(rows), &fields[members.clone()]);
         quote! {
             const #name: [[f64; #width]; #rows] = [#(#coefficients),*];
-            let [#(#fields),*] = horner(&#name, #argument);
+            let [#(#fields),*] = #horner(&#name, #argument);
         }
     });
     let (additions, multiplications) = family.members.iter().fold((0, 0), |(add, mul), member| {

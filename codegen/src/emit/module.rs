@@ -108,7 +108,13 @@ pub(crate) const FUNCTION_IMPORTS: [&str; 11] = [
 /// What the files may mention besides.
 const IMPORTS: [(&str, &[&str]); 6] = [
     ("params", &["nsv_runtime::noise::Noise"]),
-    ("polynomials", &["nsv_runtime::polynomial::horner"]),
+    (
+        "polynomials",
+        &[
+            "nsv_runtime::polynomial::horner",
+            "nsv_runtime::polynomial::horner_fused",
+        ],
+    ),
     (
         "controller",
         &[

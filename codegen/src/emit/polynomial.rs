@@ -23,6 +23,8 @@ pub(crate) struct Library {
     polynomials: Vec<(PolynomialData, Ident)>,
     families: Vec<(PolynomialFamily, FamilyNames)>,
     bases: Vec<(MonomialBasis, Ident)>,
+    /// Whether families are fused: the programs of a module are, or none of them.
+    fused: bool,
     /// Functions of bases that are called: position and order of the rate.
     called: BTreeSet<(usize, usize)>,
 }
@@ -30,7 +32,10 @@ pub(crate) struct Library {
 impl Library {
     /// What `programs` use. Data of one name that differs between programs gets two functions.
     pub(crate) fn of(programs: &[&Program]) -> Library {
-        let mut library = Library::default();
+        let mut library = Library {
+            fused: programs.iter().any(|program| program.fused),
+            ..Library::default()
+        };
         let (mut scope, mut types) = (Scope::default(), Scope::default());
         for program in programs {
             let live = live(program);
@@ -126,7 +131,7 @@ impl Library {
             .iter()
             .map(|(data, name)| polynomial(data, name, source(&data.name, sources)));
         let families = self.families.iter().flat_map(|(family, names)| {
-            family::items(family, names, |member| source(member, sources))
+            family::items(family, self.fused, names, |member| source(member, sources))
         });
         let bases = self.called.iter().map(|&(position, order)| {
             let (basis, name) = &self.bases[position];

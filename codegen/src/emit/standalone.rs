@@ -104,10 +104,9 @@ fn polynomials(library: &Library) -> TokenStream {
         let name = ident("Vector");
         quote!(use nsv_runtime::linear::#name;)
     });
-    let horner = crate::emit::source::mentions(&code, "horner").then(|| {
-        quote!(
-            use nsv_runtime::polynomial::horner;
-        )
-    });
-    quote!(#docs pub mod polynomials { #vector #horner use nsv_runtime::real::Real; #code })
+    let schemes = ["horner", "horner_fused"].map(ident);
+    let schemes = schemes
+        .iter()
+        .filter(|scheme| crate::emit::source::mentions(&code, &scheme.to_string()));
+    quote!(#docs pub mod polynomials { #vector #(use nsv_runtime::polynomial::#schemes;)* use nsv_runtime::real::Real; #code })
 }

@@ -74,11 +74,17 @@ impl Horner {
 }
 
 impl FamilyMember {
-    /// The value at `z`.
-    pub fn eval(&self, z: f64) -> f64 {
+    /// The value at `z`; if it is fused, with one rounding for each power.
+    pub fn eval(&self, z: f64, fused: bool) -> f64 {
         let mut coefficients = self.coefficients.iter();
         let leading = coefficients.next().copied().unwrap_or_default();
-        coefficients.fold(leading, |r, c| r * z + c)
+        coefficients.fold(leading, |r, &c| {
+            if fused {
+                f64::mul_add(r, z, c)
+            } else {
+                r * z + c
+            }
+        })
     }
 
     /// Number of additions and of multiplications.

@@ -74,6 +74,8 @@ pub enum Op {
     Kernel(Kernel, ValueId),
     /// Elementwise operator; a scalar operand is broadcast.
     Binary(Operator, ValueId, ValueId),
+    /// a b + c with one rounding, elementwise; b may be a scalar.
+    MulAdd(ValueId, ValueId, ValueId),
     /// x^n, elementwise, n >= 2, by left-to-right binary powering: products only (1/x^n is a division by this).
     PowInt(ValueId, u32),
     /// Comparison of scalars.
@@ -195,6 +197,9 @@ pub struct MonomialBasis {
 pub struct Program {
     /// Name, a Rust identifier.
     pub name: String,
+    /// Whether a product that an inner product, a product of matrices, a sum of squares or a family's scheme adds to a sum is not rounded;
+    /// of a matrix' squares those along a row.
+    pub fused: bool,
     /// Inputs.
     pub inputs: Vec<Input>,
     /// Instructions; operands are earlier ones.
@@ -250,7 +255,9 @@ impl Op {
             | Op::Outer(a, b)
             | Op::Solve(a, b)
             | Op::BasisRate(_, a, b) => vec![*a, *b],
-            Op::Select(a, b, c) | Op::BasisRate2(_, a, b, c) => vec![*a, *b, *c],
+            Op::Select(a, b, c) | Op::MulAdd(a, b, c) | Op::BasisRate2(_, a, b, c) => {
+                vec![*a, *b, *c]
+            }
             Op::Array(items) | Op::Polynomial(_, items) => items.clone(),
         }
     }
@@ -268,6 +275,7 @@ impl Op {
             Op::Or(a, b) => Op::Or(f(a), f(b)),
             Op::Not(a) => Op::Not(f(a)),
             Op::Select(a, b, c) => Op::Select(f(a), f(b), f(c)),
+            Op::MulAdd(a, b, c) => Op::MulAdd(f(a), f(b), f(c)),
             Op::Array(ref items) => Op::Array(items.iter().map(|&item| f(item)).collect()),
             Op::Element(a, row, column) => Op::Element(f(a), row, column),
             Op::MatMul(a, b) => Op::MatMul(f(a), f(b)),

@@ -24,6 +24,9 @@ use super::{
 impl Display for Program {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         writeln!(f, "program {}", self.name)?;
+        if self.fused {
+            writeln!(f, "fused")?;
+        }
         for input in &self.inputs {
             writeln!(f, "input {}: {}", input.name, Type::Real(input.shape))?;
         }
@@ -95,6 +98,7 @@ impl Program {
             Op::And(..) => format!("and {operands}"),
             Op::Or(..) => format!("or {operands}"),
             Op::Not(_) => format!("not {operands}"),
+            Op::MulAdd(..) => format!("mul_add {operands}"),
             Op::Select(..) => format!("select {operands}"),
             Op::Array(_) => format!("array {operands}"),
             Op::Element(_, row, column) => format!("element {operands}, {row}, {column}"),

@@ -40,11 +40,14 @@ const SHAPES: [Shape; 9] = [
     Shape::Matrix(4, 4),
 ];
 
-/// A sound program of `length` instructions with every operation, many of them in forms that passes rewrite.
+/// A sound program of `length` instructions with every operation, many of them in forms that passes rewrite; fused for odd seeds.
 pub fn program(seed: u64, length: usize) -> Program {
     let mut generator = Generator {
         random: Random(seed),
-        program: frame(),
+        program: Program {
+            fused: seed % 2 == 1,
+            ..frame()
+        },
     };
     for index in 0..generator.program.inputs.len() {
         generator.program.push(Op::Input(index));
@@ -297,6 +300,12 @@ impl Generator {
                 Op::Dot(a, self.value(|other| other == ty)?)
             }
             22 => Op::Outer(self.vector()?, self.vector()?),
+            23 if self.random.below(2) == 0 => {
+                let a = self.real()?;
+                let ty = self.program.ty(a);
+                let factor = self.value(|other| other == ty || other == Type::Real(Shape::Scalar));
+                Op::MulAdd(a, factor?, self.value(|other| other == ty)?)
+            }
             23 => Op::SumSquares(self.real()?),
             24 => Op::Solve(self.matrix()?, self.vector()?),
             25 => Op::SingularVector(self.matrix()?),

@@ -55,6 +55,7 @@ impl Program {
         let (keyword, rest) = line.split_once(' ').unwrap_or((line, ""));
         match keyword {
             "program" => self.name = rest.to_owned(),
+            "fused" => self.fused = true,
             "input" => {
                 let (name, ty) = rest.split_once(": ").ok_or("`input name: type`")?;
                 let Type::Real(shape) = read_type(ty)? else {
@@ -205,6 +206,7 @@ fn plain(mnemonic: &str, operands: &[ValueId]) -> Option<Op> {
         ("dot", &[a, b]) => Op::Dot(a, b),
         ("outer", &[a, b]) => Op::Outer(a, b),
         ("solve", &[a, b]) => Op::Solve(a, b),
+        ("mul_add", &[a, b, c]) => Op::MulAdd(a, b, c),
         ("select", &[a, b, c]) => Op::Select(a, b, c),
         (word, &[a]) => {
             let function = item(&FUNCTIONS, word).map(|function| Op::Apply(function, a));

@@ -17,6 +17,10 @@ impl Program {
             Op::Compare(_, a, b) => self.all_scalar(&[a, b]).then_some(Type::Bool),
             Op::And(a, b) | Op::Or(a, b) => self.all_bool(&[a, b]).then_some(Type::Bool),
             Op::Not(a) => self.all_bool(&[a]).then_some(Type::Bool),
+            Op::MulAdd(a, b, c) => {
+                let (a, b, c) = (self.real(a)?, self.real(b)?, self.real(c)?);
+                (a == c && (b == a || b == Shape::Scalar)).then_some(Type::Real(a))
+            }
             Op::Select(c, a, b) => {
                 (self.all_bool(&[c]) && self.ty(a) == self.ty(b)).then(|| self.ty(a))
             }

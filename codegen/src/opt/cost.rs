@@ -172,6 +172,7 @@ fn operation(program: &Program, op: &Op, ty: Type) -> Cost {
         Op::PowInt(_, n) => entries * u64::from(n.ilog2() + n.count_ones() - 1) * MULTIPLICATION,
         Op::Compare(..) | Op::And(..) | Op::Or(..) | Op::Not(_) => SELECTION,
         Op::Select(..) => entries * SELECTION,
+        Op::MulAdd(..) => entries * (MULTIPLICATION + ADDITION),
         Op::MatMul(a, _) => entries * sum_of_products(columns(program, a)),
         Op::Dot(a, _) | Op::SumSquares(a) => sum_of_products(size(program.shape(a)) as u64),
         Op::Outer(..) => entries * MULTIPLICATION,

@@ -3,7 +3,7 @@
 
 use crate::ir::{Function, Instruction, Op, Operator, Program, Shape, ValueId};
 
-use super::rewrite::{Uses, literal, rewrite_counting};
+use super::rewrite::{Uses, limited, literal, rewrite_counting};
 
 /// Largest number of terms that are collected.
 const LARGEST: usize = 8;
@@ -119,7 +119,8 @@ impl Sum {
             // c (a + b) == c a + c b, collected: each coefficient has at most as many roundings as it has factors, and each term one
             Op::Binary(Operator::Add | Operator::Sub, a, b) => {
                 let fits = |id| program.ty(id) == whole.ty;
-                if !fits(a) || !fits(b) || self.terms.len() >= LARGEST {
+                let kept = !fits(a) || !fits(b) || limited(program, [a, b]);
+                if kept || self.terms.len() >= LARGEST {
                     return false;
                 }
                 let sign = if matches!(op, Op::Binary(Operator::Sub, ..)) {

@@ -9,6 +9,7 @@ pub mod stage;
 mod angles;
 mod arrays;
 mod blocks;
+mod contract;
 mod dead_code;
 mod divisors;
 mod elementary;
@@ -148,6 +149,15 @@ pub static PASSES: [Pass; 17] = [
     },
 ];
 
+/// The pass after all rounds.
+pub static CONTRACT: Pass = Pass {
+    name: "contract",
+    kind: Kind::Reassociating(
+        "a product that is added to something is not rounded, which takes at most half of the error of both away",
+    ),
+    run: contract::run,
+};
+
 /// Which passes are applied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arithmetic {
@@ -208,7 +218,7 @@ pub fn optimise_watched(
     }
     for round in 1..=ROUNDS {
         let before = program.clone();
-        for pass in arithmetic.passes() {
+        for pass in arithmetic.passes_of_a_round() {
             program = (pass.run)(program);
             if cfg!(debug_assertions) {
                 program.assert_sound();
@@ -219,12 +229,22 @@ pub fn optimise_watched(
             break;
         }
     }
+    if arithmetic == Arithmetic::Fast {
+        program = (CONTRACT.run)(program);
+        program = dead_code::run(program);
+        watch(&CONTRACT, 1, &program);
+    }
     program
 }
 
 impl Arithmetic {
-    /// The passes of this arithmetic, in the order of a round.
+    /// The passes of this arithmetic, in their order.
     pub fn passes(self) -> impl Iterator<Item = &'static Pass> {
+        let last = (self == Arithmetic::Fast).then_some(&CONTRACT);
+        self.passes_of_a_round().chain(last)
+    }
+
+    fn passes_of_a_round(self) -> impl Iterator<Item = &'static Pass> {
         PASSES
             .iter()
             .filter(move |pass| self == Arithmetic::Fast || pass.kind == Kind::Exact)

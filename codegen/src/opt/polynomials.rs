@@ -25,6 +25,10 @@ enum Site {
 
 /// Folds literal arguments into coefficients and gathers the polynomials of each remaining argument in one family.
 pub(super) fn run(program: Program) -> Program {
+    // A family of a fused program is fused, a polynomial is not.
+    if program.fused {
+        return program;
+    }
     let (sites, mut gatherings) = gather(&program);
     gatherings.retain(|_, gathering| gathering.folded || gathering.places > 1);
     let mut families = Families::of(&program);
@@ -223,7 +227,7 @@ fn reduce(horner: &Horner, numbers: &[Option<f64>]) -> Option<Reduced> {
                 name: String::new(),
                 coefficients,
             };
-            Some(member.eval(z))
+            Some(member.eval(z, false))
                 .filter(|value| value.is_finite())
                 .map(Reduced::Number)
         }

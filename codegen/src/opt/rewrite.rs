@@ -1,6 +1,6 @@
 //! The one traversal behind the passes: it rebuilds a program from front to back and asks a rule about each instruction.
 
-use crate::ir::{Function, Instruction, Op, Program, Type, ValueId};
+use crate::ir::{Function, Instruction, Op, Operator, Program, Type, ValueId};
 
 /// Rebuilds `program`. The rule sees each instruction with its operands already replaced, and the program so far; it gives the value to
 /// use instead, an earlier or an appended one of the same type, or `None` to keep the instruction.
@@ -108,6 +108,18 @@ pub(super) fn literal(program: &Program, id: ValueId) -> Option<&[f64]> {
 pub(super) fn is_all(program: &Program, id: ValueId, value: f64) -> bool {
     literal(program, id)
         .is_some_and(|data| data.iter().all(|entry| entry.to_bits() == value.to_bits()))
+}
+
+/// Whether one of two terms is limited or chosen: their sum must not be taken apart, so that the difference of a number and its limited
+/// self stays 0 inside the limits.
+pub(super) fn limited(program: &Program, terms: [ValueId; 2]) -> bool {
+    terms.iter().any(|&id| {
+        let op = &program.instruction(id).op;
+        matches!(
+            op,
+            Op::Binary(Operator::Min | Operator::Max, ..) | Op::Select(..)
+        )
+    })
 }
 
 /// a, for the value -a.

@@ -17,9 +17,15 @@ pub trait Each2: Copy {
     fn of<T: Real>(self, x: T, y: T) -> T;
 }
 
+/// A function of three numbers.
+pub trait Each3: Copy {
+    /// The function; `#[inline(always)]` in every implementation.
+    fn of<T: Real>(self, x: T, y: T, z: T) -> T;
+}
+
 /// One entry after the other.
 pub(crate) mod single {
-    use super::{Each, Each2};
+    use super::{Each, Each2, Each3};
     use crate::real::Real;
 
     #[inline(always)]
@@ -39,13 +45,22 @@ pub(crate) mod single {
             i += 1;
         }
     }
+
+    #[inline(always)]
+    pub(crate) fn each3<T: Real>(f: impl Each3, entries: &mut [T], [y, z]: [&[T]; 2]) {
+        let mut i = 0;
+        while i < entries.len() {
+            entries[i] = f.of(entries[i], y[i], z[i]);
+            i += 1;
+        }
+    }
 }
 
 /// As many entries at a time as the registers hold that the program may use: first whole registers, the widest ones first, then what is
 /// left over. What is left of a long function is filled up to a register if it is more than half of one.
 #[cfg(target_arch = "x86_64")]
 pub(crate) mod packed {
-    use super::{Each, Each2, single};
+    use super::{Each, Each2, Each3, single};
     use crate::real::Real;
 
     const AVX2: bool = cfg!(target_feature = "avx2");
@@ -139,6 +154,46 @@ pub(crate) mod packed {
             i += 1;
         }
         (rest, other_rest)
+    }
+
+    #[inline(always)]
+    pub(crate) fn each3<S, W, M, N, const WIDE: usize, const MIDDLE: usize, const NARROW: usize>(
+        f: impl Each3,
+        entries: &mut [S],
+        others: [&[S]; 2],
+    ) where
+        S: Real,
+        W: Register<S, WIDE>,
+        M: Register<S, MIDDLE>,
+        N: Register<S, NARROW>,
+    {
+        let mut rest = (entries, others);
+        if AVX512 {
+            rest = whole3::<S, W, WIDE>(f, rest.0, rest.1);
+        }
+        if AVX2 {
+            rest = whole3::<S, M, MIDDLE>(f, rest.0, rest.1);
+        }
+        rest = whole3::<S, N, NARROW>(f, rest.0, rest.1);
+        single::each3(f, rest.0, rest.1);
+    }
+
+    /// As [`whole`], of three arrays.
+    #[inline(always)]
+    fn whole3<'a, S: Real, L: Register<S, N>, const N: usize>(
+        f: impl Each3,
+        entries: &'a mut [S],
+        [y, z]: [&'a [S]; 2],
+    ) -> (&'a mut [S], [&'a [S]; 2]) {
+        let (chunks, rest) = entries.as_chunks_mut::<N>();
+        let ((y, y_rest), (z, z_rest)) = (y.as_chunks::<N>(), z.as_chunks::<N>());
+        let mut i = 0;
+        while i < chunks.len() {
+            let (x, y, z) = (L::load(&chunks[i]), L::load(&y[i]), L::load(&z[i]));
+            f.of(x, y, z).store(&mut chunks[i]);
+            i += 1;
+        }
+        (rest, [y_rest, z_rest])
     }
 
     /// The entries and, to fill up the array, the first one again.

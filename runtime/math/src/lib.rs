@@ -1,7 +1,7 @@
 //! Numeric types of nsv's generated code: scalars and SIMD lanes, with one set of elementary functions.
 //!
 //! Every function of [`real::Real`] gives the same bits in a scalar and in each lane of a vector, on every instruction set and with every
-//! compiler flag: arithmetic is IEEE 754 and never fused, and elementary functions are branch-free sequences of such arithmetic, written
+//! compiler flag: arithmetic is IEEE 754 and fused only by [`real::Real::mul_add`], and elementary functions are branch-free sequences of such arithmetic, written
 //! once for all types. [`lanes`] chooses the widest vectors of the processor at run time.
 
 #![no_std]
@@ -12,6 +12,7 @@ extern crate std;
 
 mod elementary;
 pub mod entries;
+mod fused;
 pub mod lanes;
 pub mod rare;
 pub mod real;

@@ -5,7 +5,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::entries::{Each, Each2, single};
+use crate::entries::{Each, Each2, Each3, single};
 
 /// Truth value of each lane.
 pub trait Mask: Copy + Debug {
@@ -68,7 +68,7 @@ pub trait Part {
     fn run(self) -> Self::Output;
 }
 
-/// Real numbers in floating point. Arithmetic is IEEE 754, rounded to nearest, never fused.
+/// Real numbers in floating point. Arithmetic is IEEE 754, rounded to nearest, and fused by [`Real::mul_add`] alone.
 pub trait Real:
     Copy
     + Debug
@@ -123,6 +123,12 @@ pub trait Real:
         single::each2(f, entries, others);
     }
 
+    /// `f` of each entry and two others at the same place; there are as many others.
+    #[inline(always)]
+    fn each3(f: impl Each3, entries: &mut [Self], others: [&[Self]; 2]) {
+        single::each3(f, entries, others);
+    }
+
     /// Less; false for NaN.
     fn lt(self, other: Self) -> Self::Mask;
     /// Less or equal; false for NaN.
@@ -138,6 +144,8 @@ pub trait Real:
     /// Neither infinite nor NaN.
     fn is_finite(self) -> Self::Mask;
 
+    /// `self factor + term`, rounded once. Where the program is compiled for no such instruction it is a call of a function.
+    fn mul_add(self, factor: Self, term: Self) -> Self;
     /// Absolute value.
     fn abs(self) -> Self;
     /// Square root, correctly rounded.

@@ -1,7 +1,8 @@
 //! `f32` and `f64` as numbers of one lane.
 
 #[cfg(target_arch = "x86_64")]
-use crate::entries::{Each, Each2, packed};
+use crate::entries::{Each, Each2, Each3, packed};
+use crate::fused::{fused_f32, fused_f64};
 #[cfg(target_arch = "x86_64")]
 use crate::lanes::x86;
 use crate::real::{Bits, Mask, Part, Real};
@@ -124,7 +125,7 @@ pub(crate) use elementary;
 
 /// Implements [`Real`] for a scalar.
 macro_rules! scalar {
-    ($float:ident, $bits:ty, $format:ident, $sqrt:path,
+    ($float:ident, $bits:ty, $format:ident, $sqrt:path, $fused:path,
      $wide:ident[$w:literal], $middle:ident[$m:literal], $narrow:ident[$n:literal]) => {
         impl Real for $float {
             type Mask = bool;
@@ -195,6 +196,19 @@ macro_rules! scalar {
                 );
             }
 
+            #[cfg(target_arch = "x86_64")]
+            #[inline(always)]
+            fn each3(f: impl Each3, entries: &mut [Self], others: [&[Self]; 2]) {
+                packed::each3::<Self, x86::$wide, x86::$middle, x86::$narrow, $w, $m, $n>(
+                    f, entries, others,
+                );
+            }
+
+            #[inline(always)]
+            fn mul_add(self, factor: Self, term: Self) -> Self {
+                $fused(self, factor, term)
+            }
+
             #[inline(always)]
             fn lt(self, other: Self) -> bool {
                 self < other
@@ -245,8 +259,12 @@ macro_rules! scalar {
     };
 }
 
-scalar!(f64, u64, Double, sqrt_f64, F64x8[8], F64x4[4], F64x2[2]);
-scalar!(f32, u32, Single, sqrt_f32, F32x16[16], F32x8[8], F32x4[4]);
+scalar!(
+    f64, u64, Double, sqrt_f64, fused_f64, F64x8[8], F64x4[4], F64x2[2]
+);
+scalar!(
+    f32, u32, Single, sqrt_f32, fused_f32, F32x16[16], F32x8[8], F32x4[4]
+);
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,6 @@
 //! What is done with each entry of an array, and the methods and operators of vectors and matrices that do it.
 
-use crate::entries::{Each, Each2};
+use crate::entries::{Each, Each2, Each3};
 use crate::real::Real;
 
 /// Functions of one number, by its method.
@@ -73,6 +73,26 @@ functions2! {
     Max = |x, y| x.max(y);
     Atan2 = |x, y| x.atan2(y);
     Pow = |x, y| x.pow(y);
+}
+
+/// Functions of three numbers.
+macro_rules! functions3 {
+    ($($type:ident = |$x:ident, $y:ident, $z:ident| $value:expr;)*) => {$(
+        #[derive(Clone, Copy)]
+        pub(super) struct $type;
+
+        impl Each3 for $type {
+            #[inline(always)]
+            fn of<T: Real>(self, $x: T, $y: T, $z: T) -> T {
+                $value
+            }
+        }
+    )*};
+}
+
+functions3! {
+    MulAdd = |x, y, z| x.mul_add(y, z);
+    AddProduct = |x, y, z| y.mul_add(z, x);
 }
 
 /// Methods that apply a function to each entry, or to the entries at each place. The type has `each`, `each2` and `splat`.
@@ -152,6 +172,18 @@ macro_rules! elementwise {
         #[inline(always)]
         pub fn scale(self, factor: T) -> Self {
             self.hadamard(Self::splat(factor))
+        }
+
+        /// `a_i b_i + c_i`, rounded once.
+        #[inline(always)]
+        pub fn mul_add(self, factor: Self, term: Self) -> Self {
+            self.each3(super::elementwise::MulAdd, &factor, &term)
+        }
+
+        /// `a_i s + c_i`, rounded once.
+        #[inline(always)]
+        pub fn scale_add(self, factor: T, term: Self) -> Self {
+            self.mul_add(Self::splat(factor), term)
         }
 
         /// `a_i + s`.

@@ -2,8 +2,8 @@
 
 use core::ops::{Index, IndexMut, Mul};
 
-use super::elementwise::{Mul as Times, Plus, elementwise, operators};
-use super::{Each, Each2, PARTIAL, Vector, add_to, elimination, singular, sum};
+use super::elementwise::{AddProduct, Mul as Times, Plus, elementwise, operators};
+use super::{Each, Each2, Each3, PARTIAL, Vector, add_to, dot, elimination, singular, sum};
 use crate::real::Real;
 
 /// `R` rows and `C` columns of numbers.
@@ -101,6 +101,17 @@ impl<T: Real, const R: usize, const C: usize> Matrix<T, R, C> {
         self
     }
 
+    /// `f` of the entries at each place.
+    #[inline(always)]
+    pub fn each3(mut self, f: impl Each3, y: &Self, z: &Self) -> Self {
+        let mut j = 0;
+        while j < C {
+            self.0[j] = self.0[j].each3(f, &y.0[j], &z.0[j]);
+            j += 1;
+        }
+        self
+    }
+
     /// `a` where the mask is true, else `b`.
     #[inline(always)]
     pub fn select(mask: T::Mask, a: Self, b: Self) -> Self {
@@ -132,10 +143,65 @@ impl<T: Real, const R: usize, const C: usize> Matrix<T, R, C> {
     /// `A^T v`: entry j is column j times the vector.
     #[inline(always)]
     pub fn transpose_mul(self, vector: Vector<T, R>) -> Vector<T, C> {
+        self.columns_times::<false>(vector)
+    }
+
+    /// As [`Matrix::transpose_mul`], fused.
+    #[inline(always)]
+    pub fn transpose_mul_fused(self, vector: Vector<T, R>) -> Vector<T, C> {
+        self.columns_times::<true>(vector)
+    }
+
+    #[inline(always)]
+    fn columns_times<const FUSED: bool>(self, vector: Vector<T, R>) -> Vector<T, C> {
         let mut product = Vector::zero();
         let mut j = 0;
         while j < C {
-            product.0[j] = self.0[j].dot(vector);
+            product.0[j] = dot::<T, FUSED>(&self.0[j].0, &vector.0);
+            j += 1;
+        }
+        product
+    }
+
+    /// The sum over the columns, each times its entry of the vector, all entries at once.
+    #[inline(always)]
+    fn rows_times<const FUSED: bool>(self, vector: Vector<T, C>) -> Vector<T, R> {
+        if C >= PARTIAL {
+            return self.transpose().columns_times::<FUSED>(vector);
+        }
+        let mut product = Vector::zero();
+        let mut j = 0;
+        while j < C {
+            let factor = [vector.0[j]; R];
+            if FUSED && j > 0 {
+                T::each3(AddProduct, &mut product.0, [&self.0[j].0, &factor]);
+            } else {
+                let mut term = self.0[j].0;
+                T::each2(Times, &mut term, &factor);
+                if j == 0 {
+                    product.0 = term;
+                } else {
+                    T::each2(Plus, &mut product.0, &term);
+                }
+            }
+            j += 1;
+        }
+        product
+    }
+
+    /// `A v`, fused.
+    #[inline(always)]
+    pub fn mul_fused(self, vector: Vector<T, C>) -> Vector<T, R> {
+        self.rows_times::<true>(vector)
+    }
+
+    /// `A B`, fused.
+    #[inline(always)]
+    pub fn matmul_fused<const D: usize>(self, other: Matrix<T, C, D>) -> Matrix<T, R, D> {
+        let mut product = Matrix::zero();
+        let mut j = 0;
+        while j < D {
+            product.0[j] = self.rows_times::<true>(other.0[j]);
             j += 1;
         }
         product
@@ -163,6 +229,21 @@ impl<T: Real, const R: usize, const C: usize> Matrix<T, R, C> {
         let mut j = 1;
         while j < C {
             rows = rows + self.0[j].hadamard(self.0[j]);
+            j += 1;
+        }
+        sum(&rows.0)
+    }
+
+    /// As [`Matrix::sum_squares`], fused along each row.
+    #[inline(always)]
+    pub fn sum_squares_fused(self) -> T {
+        if R == 0 || C == 0 {
+            return T::zero();
+        }
+        let mut rows = self.0[0].hadamard(self.0[0]);
+        let mut j = 1;
+        while j < C {
+            rows = self.0[j].mul_add(self.0[j], rows);
             j += 1;
         }
         sum(&rows.0)
@@ -240,25 +321,10 @@ operators!(Matrix<T, R, C>, const R: usize, const C: usize);
 impl<T: Real, const R: usize, const C: usize> Mul<Vector<T, C>> for Matrix<T, R, C> {
     type Output = Vector<T, R>;
 
-    /// Entry i is the inner product of row i and the vector: the sum over the columns, all entries at once.
+    /// Entry i is the inner product of row i and the vector.
     #[inline(always)]
     fn mul(self, vector: Vector<T, C>) -> Vector<T, R> {
-        if C >= PARTIAL {
-            return self.transpose().transpose_mul(vector);
-        }
-        let mut product = Vector::zero();
-        let mut j = 0;
-        while j < C {
-            let mut term = self.0[j].0;
-            T::each2(Times, &mut term, &[vector.0[j]; R]);
-            if j == 0 {
-                product.0 = term;
-            } else {
-                T::each2(Plus, &mut product.0, &term);
-            }
-            j += 1;
-        }
-        product
+        self.rows_times::<false>(vector)
     }
 }
 

@@ -3,7 +3,7 @@
 use core::ops::{Index, IndexMut};
 
 use super::elementwise::{elementwise, operators};
-use super::{Each, Each2, Matrix, dot, sum};
+use super::{Each, Each2, Each3, Matrix, dot, sum};
 use crate::real::Real;
 
 /// A column of `N` numbers.
@@ -57,6 +57,13 @@ impl<T: Real, const N: usize> Vector<T, N> {
         self
     }
 
+    /// `f` of the entries at each place.
+    #[inline(always)]
+    pub fn each3(mut self, f: impl Each3, y: &Self, z: &Self) -> Self {
+        T::each3(f, &mut self.0, [&y.0, &z.0]);
+        self
+    }
+
     /// `a` where the mask is true, else `b`.
     #[inline(always)]
     pub fn select(mask: T::Mask, a: Self, b: Self) -> Self {
@@ -72,13 +79,25 @@ impl<T: Real, const N: usize> Vector<T, N> {
     /// Inner product `a_0 b_0 + a_1 b_1 + ...`, by the rule of [sums](super).
     #[inline(always)]
     pub fn dot(self, other: Self) -> T {
-        dot(&self.0, &other.0)
+        dot::<T, false>(&self.0, &other.0)
+    }
+
+    /// As [`Vector::dot`], fused.
+    #[inline(always)]
+    pub fn dot_fused(self, other: Self) -> T {
+        dot::<T, true>(&self.0, &other.0)
     }
 
     /// `v_0 v_0 + v_1 v_1 + ...`, by the rule of [sums](super).
     #[inline(always)]
     pub fn sum_squares(self) -> T {
-        dot(&self.0, &self.0)
+        self.dot(self)
+    }
+
+    /// As [`Vector::sum_squares`], fused.
+    #[inline(always)]
+    pub fn sum_squares_fused(self) -> T {
+        self.dot_fused(self)
     }
 
     /// `a b^T`: entry (i, j) is `a_i b_j`.

@@ -26,22 +26,54 @@ pub(super) fn sum(terms: impl Iterator<Item = f64>) -> f64 {
     sums[0]
 }
 
-/// Sum of products of paired entries.
-pub(super) fn sum_of_products(pairs: impl Iterator<Item = (f64, f64)>) -> f64 {
-    sum(pairs.map(|(a, b)| a * b))
+/// Sum of products of paired entries. If it is fused, a product that is added to a sum is not rounded.
+pub(super) fn sum_of_products(pairs: impl Iterator<Item = (f64, f64)>, fused: bool) -> f64 {
+    if !fused {
+        return sum(pairs.map(|(a, b)| a * b));
+    }
+    let pairs: Vec<(f64, f64)> = pairs.collect();
+    let partial = if pairs.len() < PARTIAL { 1 } else { PARTIAL };
+    let mut sums: Vec<f64> = Vec::with_capacity(partial);
+    for (k, &(a, b)) in pairs.iter().enumerate() {
+        match sums.get_mut(k % partial) {
+            Some(sum) => *sum = f64::mul_add(a, b, *sum),
+            None => sums.push(a * b),
+        }
+    }
+    sum(sums.into_iter())
 }
 
 /// Sum of the squares of all entries of an array with `columns` columns: along each row left to right, then of the rows' sums.
-pub(super) fn sum_of_squares(a: &[f64], columns: usize) -> f64 {
-    let squares = |row: &[f64]| row.iter().map(|x| x * x).reduce(|sum, square| sum + square);
+pub(super) fn sum_of_squares(a: &[f64], columns: usize, fused: bool) -> f64 {
+    if columns == 1 {
+        return sum_of_products(a.iter().map(|&x| (x, x)), fused);
+    }
+    let squares = |row: &[f64]| {
+        let (first, rest) = row.split_first()?;
+        Some(rest.iter().fold(first * first, |sum, x| {
+            if fused {
+                f64::mul_add(*x, *x, sum)
+            } else {
+                sum + x * x
+            }
+        }))
+    };
     sum(a.chunks(columns).filter_map(squares))
 }
 
 /// Product of a `rows` x `inner` and an `inner` x `columns` matrix.
-pub(super) fn product(a: &[f64], b: &[f64], inner: usize, columns: usize, out: &mut [f64]) {
+pub(super) fn product(
+    a: &[f64],
+    b: &[f64],
+    inner: usize,
+    columns: usize,
+    fused: bool,
+    out: &mut [f64],
+) {
     for (index, entry) in out.iter_mut().enumerate() {
         let (i, j) = (index / columns, index % columns);
-        *entry = sum_of_products((0..inner).map(|k| (a[i * inner + k], b[k * columns + j])));
+        let pairs = (0..inner).map(|k| (a[i * inner + k], b[k * columns + j]));
+        *entry = sum_of_products(pairs, fused);
     }
 }
 
@@ -119,7 +151,7 @@ pub(super) fn singular_vector(a: &[f64], n: usize, out: &mut [f64]) {
     let mut s = vec![vec![0.0; n]; n];
     for i in 0..n {
         for j in i..n {
-            s[i][j] = sum_of_products(a.chunks_exact(n).map(|row| (row[i], row[j])));
+            s[i][j] = sum_of_products(a.chunks_exact(n).map(|row| (row[i], row[j])), false);
             s[j][i] = s[i][j];
         }
     }

@@ -52,6 +52,7 @@ impl Tables {
             Op::And(a, b) => out[0] = truth(holds(a) && holds(b)),
             Op::Or(a, b) => out[0] = truth(holds(a) || holds(b)),
             Op::Not(a) => out[0] = truth(!holds(a)),
+            Op::MulAdd(a, b, c) => mul_add(value(a), value(b), value(c), out),
             Op::Select(c, a, b) => out.copy_from_slice(value(if holds(c) { a } else { b })),
             Op::Array(ref items) => {
                 for (entry, &item) in out.iter_mut().zip(items) {
@@ -66,6 +67,7 @@ impl Tables {
                 value(b),
                 columns(program.shape(a)),
                 columns(program.shape(b)),
+                program.fused,
                 out,
             ),
             Op::Transpose(a) => {
@@ -76,12 +78,12 @@ impl Tables {
                 }
             }
             Op::Dot(a, b) => {
-                out[0] =
-                    linear::sum_of_products(value(a).iter().copied().zip(value(b).iter().copied()))
+                let pairs = value(a).iter().copied().zip(value(b).iter().copied());
+                out[0] = linear::sum_of_products(pairs, program.fused)
             }
-            Op::Outer(a, b) => linear::product(value(a), value(b), 1, value(b).len(), out),
+            Op::Outer(a, b) => linear::product(value(a), value(b), 1, value(b).len(), false, out),
             Op::SumSquares(a) => {
-                out[0] = linear::sum_of_squares(value(a), columns(program.shape(a)))
+                out[0] = linear::sum_of_squares(value(a), columns(program.shape(a)), program.fused)
             }
             Op::Solve(a, b) => linear::solve(value(a), value(b), out),
             Op::SingularVector(a) => {
@@ -95,7 +97,7 @@ impl Tables {
             Op::Family(id, z) => {
                 let (members, z) = (&program.families[id.0 as usize].members, first(z));
                 for (entry, member) in out.iter_mut().zip(members) {
-                    *entry = member.eval(z);
+                    *entry = member.eval(z, program.fused);
                 }
             }
             Op::Basis(id, z) => self.monomials(id, [value(z); 3], 0, out),
@@ -142,6 +144,14 @@ fn columns(shape: Shape) -> usize {
 
 fn truth(value: bool) -> f64 {
     if value { 1.0 } else { 0.0 }
+}
+
+/// b is a scalar or as long as a.
+fn mul_add(a: &[f64], b: &[f64], c: &[f64], out: &mut [f64]) {
+    let factor = |i: usize| if b.len() == 1 { b[0] } else { b[i] };
+    for (i, entry) in out.iter_mut().enumerate() {
+        *entry = f64::mul_add(a[i], factor(i), c[i]);
+    }
 }
 
 fn map(a: &[f64], out: &mut [f64], f: impl Fn(f64) -> f64) {

@@ -34,7 +34,7 @@ pub enum Width {
     Scalar,
     /// 128 bits: SSE2 on x86-64, where every processor has it; pairs of scalars elsewhere.
     Bits128,
-    /// 256 bits: AVX2.
+    /// 256 bits: AVX2 and FMA.
     Bits256,
     /// 512 bits: AVX-512 F and DQ.
     Bits512,
@@ -83,7 +83,7 @@ impl Width {
 
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
 fn has_avx2() -> bool {
-    std::arch::is_x86_feature_detected!("avx2")
+    std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma")
 }
 
 #[cfg(all(target_arch = "x86_64", feature = "std"))]
@@ -94,7 +94,7 @@ fn has_avx512() -> bool {
 
 #[cfg(not(all(target_arch = "x86_64", feature = "std")))]
 const fn has_avx2() -> bool {
-    cfg!(target_feature = "avx2")
+    cfg!(all(target_feature = "avx2", target_feature = "fma"))
 }
 
 #[cfg(not(all(target_arch = "x86_64", feature = "std")))]

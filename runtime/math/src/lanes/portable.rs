@@ -216,6 +216,11 @@ impl<S: Real<Mask = bool, Scalar = S>, const N: usize> Real for Array<S, N> {
     }
 
     #[inline(always)]
+    fn mul_add(self, factor: Self, term: Self) -> Self {
+        Array(from_fn(|i| self.0[i].mul_add(factor.0[i], term.0[i])))
+    }
+
+    #[inline(always)]
     fn is_finite(self) -> Self::Mask {
         self.each(S::is_finite)
     }

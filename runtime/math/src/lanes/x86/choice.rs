@@ -47,3 +47,50 @@ choice!(select_pd512, __m512d, __mmask8, |m, a, b| {
 choice!(select_ps512, __m512, __mmask16, |m, a, b| {
     _mm512_mask_blend_ps(m, b, a)
 });
+
+/// `a b + c` of each number, rounded once: by the instruction if the program is compiled for it, else one number after the other, since it
+/// came after SSE2.
+macro_rules! fused {
+    ($name:ident, $register:ty, $instruction:ident, [$element:ty; $count:literal], $load:ident, $store:ident, $one:path) => {
+        #[inline(always)]
+        pub(super) unsafe fn $name(a: $register, b: $register, c: $register) -> $register {
+            #[cfg(target_feature = "fma")]
+            unsafe {
+                $instruction(a, b, c)
+            }
+            #[cfg(not(target_feature = "fma"))]
+            unsafe {
+                let mut numbers: [[$element; $count]; 3] = [[0.0; $count]; 3];
+                $store(numbers[0].as_mut_ptr(), a);
+                $store(numbers[1].as_mut_ptr(), b);
+                $store(numbers[2].as_mut_ptr(), c);
+                let [mut a, b, c] = numbers;
+                let mut i = 0;
+                while i < $count {
+                    a[i] = $one(a[i], b[i], c[i]);
+                    i += 1;
+                }
+                $load(a.as_ptr())
+            }
+        }
+    };
+}
+
+fused!(
+    fused_pd128,
+    __m128d,
+    _mm_fmadd_pd,
+    [f64; 2],
+    _mm_loadu_pd,
+    _mm_storeu_pd,
+    crate::fused::fused_f64
+);
+fused!(
+    fused_ps128,
+    __m128,
+    _mm_fmadd_ps,
+    [f32; 4],
+    _mm_loadu_ps,
+    _mm_storeu_ps,
+    crate::fused::fused_f32
+);

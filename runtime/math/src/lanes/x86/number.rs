@@ -27,7 +27,7 @@ macro_rules! operator {
 /// Vectors of numbers.
 macro_rules! lanes {
     ($lanes:ident($register:ty), $mask:ident, $bits:ident, [$element:ty; $count:literal], $feature:literal, $format:ident,
-     $add:ident, $sub:ident, $mul:ident, $div:ident, $sqrt:ident, $splat:ident, $load:ident, $store:ident,
+     $add:ident, $sub:ident, $mul:ident, $div:ident, $sqrt:ident, $fused:ident, $splat:ident, $load:ident, $store:ident,
      $xor:ident, $andnot:ident, $lt:ident, $le:ident, $eq:ident, $ne:ident, $select:ident, $to_bits:ident, $from_bits:ident) => {
         #[derive(Clone, Copy, Debug)]
         pub struct $lanes($register);
@@ -157,6 +157,11 @@ macro_rules! lanes {
             }
 
             #[inline(always)]
+            fn mul_add(self, factor: Self, term: Self) -> Self {
+                Self(unsafe { $fused(self.0, factor.0, term.0) })
+            }
+
+            #[inline(always)]
             fn abs(self) -> Self {
                 Self(unsafe { $andnot($splat(-0.0), self.0) })
             }
@@ -183,6 +188,7 @@ lanes!(
     _mm_mul_pd,
     _mm_div_pd,
     _mm_sqrt_pd,
+    fused_pd128,
     _mm_set1_pd,
     _mm_loadu_pd,
     _mm_storeu_pd,
@@ -201,13 +207,14 @@ lanes!(
     M64x4,
     B64x4,
     [f64; 4],
-    "avx2",
+    "avx2,fma",
     Double,
     _mm256_add_pd,
     _mm256_sub_pd,
     _mm256_mul_pd,
     _mm256_div_pd,
     _mm256_sqrt_pd,
+    _mm256_fmadd_pd,
     _mm256_set1_pd,
     _mm256_loadu_pd,
     _mm256_storeu_pd,
@@ -233,6 +240,7 @@ lanes!(
     _mm512_mul_pd,
     _mm512_div_pd,
     _mm512_sqrt_pd,
+    _mm512_fmadd_pd,
     _mm512_set1_pd,
     _mm512_loadu_pd,
     _mm512_storeu_pd,
@@ -258,6 +266,7 @@ lanes!(
     _mm_mul_ps,
     _mm_div_ps,
     _mm_sqrt_ps,
+    fused_ps128,
     _mm_set1_ps,
     _mm_loadu_ps,
     _mm_storeu_ps,
@@ -276,13 +285,14 @@ lanes!(
     M32x8,
     B32x8,
     [f32; 8],
-    "avx2",
+    "avx2,fma",
     Single,
     _mm256_add_ps,
     _mm256_sub_ps,
     _mm256_mul_ps,
     _mm256_div_ps,
     _mm256_sqrt_ps,
+    _mm256_fmadd_ps,
     _mm256_set1_ps,
     _mm256_loadu_ps,
     _mm256_storeu_ps,
@@ -308,6 +318,7 @@ lanes!(
     _mm512_mul_ps,
     _mm512_div_ps,
     _mm512_sqrt_ps,
+    _mm512_fmadd_ps,
     _mm512_set1_ps,
     _mm512_loadu_ps,
     _mm512_storeu_ps,
