@@ -92,13 +92,11 @@ impl Law<'_> {
         let quantity = |base: &str| name(format!("{base}{i}"));
         let (e, s, c) = (quantity("e"), quantity("s"), quantity("c"));
         let feedback = self.barrier_feedback(i);
-        let mut sum = self.define(
-            format!("Lam0_{i}"),
-            "Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e  (31)",
-            feedback,
-        );
-        let mut add = |law: &mut Self, part: &str, text: &str, term: Symbol| {
-            let part = law.define(format!("Lam{i}_{part}"), text, term);
+        let mut text = "(4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e  (31)".to_string();
+        let mut sum = self.define(format!("Lam0_{i}"), format!("Lam0 = {text}"), feedback);
+        let mut add = |law: &mut Self, part: &str, equation: &str, term: Symbol| {
+            let part = law.define(format!("Lam{i}_{part}"), equation, term);
+            text = format!("{text} + {equation}");
             sum = sum.clone() + part;
         };
         match &block.disturbance {
@@ -165,11 +163,7 @@ impl Law<'_> {
                 term,
             );
         }
-        self.define(
-            format!("Lam{i}"),
-            format!("Lam_{i}, sum of the terms above"),
-            sum,
-        );
+        self.define(format!("Lam{i}"), format!("Lam_{i} = {text}"), sum);
         if i < self.order() {
             self.define(
                 format!("s_c{i}"),

@@ -89,11 +89,10 @@ impl Law<'_> {
             }
             Disturbance::Exosystem(channels) => {
                 let parts = assemble(channels);
-                let next = if last {
-                    name("u")
-                } else {
-                    name(format!("x{}", i + 1)) - name(format!("zeta{}", i + 1))
-                };
+                if last {
+                    return self.define_last_observer_rate(i, s, &parts.m);
+                }
+                let next = name(format!("x{}", i + 1)) - name(format!("zeta{}", i + 1));
                 let flow = known + g.times(next) - self.reference_rate(i) + self.leak(i, block);
                 let closed = closed_observer(s, &parts);
                 let closed = self.constant(
@@ -109,6 +108,23 @@ impl Law<'_> {
                 self.define(format!("th{i}_dot"), text, rate);
             }
         }
+    }
+
+    /// th_n' of an exosystem. The control (64) makes F + A_hat + G u - h' + C zeta = -(D_hat + Lam), and D_hat = L w_hat, so (50) with
+    /// v_n = u is M w_hat + S Lam: the large terms that cancel in the sum are never formed.
+    fn define_last_observer_rate(&mut self, i: usize, s: &Matrix, m: &Matrix) {
+        let free = self.gain(
+            format!("M{i}"),
+            &format!("M_{i}"),
+            m,
+            name(format!("w_hat{i}")),
+        );
+        let rate = free + self.observed(i, s, name(format!("Lam{i}")));
+        let text = format!(
+            "th_{i}' = (M_{i} - S_{i} L_{i}) w_hat_{i} - S_{i} (F_{i} + G_{i} u - h_{}' + C_{i} zeta_{i} + A_hat_{i}) = M_{i} w_hat_{i} + S_{i} Lam_{i}",
+            i - 1
+        );
+        self.define(format!("th{i}_dot"), text, rate);
     }
 
     /// S_i times a vector.

@@ -11,6 +11,9 @@ use crate::emit::names::ident;
 use crate::emit::types::{constant, index};
 use crate::ir::{Function, Op, Operator, Program, Shape, Type, ValueId};
 
+/// Fewest entries of a matrix that is written by those that are not zeros.
+const SPARSE: usize = 64;
+
 /// How tightly the outermost operator of an expression binds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Level {
@@ -247,15 +250,48 @@ impl Names<'_> {
         }
     }
 
-    fn array(&self, ty: Type, items: &[ValueId]) -> TokenStream {
-        let items: Vec<TokenStream> = items.iter().map(|&id| self.at(id, Level::Sum)).collect();
+    fn array(&self, ty: Type, ids: &[ValueId]) -> TokenStream {
+        let items: Vec<TokenStream> = ids.iter().map(|&id| self.at(id, Level::Sum)).collect();
         match ty {
+            Type::Real(shape @ Shape::Matrix(..)) if self.is_sparse(ids) => {
+                self.sparse(shape, ids, &items)
+            }
             Type::Real(Shape::Matrix(_, columns)) => {
                 let rows = items.chunks(columns).map(|row| quote!([#(#row),*]));
                 quote!(Matrix::rows([#(#rows),*]))
             }
             _ => quote!(Vector([#(#items),*])),
         }
+    }
+
+    /// Whether a scalar is the literal 0.
+    fn is_zero(&self, id: ValueId) -> bool {
+        matches!(&self.program.instruction(id).op, Op::Const(data) if data[0].to_bits() == 0)
+    }
+
+    /// Whether an array is large and at least half of its entries are zeros.
+    fn is_sparse(&self, items: &[ValueId]) -> bool {
+        let zeros = items.iter().filter(|&&id| self.is_zero(id)).count();
+        items.len() >= SPARSE && 2 * zeros >= items.len()
+    }
+
+    /// Zeros, and then the other entries: places that rustc knows, where the rows of a large matrix are copied in a loop.
+    fn sparse(&self, shape: Shape, ids: &[ValueId], items: &[TokenStream]) -> TokenStream {
+        let Shape::Matrix(rows, columns) = shape else {
+            panic!("invariant: only matrices are sparse")
+        };
+        let entries = (0..).zip(ids).zip(items);
+        let entries = entries.filter(|((_, id), _)| !self.is_zero(**id));
+        let entries = entries.map(|((at, _), item): ((usize, _), _)| {
+            let (row, column) = (index(at / columns), index(at % columns));
+            quote!(sparse[(#row, #column)] = #item;)
+        });
+        let (rows, columns) = (index(rows), index(columns));
+        quote!({
+            let mut sparse = Matrix::<T, #rows, #columns>::zero();
+            #(#entries)*
+            sparse
+        })
     }
 
     fn binary(&self, operator: Operator, a: ValueId, b: ValueId) -> Fragment {

@@ -19,7 +19,7 @@ const KEYWORDS: [&str; 53] = [
 
 /// Names with a meaning in emitted functions: the number type and its literals, types and variants, and constants, which `let` would take
 /// for patterns.
-const OCCUPIED: [&str; 27] = [
+const OCCUPIED: [&str; 28] = [
     "Clock",
     "Err",
     "FRAC_1_PI",
@@ -47,6 +47,7 @@ const OCCUPIED: [&str; 27] = [
     "TAU",
     "Vector",
     "real",
+    "sparse",
 ];
 
 /// Types of emitted code that no record may be called.

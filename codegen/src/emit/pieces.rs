@@ -65,12 +65,7 @@ impl<'a> Split<'a> {
             return self.whole.items(comments);
         }
         let (prepared, at) = (fields(prepare), fields(clock));
-        let record = |prefix, ty, fields| Record { prefix, ty, fields };
-        let mut records = self.whole.records.to_vec();
-        records.extend([
-            record("prepared", "Prepared", &prepared),
-            record("clock", "Clock", &at),
-        ]);
+        let records = self.records(&prepared, &at);
         let own = self.whole.output_fields();
         let results = self.whole.results_type().to_string();
         let mut items = Vec::new();
@@ -114,6 +109,36 @@ impl<'a> Split<'a> {
         add(&mut items, rest, self.whole.docs, existing);
         items.push(self.whole.calling(&self.body(&calls)));
         items
+    }
+
+    /// The records of the whole and of the values of its pieces.
+    fn records<'r>(&'r self, prepared: &'r Fields, clock: &'r Fields) -> Vec<Record<'r>> {
+        let record = |prefix, ty, fields| Record { prefix, ty, fields };
+        let mut records = self.whole.records.to_vec();
+        records.extend([
+            record("prepared", "Prepared", prepared),
+            record("clock", "Clock", clock),
+        ]);
+        records
+    }
+
+    /// The function of a part of `rest`, from the values of the other pieces.
+    pub(crate) fn part(
+        &self,
+        program: &Program,
+        docs: &[String],
+        comments: &mut Comments,
+    ) -> Vec<TokenStream> {
+        let (prepared, clock) = (fields(&self.pieces.prepare), fields(&self.pieces.clock));
+        let function = Function {
+            program,
+            docs,
+            records: &self.records(&prepared, &clock),
+            results: Results::Own,
+            tables: self.whole.tables,
+            updates: None,
+        };
+        function.items(comments)
     }
 
     /// Calls of the pieces one after another.

@@ -12,9 +12,12 @@ use crate::emit::literal::row;
 use crate::emit::names::{Fields, ident};
 use crate::emit::pieces::{Split, call_with};
 use crate::emit::polynomial::Library;
+use crate::emit::source::mentions;
 use crate::emit::types::index;
 use crate::ir::build::size;
 use crate::ir::{Op, Program, Shape, ValueId};
+use crate::opt::dependence::uses;
+use crate::opt::hoist;
 
 /// The plant's program and names.
 pub(crate) struct Plant<'a> {
@@ -57,10 +60,24 @@ impl Plant<'_> {
         let dynamics = Split::new(&function, "dynamics");
         let mut items = self.constants();
         items.push(self.plant_struct(&dynamics));
-        items.push(self.equation(&dynamics));
+        let diffusion = self.diffusion_alone(&dynamics);
+        let alone = diffusion.as_ref().unwrap_or(dynamics.rest());
+        items.push(self.equation(&dynamics, alone));
         items.extend(self.diffuse());
         items.extend(dynamics.items(comments));
+        let docs = ["Diffusion of the plant and its disturbances.".to_owned()];
+        items.extend(
+            diffusion
+                .iter()
+                .flat_map(|diffusion| dynamics.part(diffusion, &docs, comments)),
+        );
         items
+    }
+
+    /// The diffusion as a program of its own, if an integrator asks for it at other states than for the drift.
+    fn diffusion_alone(&self, dynamics: &Split<'_>) -> Option<Program> {
+        let again = !self.held() && uses(self.plant, "diffusion", "x");
+        again.then(|| hoist::part(dynamics.rest(), "diffusion"))
     }
 
     /// Whether noise is held over a sample and so is part of the drift.
@@ -145,8 +162,13 @@ impl Plant<'_> {
         }
     }
 
-    fn equation(&self, dynamics: &Split<'_>) -> TokenStream {
-        let (held, rate) = (self.held(), rate(dynamics));
+    /// The equation by `dynamics`, and by `alone` where the diffusion is all that is asked for.
+    fn equation(&self, dynamics: &Split<'_>, alone: &Program) -> TokenStream {
+        let (held, rate, alone_rate) = (
+            self.held(),
+            rate(dynamics, dynamics.rest()),
+            rate(dynamics, alone),
+        );
         let wiener = noise_channels(self.plant) > 0 && !held;
         let vector = quote!(Vector<T, STATES>);
         let columns = if wiener {
@@ -163,15 +185,9 @@ impl Plant<'_> {
         } else {
             ("Drift.", quote!(#rate rate.drift))
         };
-        let reads_time = dynamics.clock().is_some()
-            || (dynamics.rest().inputs.iter()).any(|input| input.name == "t");
-        let time = reads_time.then(|| quote!(t: f64,));
-        let time = time.as_ref();
-        let (t, given) = if reads_time {
-            (quote!(t), quote!(t,))
-        } else {
-            (quote!(_t), quote!())
-        };
+        let ((time, t, given), (alone_time, alone_t, alone_given)) =
+            (time_of(dynamics.rest()), time_of(alone));
+        let (time, alone_time) = (time.as_ref(), alone_time.as_ref());
         let mut parts = vec![part("Drift", drift_docs, &vector, &drift, [time, None])];
         let diffusion = if wiener {
             let matrix = quote!(Matrix<T, STATES, NOISE_CHANNELS>);
@@ -180,8 +196,8 @@ impl Plant<'_> {
                 "Diffusion",
                 "Diffusion.",
                 &matrix,
-                &quote!(#rate rate.diffusion),
-                [time, None],
+                &quote!(#alone_rate rate.diffusion),
+                [alone_time, None],
             ));
             parts.push(part(
                 "Rates",
@@ -192,8 +208,8 @@ impl Plant<'_> {
             ));
             quote! {
                 #[inline(always)]
-                fn diffusion(&self, #t: f64, x: &#vector) -> #matrix {
-                    T::outlined(Diffusion { plant: self, #given x })
+                fn diffusion(&self, #alone_t: f64, x: &#vector) -> #matrix {
+                    T::outlined(Diffusion { plant: self, #alone_given x })
                 }
 
                 #[inline(always)]
@@ -277,8 +293,11 @@ fn part(
 ) -> TokenStream {
     let (name, docs) = (ident(name), docs(&[about]));
     let [t, noise] = arguments;
+    let unused = (!mentions(body, "plant"))
+        .then(|| quote!(#[allow(dead_code, reason = "a diffusion may need states alone")]));
     quote! {
         #docs
+        #unused
         struct #name<'a, T> {
             plant: &'a Plant<T>,
             #t
@@ -295,9 +314,26 @@ fn part(
     }
 }
 
-/// `let rate = ..;` of a part of the plant's equation. A clock that depends on time alone serves all lanes.
-fn rate(dynamics: &Split<'_>) -> TokenStream {
-    let clock = dynamics.clock().map(|clock| {
+/// The field for the time of a part that calls a program, the parameter that gives it, and the argument: none if the program does not
+/// read the time.
+fn time_of(program: &Program) -> (Option<TokenStream>, TokenStream, TokenStream) {
+    if reads_clock(program) || program.inputs.iter().any(|input| input.name == "t") {
+        (Some(quote!(t: f64,)), quote!(t), quote!(t,))
+    } else {
+        (None, quote!(_t), quote!())
+    }
+}
+
+/// Whether a program needs values of `clock`.
+fn reads_clock(program: &Program) -> bool {
+    let mut names = program.inputs.iter().map(|input| &input.name);
+    names.any(|name| name.starts_with("clock."))
+}
+
+/// `let rate = ..;` of a part of the plant's equation, by a piece. A clock that depends on time alone serves all lanes.
+fn rate(dynamics: &Split<'_>, piece: &Program) -> TokenStream {
+    let clock = dynamics.clock().filter(|_| reads_clock(piece));
+    let clock = clock.map(|clock| {
         let shared = clock.inputs.iter().all(|input| input.name == "t");
         let call = call_with(clock, |argument| match argument {
             "t" if shared => quote!(T::Scalar::from_f64(self.t)),
@@ -309,7 +345,7 @@ fn rate(dynamics: &Split<'_>) -> TokenStream {
             quote!(let clock = #call;)
         }
     });
-    let call = call_with(dynamics.rest(), argument);
+    let call = call_with(piece, argument);
     quote!(#clock let rate = #call;)
 }
 

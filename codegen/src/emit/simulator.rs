@@ -15,6 +15,7 @@ use crate::emit::plant::noise_channels;
 use crate::emit::telemetry::{Column, columns};
 use crate::emit::types::index;
 use crate::ir::Program;
+use crate::opt::dependence::uses;
 
 /// What the simulator is made of.
 pub(crate) struct Simulator<'a> {
@@ -261,12 +262,27 @@ impl Simulator<'_> {
         }
     }
 
+    /// The scheme that is emitted, and why it is not the one that is asked for. Platen's correction is a difference of the diffusion at two
+    /// states, which is 0 where no state changes it: what remains is the scheme of Euler and Maruyama, without an evaluation for each channel.
+    fn scheme(&self) -> (&'static str, Option<&'static str>) {
+        let additive = !uses(self.plant.program, "diffusion", "x");
+        match self.interface.scheme {
+            Scheme::Platen if additive => (
+                "EulerMaruyama",
+                Some(
+                    "Platen's scheme: no state changes the diffusion, so that its correction is 0 and the scheme of Euler and Maruyama is of strong order 1 too.",
+                ),
+            ),
+            Scheme::Platen => ("Platen", None),
+            Scheme::EulerMaruyama => ("EulerMaruyama", None),
+            Scheme::RungeKutta4 => ("RungeKutta4", None),
+        }
+    }
+
     fn advance(&self) -> TokenStream {
-        let scheme = ident(match self.interface.scheme {
-            Scheme::EulerMaruyama => "EulerMaruyama",
-            Scheme::Platen => "Platen",
-            Scheme::RungeKutta4 => "RungeKutta4",
-        });
+        let (scheme, scheme_docs) = self.scheme();
+        let scheme = ident(scheme);
+        let scheme_docs = scheme_docs.map(|text| docs(&[text]));
         let noisy = self.channels() > 0;
         let held = (noisy && self.interface.noise == NoiseModel::Sampled)
             .then(|| quote!(, xi: self.draw(self.sample)));
@@ -281,6 +297,7 @@ impl Simulator<'_> {
         };
         let prepared = (self.dynamics.prepare()).map(|_| quote!(prepared: self.prepared,));
         quote! {
+            #scheme_docs
             #[inline(always)]
             fn advance(&mut self) {
                 let plant = Plant { params: self.truth, #prepared u_sat: self.output.u_sat #held };

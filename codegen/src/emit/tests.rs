@@ -95,6 +95,43 @@ fn pitch(interface: &Interface) -> BTreeMap<String, String> {
     )
 }
 
+/// The same with a diffusion that a state changes, by Platen's scheme.
+fn wandering(interface: &Interface) -> BTreeMap<String, String> {
+    let [initial, control, _, lyapunov] = programs();
+    let constant = "const [0.0, 0.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.1, 0.0, 0.0, 0.0, 0.0]";
+    let changing = "array %15, %15, %15, %15, %21, %15, %15, %14, %15, %15, %15, %15";
+    let plant = include_str!("samples/pitch.plant.txt").replace(constant, changing);
+    files(
+        interface,
+        &Programs {
+            initial: &initial,
+            control: &control,
+            plant: &program(&plant),
+            lyapunov: &lyapunov,
+        },
+    )
+}
+
+#[test]
+fn the_drift_is_not_evaluated_for_the_diffusion() {
+    let interface = Interface {
+        noise: NoiseModel::Wiener,
+        scheme: Scheme::Platen,
+        ..interface()
+    };
+    let fixed = pitch(&interface);
+    assert!(fixed["simulator.rs"].contains("Scheme::EulerMaruyama"));
+    assert!(!fixed["plant.rs"].contains("pub fn diffusion"));
+    let changing = wandering(&interface);
+    assert!(changing["simulator.rs"].contains("Scheme::Platen"));
+    let plant = &changing["plant.rs"];
+    let function = plant.split("pub fn diffusion").nth(1).expect("a function");
+    assert!(
+        !function.contains("u_sat") && function.contains("sin()"),
+        "{function}"
+    );
+}
+
 /// A module of one scalar block without parameters, noise, constraint or polynomials.
 fn bare() -> BTreeMap<String, String> {
     let [initial, control, plant, lyapunov] = [
@@ -298,6 +335,7 @@ fn an_emitted_module_flies() {
     for (name, module) in [
         ("pitch", pitch(&interface())),
         ("wiener", pitch(&wiener)),
+        ("wandering", wandering(&wiener)),
         ("bare", bare()),
     ] {
         files.extend(
@@ -309,6 +347,10 @@ fn an_emitted_module_flies() {
     let library = super::library(&[
         ("bare", "Bare"),
         ("pitch", "Pitch and yaw"),
+        (
+            "wandering",
+            "The same with a diffusion that a state changes",
+        ),
         ("wiener", "The same with Wiener noise"),
     ]);
     let library = library.replace("#![no_std]", "#![no_std]\n#![deny(warnings, missing_docs)]");

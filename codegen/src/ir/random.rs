@@ -179,11 +179,12 @@ struct Generator {
 impl Generator {
     /// Appends an operation, unless no operands for it were found.
     fn append(&mut self) {
-        match self.random.below(13) {
+        match self.random.below(14) {
             0 => self.append_literal(),
             1 => self.append_taken_apart(),
             2 => self.append_again(),
             3 => self.append_sum_of_polynomials(),
+            4 => self.append_sum_of_multiples(),
             _ => {
                 if let Some(op) = self
                     .operation()
@@ -240,6 +241,17 @@ impl Generator {
         let factor = self.random.literal();
         let factor = self.program.scalar(factor);
         let second = self.program.binary(Operator::Mul, second, factor);
+        self.program.binary(Operator::Add, first, second);
+    }
+
+    /// Two multiples of one array, added.
+    fn append_sum_of_multiples(&mut self) {
+        let array = self.value(|ty| ty != Type::Bool && ty != Type::Real(Shape::Scalar));
+        let (Some(array), Some(first), Some(second)) = (array, self.scalar(), self.scalar()) else {
+            return;
+        };
+        let first = self.program.binary(Operator::Mul, array, first);
+        let second = self.program.binary(Operator::Mul, array, second);
         self.program.binary(Operator::Add, first, second);
     }
 

@@ -38,6 +38,17 @@ pub fn hoist(program: &Program) -> Pieces {
     }
 }
 
+/// A program of what one output needs, with the inputs that it needs.
+pub fn part(program: &Program, output: &str) -> Program {
+    let outputs = program.outputs.iter().filter(|(name, _)| name == output);
+    let outputs: Vec<(String, ValueId)> = outputs.cloned().collect();
+    let part = Splitter::new(program).piece(Dependence::Nothing, &outputs);
+    Program {
+        name: output.to_owned(),
+        ..part
+    }
+}
+
 struct Splitter<'p> {
     program: &'p Program,
     dependences: Vec<Dependence>,
@@ -194,7 +205,7 @@ fn local(program: &Program, dependences: &[Dependence]) -> Vec<bool> {
         let family = |id: ValueId| matches!(program.instruction(id).op, Op::Family(..));
         local.push(match instruction.op {
             Op::Const(_) | Op::Input(_) => true,
-            Op::Element(array, ..) => !family(array),
+            Op::Element(array, ..) => !family(array) || *dependence == Dependence::Nothing,
             _ if instruction.ty == Type::Bool => true,
             // Entries of a family have names, the values as a whole have not.
             Op::Family(..) => true,
@@ -318,6 +329,16 @@ mod tests {
             .chain(&pieces.clock)
             .chain([&pieces.rest]);
         assert_eq!(parts.map(count).sum::<Cost>(), count(&program));
+    }
+
+    #[test]
+    fn a_part_needs_no_more_than_its_output() {
+        let text = "input x: vec2\ninput params.m: real\n%0: vec2 = input x\n%1: real = input params.m\n%2: vec2 = sin %0\n%3: real = exp %1\n\
+                    %4: vec2 = mul %2, %3\noutput drift = %4\noutput diffusion = %2";
+        let part = part(&text.parse().expect("a program"), "diffusion");
+        part.assert_sound();
+        let expected = "program diffusion\ninput x: vec2\n%0: vec2 = input x\n%1: vec2 = sin %0\noutput diffusion = %1\n";
+        assert_eq!(part.to_string(), expected);
     }
 
     #[test]

@@ -3,13 +3,40 @@
 
 use crate::ir::{Function, Instruction, Op, Operator, Program, Shape, ValueId};
 
-use super::rewrite::{is_all, literal, negated, of_type, rewrite};
+use super::rewrite::{Uses, is_all, literal, negated, of_type, rewrite_counting};
 
 /// Applies each identity once, operands first.
 pub(super) fn run(program: Program) -> Program {
-    rewrite(program, |program, instruction| {
-        uniform(program, instruction).or_else(|| identity(program, instruction))
+    rewrite_counting(program, |program, instruction, uses| {
+        uniform(program, instruction)
+            .or_else(|| identity(program, instruction))
+            .or_else(|| negative_term(program, instruction, uses))
     })
+}
+
+/// x + (-a) b == x - a b, (-a) b + x == x - a b, x - (-a) b == x + a b (exact: signs do not change roundings), unless the product is needed.
+fn negative_term(program: &mut Program, instruction: &Instruction, uses: &Uses) -> Option<ValueId> {
+    let negative = |program: &Program, product: ValueId| {
+        let Op::Binary(Operator::Mul, a, b) = program.instruction(product).op else {
+            return None;
+        };
+        let positive = match (negated(program, a), negated(program, b)) {
+            (Some(a), None) => Some((a, b)),
+            (None, Some(b)) => Some((a, b)),
+            _ => None,
+        };
+        positive.filter(|_| uses.single(product) && program.instruction(product).name.is_none())
+    };
+    let (operator, x, (a, b)) = match instruction.op {
+        Op::Binary(Operator::Add, x, y) => match negative(program, y) {
+            Some(product) => (Operator::Sub, x, product),
+            None => (Operator::Sub, y, negative(program, x)?),
+        },
+        Op::Binary(Operator::Sub, x, y) => (Operator::Add, x, negative(program, y)?),
+        _ => return None,
+    };
+    let product = program.binary(Operator::Mul, a, b);
+    Some(program.binary(operator, x, product))
 }
 
 fn identity(program: &mut Program, instruction: &Instruction) -> Option<ValueId> {

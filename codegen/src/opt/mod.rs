@@ -8,14 +8,17 @@ pub mod stage;
 
 mod angles;
 mod arrays;
+mod blocks;
 mod combine;
 mod contract;
 mod dead_code;
 mod divisors;
 mod elementary;
+mod factors;
 mod families;
 mod fold;
 mod identities;
+mod inverse;
 mod kernels;
 mod linear;
 mod polynomials;
@@ -23,6 +26,7 @@ mod powers;
 mod reciprocals;
 mod rewrite;
 mod select;
+mod solve;
 mod sparse;
 mod structural_zeros;
 mod transposes;
@@ -50,7 +54,7 @@ pub struct Pass {
 }
 
 /// All passes, in the order of a round.
-pub static PASSES: [Pass; 17] = [
+pub static PASSES: [Pass; 18] = [
     Pass {
         name: "fold",
         kind: Kind::Exact,
@@ -73,7 +77,9 @@ pub static PASSES: [Pass; 17] = [
     },
     Pass {
         name: "structural_zeros",
-        kind: Kind::Reassociating("equal for finite values, up to the sign of a zero"),
+        kind: Kind::Reassociating(
+            "equal for finite values, up to the sign of a zero and the order of sums of eight terms or more; solutions to the roundings of their blocks and inverses",
+        ),
         run: structural_zeros::run,
     },
     Pass {
@@ -87,6 +93,13 @@ pub static PASSES: [Pass; 17] = [
             "a sum of n terms c x is off by at most (n + 4) 2^-53 sum |c x|, with the factors of every term as they were",
         ),
         run: linear::run,
+    },
+    Pass {
+        name: "factors",
+        kind: Kind::Reassociating(
+            "a sum of n multiples of arrays is off by at most (n + 2) 2^-53 of the sum of their magnitudes, before and after",
+        ),
+        run: factors::run,
     },
     Pass {
         name: "arrays",
@@ -166,9 +179,10 @@ pub enum Arithmetic {
 /// find nearly all.
 const ROUNDS: usize = 6;
 
-/// The program with what is known of its literals done as on paper: `0 x = 0`, `x + 0 = x`, `x / c = (1/c) x`, and a clamped kernel as one
-/// quotient. Part of lowering: results are those of the program for all finite values, up to the sign of a zero and a rounding for each
-/// such quotient.
+/// The program done as on paper: `0 x = 0`, `x + 0 = x`, `x / c = (1/c) x`, `x s + x t = x (s + t)`; a clamped kernel is one quotient;
+/// equations are solved block by block, and what a run does not change is divided by or inverted once. Part of lowering: results are those
+/// of the program for all finite values, up to the sign of a zero, a rounding for each quotient, and the roundings of sums and solutions as
+/// `factors` and `solve` state them.
 pub fn simplify(mut program: Program) -> Program {
     for _ in 0..ROUNDS {
         let before = program.clone();
@@ -176,8 +190,10 @@ pub fn simplify(mut program: Program) -> Program {
             fold::run,
             kernels::run_clamped,
             identities::run,
+            factors::run,
             structural_zeros::run,
             divisors::run,
+            reciprocals::run,
             arrays::run,
             dead_code::run_for_names,
         ];
@@ -247,5 +263,7 @@ impl Arithmetic {
     }
 }
 
+#[cfg(test)]
+mod structure_tests;
 #[cfg(test)]
 mod tests;

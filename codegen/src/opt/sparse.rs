@@ -1,192 +1,248 @@
-//! Products and solutions with matrices whose structure has zeros, written out entry by entry without them.
+//! Arrays whose structure has zeros, such as a gain matrix with absent couplings: operations on them are written out entry by entry without
+//! the zeros. Only where at least half of the work goes: an operation on whole arrays is packed where it is emitted, one on entries is not.
+//! `x * 0 == 0` and `x + 0 == x` for finite x, up to the sign of a zero; nothing else changes while a sum has at most seven terms, since
+//! the order of terms is that of the whole operation.
 
 use crate::ir::build::size;
-use crate::ir::{Op, Operator, Program, Shape, ValueId};
+use crate::ir::{Function, Op, Operator, Program, Shape, Type, ValueId};
 
 use super::rewrite::literal;
 
-/// Largest product that is written out, in entries.
-const LARGEST: usize = 64;
+/// Most products of entries that a matrix product is written out in.
+const LARGEST: usize = 256;
 
-/// A x or A B of a literal matrix of which at least half are zeros: each entry is the sum of its products with the others (finite entries,
-/// up to the sign of zero).
+/// An array by what is known of its entries.
+pub(super) struct Entries {
+    array: ValueId,
+    columns: usize,
+    /// Its entries, if it is an array of scalars or a literal.
+    known: Option<Vec<Entry>>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Entry {
+    Number(f64),
+    Value(ValueId),
+}
+
+impl Entries {
+    pub(super) fn of(program: &Program, array: ValueId) -> Entries {
+        let entry = |&item: &ValueId| match literal(program, item) {
+            Some(data) => Entry::Number(data[0]),
+            None => Entry::Value(item),
+        };
+        let known = match &program.instruction(array).op {
+            Op::Array(items) => Some(items.iter().map(entry).collect()),
+            Op::Const(data) => Some(data.iter().copied().map(Entry::Number).collect()),
+            _ => None,
+        };
+        let columns = match program.ty(array) {
+            Type::Real(Shape::Matrix(_, columns)) => columns,
+            Type::Real(_) | Type::Bool => 1,
+        };
+        Entries {
+            array,
+            columns,
+            known,
+        }
+    }
+
+    /// Whether the entries themselves are known, zeros or not.
+    pub(super) fn are_known(&self) -> bool {
+        self.known.is_some()
+    }
+
+    /// Whether the entry at a row-major position is the literal 0.
+    pub(super) fn is_zero(&self, at: usize) -> bool {
+        let known = self.known.as_ref();
+        known.is_some_and(|entries| entries[at] == Entry::Number(0.0))
+    }
+
+    /// The value of the entry at a row-major position.
+    pub(super) fn value(&self, program: &mut Program, at: usize) -> ValueId {
+        match self.known.as_ref().map(|entries| entries[at]) {
+            Some(Entry::Number(number)) => program.scalar(number),
+            Some(Entry::Value(value)) => value,
+            None if program.shape(self.array) == Shape::Scalar => self.array,
+            None => program.push(Op::Element(
+                self.array,
+                at / self.columns,
+                at % self.columns,
+            )),
+        }
+    }
+
+    /// Whether at least half of the entries are zeros.
+    fn are_sparse(&self, program: &Program) -> bool {
+        let zeros = (0..size(program.shape(self.array))).filter(|&at| self.is_zero(at));
+        self.columns > 0 && 2 * zeros.count() >= size(program.shape(self.array))
+    }
+}
+
+/// A x or A B, if at least half of the products have a zero: each entry is the sum of the others, left to right.
 pub(super) fn product(program: &mut Program, a: ValueId, b: ValueId) -> Option<ValueId> {
-    let entries = literal(program, a)?.to_vec();
-    let zeros = entries.iter().filter(|&&entry| entry == 0.0).count();
-    let (inner, columns) = (columns(program, a), columns(program, b));
-    let rows = entries.len() / inner;
-    if 2 * zeros < entries.len() || rows * columns > LARGEST {
+    let (left, right) = (Entries::of(program, a), Entries::of(program, b));
+    let (inner, columns) = (left.columns, right.columns);
+    let rows = size(program.shape(a)).checked_div(inner)?;
+    let terms = |at: usize| {
+        let (row, column) = (at / columns, at % columns);
+        let pairs = (0..inner).map(move |k| (row * inner + k, k * columns + column));
+        pairs.filter(|&(i, j)| !left.is_zero(i) && !right.is_zero(j))
+    };
+    let kept: usize = (0..rows * columns).map(|at| terms(at).count()).sum();
+    if 2 * kept > rows * inner * columns || kept > LARGEST {
         return None;
     }
     let shape = match program.shape(b) {
-        Shape::Matrix(_, columns) => Shape::Matrix(rows, columns),
+        Shape::Matrix(..) => Shape::Matrix(rows, columns),
         _ => Shape::Vector(rows),
     };
     let mut items = Vec::with_capacity(rows * columns);
-    for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
-        let terms: Vec<(f64, ValueId)> = (0..inner)
-            .filter(|k| entries[row * inner + k] != 0.0)
-            .map(|k| {
-                let entry = program.push(Op::Element(b, k, column));
-                (entries[row * inner + k], entry)
-            })
-            .collect();
-        items.push(sum(program, terms));
+    for at in 0..rows * columns {
+        let mut products = Vec::new();
+        for (i, j) in terms(at) {
+            let y = right.value(program, j);
+            let x = left.value(program, i);
+            products.push(program.binary(Operator::Mul, x, y));
+        }
+        items.push(sum(program, products));
     }
     Some(program.array(shape, items))
 }
 
-fn sum(program: &mut Program, terms: Vec<(f64, ValueId)>) -> ValueId {
-    let mut total = None;
-    for (factor, entry) in terms {
-        let factor = program.scalar(factor);
-        let term = program.binary(Operator::Mul, factor, entry);
-        total = Some(match total {
-            None => term,
-            Some(total) => program.binary(Operator::Add, total, term),
-        });
-    }
-    total.unwrap_or_else(|| program.scalar(0.0))
-}
-
-/// A^-1 b for a diagonal matrix: b_i (1 / a_ii), by the reciprocal itself if that is known (one or two roundings instead of the four of
-/// the adjugate or the elimination).
-fn solve_diagonal(program: &mut Program, entries: &[ValueId], b: ValueId) -> Option<ValueId> {
-    let n = size(program.shape(b));
-    let is_zero = |id: ValueId| literal(program, id).is_some_and(|data| data == [0.0]);
-    let off_diagonal = (0..entries.len()).filter(|at| at / n != at % n);
-    if n < 2 || !off_diagonal.map(|at| entries[at]).all(is_zero) {
+/// a . b, if at least half of the products have a zero.
+pub(super) fn dot(program: &mut Program, a: ValueId, b: ValueId) -> Option<ValueId> {
+    let (left, right) = (Entries::of(program, a), Entries::of(program, b));
+    let length = size(program.shape(a));
+    let kept: Vec<usize> = (0..length)
+        .filter(|&at| !left.is_zero(at) && !right.is_zero(at))
+        .collect();
+    if 2 * kept.len() > length {
         return None;
     }
-    let diagonal: Vec<ValueId> = entries.iter().step_by(n + 1).copied().collect();
-    let numbers = diagonal
-        .iter()
-        .map(|&id| literal(program, id).map(|data| 1.0 / data[0]));
-    if let Some(reciprocals) = numbers.collect::<Option<Vec<f64>>>() {
-        let reciprocals = program.constant(Shape::Vector(n), reciprocals);
-        return Some(program.binary(Operator::Mul, b, reciprocals));
+    let mut products = Vec::new();
+    for at in kept {
+        let (x, y) = (left.value(program, at), right.value(program, at));
+        products.push(program.binary(Operator::Mul, x, y));
     }
-    let diagonal = program.array(Shape::Vector(n), diagonal);
-    Some(program.binary(Operator::Div, b, diagonal))
+    Some(sum(program, products))
 }
 
-/// A^-1 b for a diagonal matrix, and for two or three rows of which at least two entries are zeros: adjugate over determinant, written out, so that the zeros in
-/// them can go (finite entries, up to the sign of zero).
-pub(super) fn solve(program: &mut Program, a: ValueId, b: ValueId) -> Option<ValueId> {
-    let entries = entries(program, a)?;
-    if let Some(solution) = solve_diagonal(program, &entries, b) {
-        return Some(solution);
-    }
-    let is_zero = |id: ValueId| literal(program, id).is_some_and(|data| data == [0.0]);
-    let zeros = entries.iter().filter(|&&entry| is_zero(entry)).count();
-    let n = size(program.shape(b));
-    if zeros < 2 || !(2..=3).contains(&n) {
+/// Sum of squares, if at least half of the entries are zeros: along each row, then of the rows' sums.
+pub(super) fn sum_squares(program: &mut Program, a: ValueId) -> Option<ValueId> {
+    let entries = Entries::of(program, a);
+    if !entries.are_sparse(program) {
         return None;
     }
-    let mut minors = Minors {
-        program,
-        entries,
-        n,
-    };
-    let adjugate: Vec<ValueId> = match n {
-        2 => minors.adjugate_of_two(),
-        _ => (0..9).map(|at| minors.cofactor(at % 3, at / 3)).collect(),
-    };
-    let first_row = minors.entries[..n].to_vec();
-    let first_column: Vec<ValueId> = (0..n).map(|i| adjugate[i * n]).collect();
-    let determinant = match n {
-        2 => minors.difference(0, 3, 1, 2),
-        _ => dot(program, &first_row, &first_column),
-    };
-    let right: Vec<ValueId> = (0..n).map(|i| program.push(Op::Element(b, i, 0))).collect();
-    let one = program.scalar(1.0);
-    let scale = program.binary(Operator::Div, one, determinant);
-    let mut items = Vec::with_capacity(n);
-    for row in adjugate.chunks(n) {
-        let numerator = dot(program, row, &right);
-        items.push(program.binary(Operator::Mul, numerator, scale));
+    let mut rows = Vec::new();
+    for row in 0..size(program.shape(a)) / entries.columns {
+        let row = row * entries.columns..(row + 1) * entries.columns;
+        let mut squares = Vec::new();
+        for at in row.filter(|&at| !entries.is_zero(at)) {
+            let entry = entries.value(program, at);
+            squares.push(program.binary(Operator::Mul, entry, entry));
+        }
+        if !squares.is_empty() {
+            rows.push(sum(program, squares));
+        }
     }
-    Some(program.array(Shape::Vector(n), items))
+    Some(sum(program, rows))
 }
 
-/// A matrix by its entries, of which some are literals.
-struct Minors<'p> {
-    program: &'p mut Program,
-    entries: Vec<ValueId>,
-    n: usize,
+/// a op b elementwise, if a zero decides it for at least half of the entries. Sums of which the entries of one part are not known stay whole.
+pub(super) fn elementwise(
+    program: &mut Program,
+    operator: Operator,
+    a: ValueId,
+    b: ValueId,
+    shape: Shape,
+) -> Option<ValueId> {
+    let (left, right) = (Entries::of(program, a), Entries::of(program, b));
+    let (broadcast_left, broadcast_right) = (
+        program.shape(a) == Shape::Scalar,
+        program.shape(b) == Shape::Scalar,
+    );
+    let (of_left, of_right) = (
+        |at: usize| if broadcast_left { 0 } else { at },
+        |at: usize| if broadcast_right { 0 } else { at },
+    );
+    let (left_zero, right_zero) = (
+        |at: usize| left.is_zero(of_left(at)),
+        |at: usize| right.is_zero(of_right(at)),
+    );
+    let decided = |at: usize| match operator {
+        Operator::Mul => left_zero(at) || right_zero(at),
+        Operator::Div => left_zero(at),
+        Operator::Add | Operator::Sub if left.are_known() && right.are_known() => {
+            left_zero(at) || right_zero(at)
+        }
+        _ => false,
+    };
+    let entries = size(shape);
+    if shape == Shape::Scalar || 2 * (0..entries).filter(|&at| decided(at)).count() < entries {
+        return None;
+    }
+    let mut items = Vec::with_capacity(entries);
+    for at in 0..entries {
+        let x = left.value(program, of_left(at));
+        let y = right.value(program, of_right(at));
+        items.push(without_zero(program, operator, x, y));
+    }
+    Some(program.array(shape, items))
 }
 
-impl Minors<'_> {
-    /// a_i a_j - a_k a_l, by position.
-    fn difference(&mut self, i: usize, j: usize, k: usize, l: usize) -> ValueId {
-        let at = |position: usize| self.entries[position];
-        let (i, j, k, l) = (at(i), at(j), at(k), at(l));
-        let first = without_zero(self.program, Operator::Mul, i, j);
-        let second = without_zero(self.program, Operator::Mul, k, l);
-        without_zero(self.program, Operator::Sub, first, second)
+/// -A, if at least half of the entries are zeros.
+pub(super) fn negation(program: &mut Program, a: ValueId) -> Option<ValueId> {
+    let (entries, shape) = (Entries::of(program, a), program.shape(a));
+    if shape == Shape::Scalar || !entries.are_sparse(program) {
+        return None;
     }
-
-    /// Entry (column, row) of the adjugate of a 3x3 matrix, in the order of operations of `Solve`: cofactors of cyclic neighbours.
-    fn cofactor(&mut self, row: usize, column: usize) -> ValueId {
-        let n = self.n;
-        let (r1, r2) = ((row + 1) % n, (row + 2) % n);
-        let (c1, c2) = ((column + 1) % n, (column + 2) % n);
-        self.difference(r1 * n + c1, r2 * n + c2, r1 * n + c2, r2 * n + c1)
-    }
-
-    /// [[d, -b], [-c, a]] of [[a, b], [c, d]].
-    fn adjugate_of_two(&mut self) -> Vec<ValueId> {
-        let entries = self.entries.clone();
-        let mut negated = |id: ValueId| self.program.push(Op::Apply(crate::ir::Function::Neg, id));
-        vec![
-            entries[3],
-            negated(entries[1]),
-            negated(entries[2]),
-            entries[0],
-        ]
-    }
-}
-
-/// Sum of products, left to right.
-fn dot(program: &mut Program, a: &[ValueId], b: &[ValueId]) -> ValueId {
-    let mut total = None;
-    for (&a, &b) in a.iter().zip(b) {
-        let term = without_zero(program, Operator::Mul, a, b);
-        total = Some(match total {
-            None => term,
-            Some(total) => without_zero(program, Operator::Add, total, term),
+    let mut items = Vec::with_capacity(size(shape));
+    for at in 0..size(shape) {
+        let entry = entries.value(program, at);
+        items.push(if entries.is_zero(at) {
+            entry
+        } else {
+            program.push(Op::Apply(Function::Neg, entry))
         });
     }
-    total.expect("invariant: at least one row")
+    Some(program.array(shape, items))
+}
+
+/// A^T, if at least half of the entries are zeros (exact).
+pub(super) fn transpose(program: &mut Program, a: ValueId) -> Option<ValueId> {
+    let entries = Entries::of(program, a);
+    let Shape::Matrix(rows, columns) = program.shape(a) else {
+        return None;
+    };
+    if !entries.are_sparse(program) {
+        return None;
+    }
+    let positions = (0..rows * columns).map(|at| at % rows * columns + at / rows);
+    let items = positions.map(|at| entries.value(program, at)).collect();
+    Some(program.array(Shape::Matrix(columns, rows), items))
+}
+
+/// Sum of scalars, left to right; 0 without any.
+fn sum(program: &mut Program, terms: Vec<ValueId>) -> ValueId {
+    terms
+        .into_iter()
+        .reduce(|total, term| program.binary(Operator::Add, total, term))
+        .unwrap_or_else(|| program.scalar(0.0))
 }
 
 /// An operation on scalars, left out where a zero decides it.
-fn without_zero(program: &mut Program, operator: Operator, a: ValueId, b: ValueId) -> ValueId {
+pub(super) fn without_zero(
+    program: &mut Program,
+    operator: Operator,
+    a: ValueId,
+    b: ValueId,
+) -> ValueId {
     let zero = |id: ValueId| literal(program, id).is_some_and(|data| data == [0.0]);
     match (operator, zero(a), zero(b)) {
-        (Operator::Mul, true, _) | (Operator::Add | Operator::Sub, _, true) => a,
+        (Operator::Mul | Operator::Div, true, _) | (Operator::Add | Operator::Sub, _, true) => a,
         (Operator::Mul, _, true) | (Operator::Add, true, _) => b,
-        (Operator::Sub, true, _) => program.push(Op::Apply(crate::ir::Function::Neg, b)),
+        (Operator::Sub, true, _) => program.push(Op::Apply(Function::Neg, b)),
         _ => program.binary(operator, a, b),
-    }
-}
-
-/// The entries of an array of scalars or of a literal.
-fn entries(program: &mut Program, a: ValueId) -> Option<Vec<ValueId>> {
-    match program.instruction(a).op.clone() {
-        Op::Array(items) => Some(items),
-        Op::Const(data) => Some(
-            data.into_iter()
-                .map(|entry| program.scalar(entry))
-                .collect(),
-        ),
-        _ => None,
-    }
-}
-
-fn columns(program: &Program, array: ValueId) -> usize {
-    match program.shape(array) {
-        Shape::Matrix(_, columns) => columns,
-        Shape::Scalar | Shape::Vector(_) => 1,
     }
 }

@@ -5,19 +5,25 @@
 use crate::ir::build::size;
 use crate::ir::{Function, Instruction, Op, Operator, Program, Shape, Type, ValueId};
 
+use super::dependence::Dependences;
 use super::rewrite::{literal, of_type, rewrite};
-use super::sparse;
+use super::{solve, sparse};
 
 /// Removes arithmetic with structural zeros.
 pub(super) fn run(program: Program) -> Program {
+    let mut dependences = Dependences::default();
     rewrite(program, |program, instruction| match instruction.op {
         Op::Binary(operator, a, b) => elementwise(program, instruction, operator, a, b),
+        Op::Apply(Function::Neg, a) => sparse::negation(program, a),
+        Op::Transpose(a) => sparse::transpose(program, a),
         Op::MatMul(a, b) => matrix_product(program, instruction, a, b),
-        Op::Solve(a, b) => sparse::solve(program, a, b),
+        Op::SumSquares(a) => sparse::sum_squares(program, a),
+        Op::Solve(a, b) => solve::solve(program, &mut dependences, a, b),
         // 0 . x == 0, 0 x^T == 0 (finite x)
         Op::Dot(a, b) | Op::Outer(a, b) if is_zero(program, a) || is_zero(program, b) => {
             Some(zero(program, instruction))
         }
+        Op::Dot(a, b) => sparse::dot(program, a, b),
         _ => None,
     })
 }
@@ -45,7 +51,12 @@ fn elementwise(
             let b = of_type(program, b, instruction.ty)?;
             Some(program.push(Op::Apply(Function::Neg, b)))
         }
-        _ => None,
+        _ => {
+            let Type::Real(shape) = instruction.ty else {
+                return None;
+            };
+            sparse::elementwise(program, operator, a, b, shape)
+        }
     }
 }
 

@@ -283,11 +283,19 @@ fn is_tame(program: &Program, inputs: &Values) -> bool {
 }
 
 #[test]
-fn lowering_removes_zeros_without_changing_finite_results() {
+fn zeros_are_removed_without_changing_finite_results() {
+    let passes = [
+        "fold",
+        "identities",
+        "structural_zeros",
+        "arrays",
+        "dead_code",
+    ];
     let mut compared = 0;
     for seed in 0..400 {
         let program = (pass("dead_code").run)(random::program(seed, 40));
-        let simple = simplify(program.clone());
+        let rounds = passes.iter().cycle().take(ROUNDS * passes.len());
+        let simple = rounds.fold(program.clone(), |program, name| (pass(name).run)(program));
         simple.assert_sound();
         for draw in 0..8 {
             let inputs = random::inputs(&program, draw);
@@ -426,6 +434,23 @@ fn linear() {
                 %13: real = mul %2, %3\n%14: real = mul %13, %4\n%15: real = sub %14, %2\noutput a = %8\noutput b = %10\n\
                 output c = %12\noutput d = %15";
     check("linear", text);
+}
+
+#[test]
+fn factors() {
+    let text = "input x: vec3\ninput A: mat2x3\ninput y: vec3\ninput s: real\ninput p: real\n%0: vec3 = input x\n%1: mat2x3 = input A\n\
+                %2: vec3 = input y\n%3: real = input s\n%4: real = input p\n%5: vec3 = mul %0, %3\n%6: vec3 = mul %5, %4\n%7: vec3 = mul %4, %0\n\
+                %8: vec3 = sub %2, %7\n%9: vec3 = add %8, %6\n%10: vec3 = sub %9, %0\n%11: vec2 = matmul %1, %0\n%12: vec2 = matmul %1, %2\n\
+                %13: vec2 = sub %11, %12\n%14: vec3 = add %0, %0\n%15: vec3 = mul %2, %3\n%16: vec3 = mul %2, %4\n%17: vec3 = add %15, %16\n\
+                output a = %10\noutput b = %13\noutput c = %14\noutput d = %15\noutput e = %16\noutput f = %17";
+    check("factors", text);
+}
+
+#[test]
+fn the_sign_of_a_product_goes_into_its_sum() {
+    let text = "input x: real\ninput y: real\n%0: real = input x\n%1: real = input y\n%2: real = neg %0\n%3: real = mul %2, %1\n%4: real = add %1, %3\n\
+                %5: real = mul %1, %2\n%6: real = sub %4, %5\n%7: real = mul %1, %2\n%8: real = add %7, %6\noutput a = %8";
+    check_as("identities", "negative_terms", text);
 }
 
 #[test]

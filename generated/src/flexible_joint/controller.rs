@@ -1,8 +1,8 @@
-// SHA-256 of the text below: edc611757416c6ec177ed80f11faee5e4ddc4356bacfd2489056a67f3f6aaa1a
+// SHA-256 of the text below: 0e4af28c47a1a4f21f94efd6a588c2916ea095d2068f618062f3b66508ae6797
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
-// initial: 25 additions, 58 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
-// control: 95 additions, 133 multiplications, 7 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
+// initial: 21 additions, 54 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
+// control: 83 additions, 120 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
 
 //! `flexible_joint`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -59,7 +59,7 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// link_rate (v1).
     ///
-    /// `th_2' = -S_2 (D_hat_2 + F_2 + G_2 x_3 + A_hat_2)`
+    /// `th2(t + dt) = th2 + Gamma th2'`
     pub th2: Vector<T, 1>,
     /// Filtered virtual control h (33): motor_angle (q2).
     ///
@@ -72,7 +72,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// motor_rate (v2).
     ///
-    /// `th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 v_4 - h_3' + C_4 zeta_4 + A_hat_4)`
+    /// `th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 u - h_3' + C_4 zeta_4 + A_hat_4) = M_4
+    /// w_hat_4 + S_4 Lam_4`
     pub th4: Vector<T, 3>,
 }
 
@@ -419,7 +420,7 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 25 additions, 58 multiplications, 6 divisions, 0 square roots, 7 elementary
+/// Operations: 21 additions, 54 multiplications, 4 divisions, 0 square roots, 7 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -432,10 +433,6 @@ pub fn initial<T: Real>(
 ) -> State<T> {
     let real = T::from_f64;
 
-    // -- known dynamics of block 1 (link_angle) (11) --
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
     // -- plant model --
     let q1 = x1[0];
 
@@ -444,20 +441,21 @@ pub fn initial<T: Real>(
     let F2 = Vector([
         -(params.weight * q1.sin() + params.stiffness * q1) * real(32.25806451612903),
     ]);
+    let t1 = params.stiffness * real(32.25806451612903);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix::rows([[params.stiffness * real(32.25806451612903)]]);
+    let G2 = Matrix::rows([[t1]]);
 
     // -- reference and constraints --
-    let t1 = real(1.0471975511965979) * t.sin();
-    let t2 = t * t;
-    let t3 = (real(-0.1) * (t2 * t)).exp();
-    let t4 = real(1.0) - t3;
+    let t2 = real(1.0471975511965979) * t.sin();
+    let t3 = t * t;
+    let t4 = (real(-0.1) * (t3 * t)).exp();
+    let t5 = real(1.0) - t4;
     // y_r(t)
-    let y_r = Vector([t1 * t4]);
+    let y_r = Vector([t2 * t5]);
     // y_r'
     let y_r_dot = Vector([
-        t4 * (real(1.0471975511965979) * t.cos())
-            - t1 * (t3 * (real(-0.1) * (real(3.0) * t2))),
+        t5 * (real(1.0471975511965979) * t.cos())
+            - t2 * (t4 * (real(-0.1) * (real(3.0) * t3))),
     ]);
     // k_1(t)
     let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
@@ -470,15 +468,14 @@ pub fn initial<T: Real>(
     let zeta1: Vector<T, 1> = Vector::zero();
     let zeta2: Vector<T, 1> = Vector::zero();
     let W2: Matrix<T, 6, 1> = Matrix::zero();
-    let t5 = x2 * real(40.0);
-    let th2 = -t5;
+    let th2 = -(x2 * real(40.0));
     let zeta3: Vector<T, 1> = Vector::zero();
     let zeta4: Vector<T, 1> = Vector::zero();
 
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t6 = s1 / (k1 * k1);
+    let t6 = s1 * (real(1.0) / (k1 * k1));
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t6 * t6);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
@@ -487,39 +484,35 @@ pub fn initial<T: Real>(
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
+    let t7 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
+    let c1 = e1 * t7;
 
     // -- robust feedback of block 1 (31) (63) --
-    let t7 = e1 * real(5.0)
+    let t8 = real(5.0)
         * T::select(
             E1_free.lt(real(1e-300)),
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
-        );
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = t7 + e1 * real(4.0);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
+        ) + real(4.0);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1 * (t8 + t7 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = Lam1 - y_r_dot;
-    let t8 = G1.solve(bracket1);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t8;
+    let alpha1 = -bracket1;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (t8 - t8) * real(100.0);
+    let h1_dot = (bracket1 - bracket1) * real(100.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t8;
+    let e2 = x2 + bracket1;
 
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
@@ -527,70 +520,54 @@ pub fn initial<T: Real>(
     // c_2 = s_2 e_2^T / cos^2 E_2
     let c2 = e2 * s2;
 
-    // -- disturbance observer of block 2 (20) (49) --
-    // D_hat_2 = th_2 + S_2 x_2
-    let D_hat2 = t5 - t5;
-
     // -- norms of block 2 --
     // ||G_2||^2
     let G_norm2_2 = G2.sum_squares();
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(18.5) + e2 * real(16.0);
-    // eta_1/2 c^T (36)
-    let Lam2_disturbance = c2 * real(0.5);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam2_filter = c2 * (real(5e-5) * G_norm2_2);
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
-    // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_coupling;
+    let t9 = real(34.5) + s2 * real(0.5) + s2 * (real(5e-5) * G_norm2_2)
+        + s_c1 * s_c1 * real(0.25);
+    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
+    // eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
+    // block (38)
+    let Lam2 = e2 * t9;
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
 
     // -- virtual control (31) of block 2 --
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 - h1_dot + D_hat2 + Lam2;
-    let t9 = G2.solve(bracket2);
+    let bracket2 = F2 - h1_dot + Lam2;
+    let t10 = bracket2 * (real(1.0) / t1);
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let alpha2 = -t9;
+    let alpha2 = -t10;
 
     // -- dynamic surface filter of block 2 (33) --
     // h_2' = (alpha_2 - h_2) / Fl_2
-    let h2_dot = (t9 - t9) * real(500.0);
+    let h2_dot = (t10 - t10) * real(500.0);
 
     // -- error variable of block 3 (14) --
     // e_3 = x_3 - h_2 - zeta_3
-    let e3 = x3 + t9;
+    let e3 = x3 + t10;
 
     // -- barrier of block 3 (23) (26) --
     // s_3 = e_3^T e_3
     let s3 = e3.sum_squares();
-    // c_3 = s_3 e_3^T / cos^2 E_3
-    let c3 = e3 * s3;
 
     // -- robust feedback of block 3 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_3 = e3 * real(55.0) + e3 * real(45.0);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam3_filter = c3 * real(0.5);
-    let t10 = G_norm2_2 * s_c2;
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam3_coupling = e3 * (t10 * t10) * real(2.5e-9);
-    // Lam_3, sum of the terms above
-    let Lam3 = Lam0_3 + Lam3_filter + Lam3_coupling;
+    let t11 = G_norm2_2 * s_c2;
+    // Lam_3 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    // + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    let Lam3 = e3 * (real(100.0) + s3 * real(0.5) + t11 * t11 * real(2.5e-9));
 
     // -- virtual control (31) of block 3 --
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
     let bracket3 = Lam3 - h2_dot;
-    let t11 = G1.solve(bracket3);
     // alpha_3 = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
-    let alpha3 = -t11;
+    let alpha3 = -bracket3;
 
     // -- error variable of block 4 (14) --
     // e_4 = x_4 - h_3 - zeta_4
-    let e4 = x4 + t11;
+    let e4 = x4 + bracket3;
 
     // -- disturbance observer of block 4 (20) (49) --
     // S_4, observer gain
@@ -620,30 +597,35 @@ pub struct Prepared<T> {
     pub G2: Matrix<T, 1, 1>,
     /// `||G_2||^2`
     pub G_norm2_2: T,
-    /// Part of `Lam2_filter`.
-    pub Lam2_filter_1: T,
+    /// Part of `Lam2`.
+    pub Lam2_1: T,
+    /// Part of `alpha2`.
+    pub alpha2_1: T,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 0 additions, 3 multiplications, 0 divisions, 0 square roots, 0 elementary
+/// Operations: 0 additions, 3 multiplications, 1 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let real = T::from_f64;
 
     // -- known dynamics of block 2 (link_rate) (11) --
+    let t1 = params.stiffness * real(32.25806451612903);
     // G_2(x_1 .. x_2)
-    let G2 = Matrix::rows([[params.stiffness * real(32.25806451612903)]]);
+    let G2 = Matrix::rows([[t1]]);
 
     // -- norms of block 2 --
     // ||G_2||^2
     let G_norm2_2 = G2.sum_squares();
-    let Lam2_filter_1 = real(5e-5) * G_norm2_2;
+    let Lam2_1 = real(5e-5) * G_norm2_2;
+    let alpha2_1 = real(1.0) / t1;
     Prepared {
         G2,
         G_norm2_2,
-        Lam2_filter_1,
+        Lam2_1,
+        alpha2_1,
     }
 }
 
@@ -677,7 +659,7 @@ impl<T: Real> Clock<T> {
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 3 additions, 14 multiplications, 0 divisions, 0 square roots, 4 elementary
+/// Operations: 3 additions, 14 multiplications, 1 divisions, 0 square roots, 4 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
@@ -697,7 +679,7 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     ]);
     // k_1(t)
     let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
-    let E1_free_1 = k1 * k1;
+    let E1_free_1 = real(1.0) / (k1 * k1);
     Clock {
         y_r,
         y_r_dot,
@@ -742,7 +724,7 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 92 additions, 116 multiplications, 7 divisions, 0 square roots, 3 elementary
+/// Operations: 80 additions, 103 multiplications, 2 divisions, 0 square roots, 3 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -756,10 +738,6 @@ pub fn law<T: Real>(
     clock: &Clock<T>,
 ) -> ControlOutputs<T> {
     let real = T::from_f64;
-
-    // -- known dynamics of block 1 (link_angle) (11) --
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
 
     // -- plant model --
     let q1 = x1[0];
@@ -777,8 +755,6 @@ pub fn law<T: Real>(
     // -- known dynamics of block 4 (motor_rate) (11) --
     // F_4(x_1 .. x_4)
     let F4 = Vector([-(real(0.007) * v2 + params.stiffness * (q2 - q1)) * real(250.0)]);
-    // G_4(x_1 .. x_4)
-    let G4: Matrix<T, 1, 1> = Matrix::from_f64([[250.0]]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -787,7 +763,7 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t2 = s1 / clock.E1_free_1;
+    let t2 = s1 * clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t2 * t2);
     // E_1 >= pi/2 - delta
@@ -798,35 +774,32 @@ pub fn law<T: Real>(
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
+    let t3 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
+    let c1 = e1 * t3;
 
     // -- robust feedback of block 1 (31) (63) --
-    let t3 = e1 * real(5.0)
+    let t4 = real(5.0)
         * T::select(
             E1_free.lt(real(1e-300)),
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
-        );
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = t3 + e1 * real(4.0);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
+        ) + real(4.0);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1 * (t4 + t3 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t4 = state.zeta1 * real(20.0);
+    let t5 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t4 - clock.y_r_dot + Lam1;
+    let bracket1 = t5 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -G1.solve(bracket1);
+    let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t4;
+    let zeta1_dot = state.zeta2 - t5;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -855,34 +828,26 @@ pub fn law<T: Real>(
     let D_hat2 = state.th2 + x2 * real(40.0);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(18.5) + e2 * real(16.0);
-    // eta_1/2 c^T (36)
-    let Lam2_disturbance = c2 * real(0.5);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam2_filter = c2 * prepared.Lam2_filter_1;
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
-    // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_coupling;
+    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
+    // eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
+    // block (38)
+    let Lam2 = e2
+        * (real(34.5) + s2 * real(0.5) + s2 * prepared.Lam2_1
+            + s_c1 * s_c1 * real(0.25));
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
 
     // -- virtual control (31) of block 2 --
-    let t5 = F2 + A_hat2;
-    let t6 = state.zeta2 * real(50.0);
+    let t6 = F2 + A_hat2;
+    let t7 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t5 - h1_dot + t6 + D_hat2 + Lam2;
+    let bracket2 = t6 - h1_dot + t7 + D_hat2 + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let alpha2 = -prepared.G2.solve(bracket2);
+    let alpha2 = -(bracket2 * prepared.alpha2_1);
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
-    let zeta2_dot = prepared.G2 * state.zeta3 - t6;
-
-    // -- observer dynamics of block 2 (21) (50) --
-    // th_2' = -S_2 (D_hat_2 + F_2 + G_2 x_3 + A_hat_2)
-    let th2_dot = -((D_hat2 + t5 + prepared.G2 * x3) * real(40.0));
+    let zeta2_dot = prepared.G2 * state.zeta3 - t7;
 
     // -- dynamic surface filter of block 2 (33) --
     // h_2' = (alpha_2 - h_2) / Fl_2
@@ -899,28 +864,23 @@ pub fn law<T: Real>(
     let c3 = e3 * s3;
 
     // -- robust feedback of block 3 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_3 = e3 * real(55.0) + e3 * real(45.0);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam3_filter = c3 * real(0.5);
-    let t7 = prepared.G_norm2_2 * s_c2;
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam3_coupling = e3 * (t7 * t7) * real(2.5e-9);
-    // Lam_3, sum of the terms above
-    let Lam3 = Lam0_3 + Lam3_filter + Lam3_coupling;
+    let t8 = prepared.G_norm2_2 * s_c2;
+    // Lam_3 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    // + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    let Lam3 = e3 * (real(100.0) + s3 * real(0.5) + t8 * t8 * real(2.5e-9));
     // ||c_3||^2
     let s_c3 = c3.sum_squares();
 
     // -- virtual control (31) of block 3 --
-    let t8 = state.zeta3 * real(100.0);
+    let t9 = state.zeta3 * real(100.0);
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
-    let bracket3 = t8 - h2_dot + Lam3;
+    let bracket3 = t9 - h2_dot + Lam3;
     // alpha_3 = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
-    let alpha3 = -G1.solve(bracket3);
+    let alpha3 = -bracket3;
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 zeta_4
-    let zeta3_dot = state.zeta4 - t8;
+    let zeta3_dot = state.zeta4 - t9;
 
     // -- dynamic surface filter of block 3 (33) --
     // h_3' = (alpha_3 - h_3) / Fl_3
@@ -933,8 +893,6 @@ pub fn law<T: Real>(
     // -- barrier of block 4 (23) (26) --
     // s_4 = e_4^T e_4
     let s4 = e4.sum_squares();
-    // c_4 = s_4 e_4^T / cos^2 E_4
-    let c4 = e4 * s4;
 
     // -- disturbance observer of block 4 (20) (49) --
     // S_4, observer gain
@@ -947,36 +905,29 @@ pub fn law<T: Real>(
     let D_hat4 = L4 * w_hat4;
 
     // -- robust feedback of block 4 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_4 = e4 * real(145.0) + e4 * real(120.0);
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam4_coupling = e4 * (s_c3 * s_c3) * real(0.25);
-    // Lam_4, sum of the terms above
-    let Lam4 = Lam0_4 + c4 + Lam4_coupling;
+    // Lam_4 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
+    // (63) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    let Lam4 = e4 * (real(265.0) + s4 + s_c3 * s_c3 * real(0.25));
 
     // -- control (64) of block 4 --
-    let t9 = state.zeta4 * real(200.0);
+    let t10 = state.zeta4 * real(200.0);
     // F_4 + A_hat_4 - h_3' + C_4 zeta_4 + D_hat_4 + Lam_4
-    let bracket4 = F4 - h3_dot + t9 + D_hat4 + Lam4;
-    let t10 = G4.solve(bracket4);
+    let bracket4 = F4 - h3_dot + t10 + D_hat4 + Lam4;
+    let t11 = bracket4 * real(0.004);
     // u = -G_4^-1 [ F_4 + A_hat_4 - h_3' + C_4 zeta_4 + D_hat_4 + Lam_4 ]
-    let u = -t10;
+    let u = -t11;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-3.0))).min(Vector::splat(real(3.0)));
 
     // -- auxiliary system of block 4 (13) (E1) --
     // zeta_4' = -C_4 zeta_4 + G_4 (sat(u) - u)
-    let zeta4_dot = (u_sat + t10) * real(250.0) - t9;
+    let zeta4_dot = (u_sat + t11) * real(250.0) - t10;
 
     // -- observer dynamics of block 4 (21) (50) --
-    // M_4 - S_4 L_4
-    let w4_closed: Matrix<T, 3, 3> = Matrix::from_f64([
-        [-40.0, -40.0, 0.0],
-        [-20.0, -20.0, 20.0],
-        [-60.0, -80.0, 0.0],
-    ]);
-    // th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 v_4 - h_3' + C_4 zeta_4 + A_hat_4)
-    let th4_dot = w4_closed * w_hat4 - S4 * (F4 + u * real(250.0) - h3_dot + t9);
+    // th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 u - h_3' + C_4 zeta_4 + A_hat_4) = M_4
+    // w_hat_4 + S_4 Lam_4
+    let th4_dot = Vector([real(0.0), real(20.0) * w_hat4[2], real(-20.0) * w_hat4[1]])
+        + S4 * Lam4;
 
     // -- states of block 4, one sample later --
     // Gamma of th4
@@ -998,7 +949,8 @@ pub fn law<T: Real>(
     // h2(t + dt) = h2 + Gamma h2'
     state.h2 = state.h2 + h2_dot * real(0.00044239843385719023);
     // th2(t + dt) = th2 + Gamma th2'
-    state.th2 = state.th2 + th2_dot * real(0.0004950331673311175);
+    state.th2 = state.th2
+        - (D_hat2 + t6 + prepared.G2 * x3) * real(40.0) * real(0.0004950331673311175);
     // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
     state.W2 = state.W2 * real(0.9999500012499791)
         + P2.outer(c2 * real(0.0004999875002083307));
@@ -1035,7 +987,7 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 95 additions, 133 multiplications, 7 divisions, 0 square roots, 7 elementary
+/// Operations: 83 additions, 120 multiplications, 4 divisions, 0 square roots, 7 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 4bd8edc83fae5f1333fb49c140168ba3b4f3b1646cf1dce56ee35ebcb1d20e97
+// SHA-256 of the text below: f99223683ab753302f3240ab7179c55ce7f9605fc3cd94d34af3ed5b3becda09
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// initial: 26 additions, 60 multiplications, 9 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
-// control: 80 additions, 130 multiplications, 11 divisions, 3 square roots, 9 elementary functions, 9 comparisons and selections
+// initial: 23 additions, 59 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
+// control: 78 additions, 127 multiplications, 7 divisions, 3 square roots, 9 elementary functions, 9 comparisons and selections
 
 //! `motor_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -77,7 +77,7 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// current (amps).
     ///
-    /// `th_3' = -S_3 (D_hat_3 + F_3 + G_3 x_4 + A_hat_3)`
+    /// `th3(t + dt) = th3 + Gamma th3'`
     pub th3: Vector<T, 1>,
 }
 
@@ -388,7 +388,7 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 26 additions, 60 multiplications, 9 divisions, 0 square roots, 7 elementary
+/// Operations: 23 additions, 59 multiplications, 6 divisions, 0 square roots, 7 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -400,10 +400,6 @@ pub fn initial<T: Real>(
 ) -> State<T> {
     let real = T::from_f64;
 
-    // -- known dynamics of block 1 (position) (11) --
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
     // -- plant model --
     let rate = x2[0];
     let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
@@ -412,23 +408,25 @@ pub fn initial<T: Real>(
         + real(2.0) * params.load_mass * real(0.000529) * real(0.2);
 
     // -- known dynamics of block 2 (speed) (11) --
+    let t1 = real(1.0) / inertia;
     // F_2(x_1 .. x_2)
-    let F2 = Vector([-(real(0.01625) * rate + weight * angle.sin()) / inertia]);
+    let F2 = Vector([-(real(0.01625) * rate + weight * angle.sin()) * t1]);
+    let t2 = real(0.9) * t1;
     // G_2(x_1 .. x_2)
-    let G2 = Matrix::rows([[real(0.9) / inertia]]);
+    let G2 = Matrix::rows([[t2]]);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix::rows([[real(0.01) / inertia]]);
+    let H2 = Matrix::rows([[real(0.01) * t1]]);
 
     // -- reference and constraints --
-    let t1 = real(FRAC_PI_2) * t.sin();
-    let t2 = t * t;
-    let t3 = (real(-0.1) * (t2 * t)).exp();
-    let t4 = real(1.0) - t3;
+    let t3 = real(FRAC_PI_2) * t.sin();
+    let t4 = t * t;
+    let t5 = (real(-0.1) * (t4 * t)).exp();
+    let t6 = real(1.0) - t5;
     // y_r(t)
-    let y_r = Vector([t1 * t4]);
+    let y_r = Vector([t3 * t6]);
     // y_r'
     let y_r_dot = Vector([
-        t4 * (real(FRAC_PI_2) * t.cos()) - t1 * (t3 * (real(-0.1) * (real(3.0) * t2))),
+        t6 * (real(FRAC_PI_2) * t.cos()) - t3 * (t5 * (real(-0.1) * (real(3.0) * t4))),
     ]);
     // k_1(t)
     let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
@@ -450,62 +448,51 @@ pub fn initial<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t5 = s1 / (k1 * k1);
+    let t7 = s1 * (real(1.0) / (k1 * k1));
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t5 * t5);
+    let E1_free = real(FRAC_PI_2) * (t7 * t7);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
+    let t8 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
+    let c1 = e1 * t8;
 
     // -- robust feedback of block 1 (31) (63) --
-    let t6 = e1 * real(3.2199999999999998)
+    let t9 = real(3.2199999999999998)
         * T::select(
             E1_free.lt(real(1e-300)),
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
-        );
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = t6 + e1 * real(1.72);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
+        ) + real(1.72);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1 * (t9 + t8 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = Lam1 - y_r_dot;
-    let t7 = G1.solve(bracket1);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t7;
+    let alpha1 = -bracket1;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (t7 - t7) * real(50.0);
+    let h1_dot = (bracket1 - bracket1) * real(50.0);
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t7;
+    let e2 = x2 + bracket1;
 
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * s2;
 
     // -- given --
-    let t8 = e2 * real(10.0);
-    let th2 = -t8;
-
-    // -- disturbance observer of block 2 (20) (49) --
-    // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = t8 - t8;
+    let th2 = -(e2 * real(10.0));
 
     // -- norms of block 2 --
     // ||G_2||^2
@@ -527,27 +514,18 @@ pub fn initial<T: Real>(
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(25.0) + e2 * real(20.0);
-    // ||L||^2/(2 eta_1) c^T (63)
-    let Lam2_disturbance = c2 * real(0.5);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam2_filter = c2 * (real(0.05) * G_norm2_2);
-    // e / (2 cos^2 E) (63)
-    let Lam2_network = e2 * real(0.5);
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
-    // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * (Psi2 / (real(100.0) + s2 * s2));
-    // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_network + Lam2_coupling
-        + Lam2_diffusion;
+    let t10 = real(45.0) + s2 * real(0.5) + s2 * (real(0.05) * G_norm2_2) + real(0.5);
+    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
+    // (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
+    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
+    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    let Lam2 = e2 * (t10 + s_c1 * s_c1 * real(0.25) + Psi2 / (real(100.0) + s2 * s2));
 
     // -- virtual control (31) of block 2 --
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 - h1_dot + w_hat2 + Lam2;
+    let bracket2 = F2 - h1_dot + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let alpha2 = -G2.solve(bracket2);
+    let alpha2 = -(bracket2 * (real(1.0) / t2));
     State {
         zeta1,
         zeta2,
@@ -569,25 +547,27 @@ pub fn initial<T: Real>(
 pub struct Prepared<T> {
     /// `weight`.
     pub weight: T,
-    /// `inertia`.
-    pub inertia: T,
+    /// Part of `F2`.
+    pub F2_1: T,
     /// `G_2(x_1 .. x_2)`
     pub G2: Matrix<T, 1, 1>,
     /// `||G_2||^2`
     pub G_norm2_2: T,
     /// `Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)`
     pub Psi2: T,
-    /// Part of `Lam2_filter`.
-    pub Lam2_filter_1: T,
-    /// Part of `Lam2_noise`.
-    pub Lam2_noise_1: T,
+    /// Part of `Lam2`.
+    pub Lam2_1: T,
+    /// Part of `Lam2`.
+    pub Lam2_2: T,
+    /// Part of `alpha2`.
+    pub alpha2_1: T,
     /// `phi_min = sqrt(Psi_2 dt / 0.1) (E11)`
     pub phi2_min: T,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 5 additions, 18 multiplications, 2 divisions, 1 square roots, 0 elementary
+/// Operations: 5 additions, 20 multiplications, 2 divisions, 1 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -598,11 +578,21 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
         + real(2.0) * params.load_mass * real(0.000529) * real(0.2);
 
+    // -- noise terms of block 2 (58) (62) --
+    // ||Ybar_2||^2
+    let Ybar_square2 = real(9.0);
+    // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
+    let Ybar_norm2 = real(3.0);
+    // S_2
+    let S2: Matrix<T, 1, 1> = Matrix::from_f64([[10.0]]);
+    let F2_1 = real(1.0) / inertia;
+
     // -- known dynamics of block 2 (speed) (11) --
+    let t1 = real(0.9) * F2_1;
     // G_2(x_1 .. x_2)
-    let G2 = Matrix::rows([[real(0.9) / inertia]]);
+    let G2 = Matrix::rows([[t1]]);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix::rows([[real(0.01) / inertia]]);
+    let H2 = Matrix::rows([[real(0.01) * F2_1]]);
 
     // -- norms of block 2 --
     // ||G_2||^2
@@ -611,12 +601,6 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
-    // ||Ybar_2||^2
-    let Ybar_square2 = real(9.0);
-    // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = real(3.0);
-    // S_2
-    let S2: Matrix<T, 1, 1> = Matrix::from_f64([[10.0]]);
     // S_2 H_2
     let SH2 = S2 * H2;
     // ||S_2 H_2||^2
@@ -628,16 +612,18 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     // -- states of block 2, one sample later --
     // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
     let phi2_min = (Psi2 * real(0.01)).sqrt();
-    let Lam2_filter_1 = real(0.05) * G_norm2_2;
-    let Lam2_noise_1 = H_norm2_2 * Ybar_norm2;
+    let Lam2_1 = real(0.05) * G_norm2_2;
+    let Lam2_2 = H_norm2_2 * Ybar_norm2;
+    let alpha2_1 = real(1.0) / t1;
     Prepared {
         weight,
-        inertia,
+        F2_1,
         G2,
         G_norm2_2,
         Psi2,
-        Lam2_filter_1,
-        Lam2_noise_1,
+        Lam2_1,
+        Lam2_2,
+        alpha2_1,
         phi2_min,
     }
 }
@@ -672,7 +658,7 @@ impl<T: Real> Clock<T> {
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 3 additions, 14 multiplications, 0 divisions, 0 square roots, 4 elementary
+/// Operations: 3 additions, 14 multiplications, 1 divisions, 0 square roots, 4 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
@@ -691,7 +677,7 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     ]);
     // k_1(t)
     let k1 = real(0.3) * (real(-2.0) * t).exp() + real(0.05);
-    let E1_free_1 = k1 * k1;
+    let E1_free_1 = real(1.0) / (k1 * k1);
     Clock {
         y_r,
         y_r_dot,
@@ -732,7 +718,7 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 72 additions, 98 multiplications, 9 divisions, 2 square roots, 5 elementary
+/// Operations: 70 additions, 93 multiplications, 4 divisions, 2 square roots, 5 elementary
 /// functions, 9 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -745,10 +731,6 @@ pub fn law<T: Real>(
 ) -> ControlOutputs<T> {
     let real = T::from_f64;
 
-    // -- known dynamics of block 1 (position) (11) --
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
     // -- plant model --
     let rate = x2[0];
     let angle = x1[0];
@@ -757,13 +739,11 @@ pub fn law<T: Real>(
     // -- known dynamics of block 2 (speed) (11) --
     let t1 = angle.sin();
     // F_2(x_1 .. x_2)
-    let F2 = Vector([-(real(0.01625) * rate + prepared.weight * t1) / prepared.inertia]);
+    let F2 = Vector([-(real(0.01625) * rate + prepared.weight * t1) * prepared.F2_1]);
 
     // -- known dynamics of block 3 (current) (11) --
     // F_3(x_1 .. x_3)
     let F3 = Vector([-(real(5.0) * amps + real(0.9) * rate) * real(40.0)]);
-    // G_3(x_1 .. x_3)
-    let G3: Matrix<T, 1, 1> = Matrix::from_f64([[40.0]]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -772,7 +752,7 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t2 = s1 / clock.E1_free_1;
+    let t2 = s1 * clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t2 * t2);
     // E_1 >= pi/2 - delta
@@ -783,35 +763,32 @@ pub fn law<T: Real>(
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
+    let t3 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
+    let c1 = e1 * t3;
 
     // -- robust feedback of block 1 (31) (63) --
-    let t3 = e1 * real(3.2199999999999998)
+    let t4 = real(3.2199999999999998)
         * T::select(
             E1_free.lt(real(1e-300)),
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
-        );
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = t3 + e1 * real(1.72);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
+        ) + real(1.72);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1 * (t4 + t3 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t4 = state.zeta1 * real(20.0);
+    let t5 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t4 - clock.y_r_dot + Lam1;
+    let bracket1 = t5 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -G1.solve(bracket1);
+    let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t4;
+    let zeta1_dot = state.zeta2 - t5;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -840,62 +817,53 @@ pub fn law<T: Real>(
     let w_hat2 = state.th2 + e2 * real(10.0);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(25.0) + e2 * real(20.0);
-    // ||L||^2/(2 eta_1) c^T (63)
-    let Lam2_disturbance = c2 * real(0.5);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam2_filter = c2 * prepared.Lam2_filter_1;
-    // e / (2 cos^2 E) (63)
-    let Lam2_network = e2 * real(0.5);
-    let t5 = e2.tanh();
+    let t6 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t5 * state.eps2;
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
-    let t6 = s2 * s2;
+    let Lam2_error_bound = t6 * state.eps2;
+    let t7 = s2 * s2;
     // 1 / sqrt(s_2^2 + varsigma_2^2)
-    let s_scale2 = real(1.0) / (t6 + real(1.0)).sqrt();
-    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (prepared.Lam2_noise_1 * state.sigma2 * s_scale2);
-    let t7 = prepared.Psi2 / (state.phi2 * state.phi2 + t6);
-    // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t7;
-    // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_filter + Lam2_network + Lam2_error_bound
-        + Lam2_coupling + Lam2_noise + Lam2_diffusion;
+    let s_scale2 = real(1.0) / (t7 + real(1.0)).sqrt();
+    let t8 = prepared.Psi2 / (state.phi2 * state.phi2 + t7);
+    let t9 = real(45.0) + s2 * real(0.5) + s2 * prepared.Lam2_1 + real(0.5)
+        + s_c1 * s_c1 * real(0.25);
+    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
+    // (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
+    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
+    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    let Lam2 = e2 * (t9 + prepared.Lam2_2 * state.sigma2 * s_scale2 + t8)
+        + Lam2_error_bound;
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
 
     // -- virtual control (31) of block 2 --
-    let t8 = F2 + A_hat2;
-    let t9 = state.zeta2 * real(50.0);
+    let t10 = F2 + A_hat2;
+    let t11 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t8 - h1_dot + t9 + w_hat2 + Lam2;
+    let bracket2 = t10 - h1_dot + t11 + w_hat2 + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let alpha2 = -prepared.G2.solve(bracket2);
+    let alpha2 = -(bracket2 * prepared.alpha2_1);
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
-    let zeta2_dot = prepared.G2 * state.zeta3 - t9;
+    let zeta2_dot = prepared.G2 * state.zeta3 - t11;
 
     // -- observer dynamics of block 2 (21) (50) --
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
     let th2_dot = w_hat2 * real(-12.0)
-        - (t8 + prepared.G2 * (x3 - state.zeta3) - h1_dot + t9) * real(10.0);
+        - (t10 + prepared.G2 * (x3 - state.zeta3) - h1_dot + t11) * real(10.0);
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 * e2.dot(t5) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 * e2.dot(t6) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = prepared.Lam2_noise_1 * t6 * s_scale2 - real(0.1) * state.sigma2;
+    let sigma2_dot = prepared.Lam2_2 * t7 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t7 + real(0.5);
+    let phi2_decay = t8 + real(0.5);
 
     // -- dynamic surface filter of block 2 (33) --
     // h_2' = (alpha_2 - h_2) / Fl_2
@@ -908,41 +876,30 @@ pub fn law<T: Real>(
     // -- barrier of block 3 (23) (26) --
     // s_3 = e_3^T e_3
     let s3 = e3.sum_squares();
-    // c_3 = s_3 e_3^T / cos^2 E_3
-    let c3 = e3 * s3;
 
     // -- disturbance observer of block 3 (20) (49) --
     // D_hat_3 = th_3 + S_3 x_3
     let D_hat3 = state.th3 + x3 * real(50.0);
 
     // -- robust feedback of block 3 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_3 = e3 * real(125.0) + e3 * real(100.0);
-    // eta_1/2 c^T (36)
-    let Lam3_disturbance = c3 * real(0.5);
-    let t10 = prepared.G_norm2_2 * s_c2;
+    let t12 = prepared.G_norm2_2 * s_c2;
+    // Lam_3 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam3_coupling = e3 * (t10 * t10) * real(0.015625);
-    // Lam_3, sum of the terms above
-    let Lam3 = Lam0_3 + Lam3_disturbance + Lam3_coupling;
+    let Lam3 = e3 * (real(225.0) + s3 * real(0.5) + t12 * t12 * real(0.015625));
 
     // -- control (64) of block 3 --
-    let t11 = state.zeta3 * real(100.0);
+    let t13 = state.zeta3 * real(100.0);
     // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
-    let bracket3 = F3 - h2_dot + t11 + D_hat3 + Lam3;
-    let t12 = G3.solve(bracket3);
+    let bracket3 = F3 - h2_dot + t13 + D_hat3 + Lam3;
+    let t14 = bracket3 * real(0.025);
     // u = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
-    let u = -t12;
+    let u = -t14;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-40.0))).min(Vector::splat(real(40.0)));
 
     // -- auxiliary system of block 3 (13) (E1) --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
-    let zeta3_dot = (u_sat + t12) * real(40.0) - t11;
-
-    // -- observer dynamics of block 3 (21) (50) --
-    // th_3' = -S_3 (D_hat_3 + F_3 + G_3 x_4 + A_hat_3)
-    let th3_dot = -((D_hat3 + F3 + u_sat * real(40.0)) * real(50.0));
+    let zeta3_dot = (u_sat + t14) * real(40.0) - t13;
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'
@@ -976,7 +933,8 @@ pub fn law<T: Real>(
     // zeta3(t + dt) = zeta3 + Gamma zeta3'
     state.zeta3 = state.zeta3 + zeta3_dot * real(0.0009516258196404043);
     // th3(t + dt) = th3 + Gamma th3'
-    state.th3 = state.th3 + th3_dot * real(0.0009754115099857198);
+    state.th3 = state.th3
+        - (D_hat3 + F3 + u_sat * real(40.0)) * real(50.0) * real(0.0009754115099857198);
     ControlOutputs {
         u,
         u_sat,
@@ -996,7 +954,7 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 80 additions, 130 multiplications, 11 divisions, 3 square roots, 9 elementary
+/// Operations: 78 additions, 127 multiplications, 7 divisions, 3 square roots, 9 elementary
 /// functions, 9 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

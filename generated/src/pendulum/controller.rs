@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 58171cba85dedaeec596ad3a754335aecd254d0e9ca23e08550edffc46637244
+// SHA-256 of the text below: fdef6dbaee788ab0e786986a648f328cc650ce49068504f6146712036764bbe0
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// initial: 5 additions, 19 multiplications, 4 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
-// control: 40 additions, 63 multiplications, 7 divisions, 0 square roots, 6 elementary functions, 6 comparisons and selections
+// initial: 5 additions, 18 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
+// control: 39 additions, 63 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 6 comparisons and selections
 
 //! `pendulum`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -51,7 +51,7 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// speed (omega).
     ///
-    /// `th_2' = -S_2 (D_hat_2 + F_2 + G_2 x_3 + A_hat_2)`
+    /// `th2(t + dt) = th2 + Gamma th2'`
     pub th2: Vector<T, 1>,
 }
 
@@ -313,15 +313,11 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 5 additions, 19 multiplications, 4 divisions, 0 square roots, 5 elementary
+/// Operations: 5 additions, 18 multiplications, 3 divisions, 0 square roots, 5 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     let real = T::from_f64;
-
-    // -- known dynamics of block 1 (position) (11) --
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
 
     // -- reference and constraints --
     // y_r(t)
@@ -345,7 +341,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t1 = s1 / (k1 * k1);
+    let t1 = s1 * (real(1.0) / (k1 * k1));
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t1 * t1);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
@@ -354,28 +350,22 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
-    // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
-    let t2 = e1 * real(5.0)
+    let t2 = real(5.0)
         * T::select(
             E1_free.lt(real(1e-300)),
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
-        );
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = t2 + e1 * real(4.0);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
+        ) + real(4.0);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1 * (t2 + s1 * sec2E1 * real(0.5));
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = Lam1 - y_r_dot;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -G1.solve(bracket1);
+    let alpha1 = -bracket1;
     State {
         zeta1,
         zeta2,
@@ -389,15 +379,17 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Prepared<T> {
-    /// `inertia`.
-    pub inertia: T,
+    /// Part of `F2`.
+    pub F2_1: T,
     /// `G_2(x_1 .. x_2)`
     pub G2: Matrix<T, 1, 1>,
+    /// Part of `u`.
+    pub u_1: T,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 0 additions, 1 multiplications, 1 divisions, 0 square roots, 0 elementary
+/// Operations: 0 additions, 1 multiplications, 2 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -405,11 +397,13 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
     // -- plant model --
     let inertia = params.mass * real(0.25);
+    let F2_1 = real(1.0) / inertia;
 
     // -- known dynamics of block 2 (speed) (11) --
     // G_2(x_1 .. x_2)
-    let G2 = Matrix::rows([[real(1.0) / inertia]]);
-    Prepared { inertia, G2 }
+    let G2 = Matrix::rows([[F2_1]]);
+    let u_1 = real(1.0) / F2_1;
+    Prepared { F2_1, G2, u_1 }
 }
 
 /// Values of [`clock`].
@@ -442,7 +436,7 @@ impl<T: Real> Clock<T> {
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 1 additions, 6 multiplications, 0 divisions, 0 square roots, 3 elementary
+/// Operations: 1 additions, 6 multiplications, 1 divisions, 0 square roots, 3 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
@@ -456,7 +450,7 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     // k_1(t)
     let k1 = (real(30.0) * (real(-2.0) * t).exp() + real(6.0))
         * real(0.017453292519943295);
-    let E1_free_1 = k1 * k1;
+    let E1_free_1 = real(1.0) / (k1 * k1);
     Clock {
         y_r,
         y_r_dot,
@@ -491,7 +485,7 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 39 additions, 56 multiplications, 6 divisions, 0 square roots, 3 elementary
+/// Operations: 38 additions, 56 multiplications, 2 divisions, 0 square roots, 3 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -503,10 +497,6 @@ pub fn law<T: Real>(
 ) -> ControlOutputs<T> {
     let real = T::from_f64;
 
-    // -- known dynamics of block 1 (position) (11) --
-    // G_1(x_1 .. x_1)
-    let G1: Matrix<T, 1, 1> = Matrix::from_f64([[1.0]]);
-
     // -- plant model --
     let theta = x1[0];
     let omega = x2[0];
@@ -514,7 +504,7 @@ pub fn law<T: Real>(
     // -- known dynamics of block 2 (speed) (11) --
     let t1 = theta.sin();
     // F_2(x_1 .. x_2)
-    let F2 = Vector([real(-19.62) * t1 - real(0.1) * omega / prepared.inertia]);
+    let F2 = Vector([real(-19.62) * t1 - real(0.1) * omega * prepared.F2_1]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -523,7 +513,7 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t2 = s1 / clock.E1_free_1;
+    let t2 = s1 * clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t2 * t2);
     // E_1 >= pi/2 - delta
@@ -534,35 +524,32 @@ pub fn law<T: Real>(
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
+    let t3 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
+    let c1 = e1 * t3;
 
     // -- robust feedback of block 1 (31) (63) --
-    let t3 = e1 * real(5.0)
+    let t4 = real(5.0)
         * T::select(
             E1_free.lt(real(1e-300)),
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
-        );
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = t3 + e1 * real(4.0);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
+        ) + real(4.0);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1 * (t4 + t3 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t4 = state.zeta1 * real(20.0);
+    let t5 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t4 - clock.y_r_dot + Lam1;
+    let bracket1 = t5 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -G1.solve(bracket1);
+    let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t4;
+    let zeta1_dot = state.zeta2 - t5;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -591,33 +578,24 @@ pub fn law<T: Real>(
     let D_hat2 = state.th2 + x2 * real(20.0);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(12.5) + e2 * real(10.0);
-    // eta_1/2 c^T (36)
-    let Lam2_disturbance = c2 * real(0.5);
+    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25);
-    // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_coupling;
+    let Lam2 = e2 * (real(22.5) + s2 * real(0.5) + s_c1 * s_c1 * real(0.25));
 
     // -- control (64) of block 2 --
-    let t5 = F2 + A_hat2;
-    let t6 = state.zeta2 * real(50.0);
+    let t6 = F2 + A_hat2;
+    let t7 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t5 - h1_dot + t6 + D_hat2 + Lam2;
-    let t7 = prepared.G2.solve(bracket2);
+    let bracket2 = t6 - h1_dot + t7 + D_hat2 + Lam2;
+    let t8 = bracket2 * prepared.u_1;
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t7;
+    let u = -t8;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-8.0))).min(Vector::splat(real(8.0)));
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = prepared.G2 * (u_sat + t7) - t6;
-
-    // -- observer dynamics of block 2 (21) (50) --
-    // th_2' = -S_2 (D_hat_2 + F_2 + G_2 x_3 + A_hat_2)
-    let th2_dot = -((D_hat2 + t5 + prepared.G2 * u_sat) * real(20.0));
+    let zeta2_dot = prepared.G2 * (u_sat + t8) - t7;
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + Gamma zeta1'
@@ -629,7 +607,8 @@ pub fn law<T: Real>(
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
     // th2(t + dt) = th2 + Gamma th2'
-    state.th2 = state.th2 + th2_dot * real(0.0019605280423838395);
+    state.th2 = state.th2
+        - (D_hat2 + t6 + prepared.G2 * u_sat) * real(20.0) * real(0.0019605280423838395);
     // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
     state.W2 = state.W2 * real(0.9998000199986667)
         + P2.outer(c2 * real(0.001999800013332667));
@@ -649,7 +628,7 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 40 additions, 63 multiplications, 7 divisions, 0 square roots, 6 elementary
+/// Operations: 39 additions, 63 multiplications, 5 divisions, 0 square roots, 6 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

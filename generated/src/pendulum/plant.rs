@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 26c274978d176cd3381241fe7902be0308342bbcf8a8cb30b8fac8d8b3b86aed
+// SHA-256 of the text below: 4c8de750bc93cc243154c3d47310719c3957a0b4716cd345c19bf4cb94962449
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
-// plant: 4 additions, 6 multiplications, 2 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 4 additions, 7 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `pendulum`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -65,8 +65,8 @@ impl<T: Real> Part for Drift<'_, T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Prepared<T> {
-    /// `inertia`.
-    pub inertia: T,
+    /// Part of `F2_plant`.
+    pub F2_plant_1: T,
     /// `G_2 with the plant's parameters`
     pub G2_plant: Matrix<T, 1, 1>,
 }
@@ -81,11 +81,12 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
     // -- plant model --
     let inertia = params.mass * real(0.25);
+    let F2_plant_1 = real(1.0) / inertia;
 
     // -- true dynamics of block 2 (speed) (11) --
     // G_2 with the plant's parameters
-    let G2_plant = Matrix::rows([[real(1.0) / inertia]]);
-    Prepared { inertia, G2_plant }
+    let G2_plant = Matrix::rows([[F2_plant_1]]);
+    Prepared { F2_plant_1, G2_plant }
 }
 
 /// Values of [`clock`].
@@ -132,7 +133,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 3 additions, 3 multiplications, 1 divisions, 0 square roots, 1 elementary
+/// Operations: 3 additions, 4 multiplications, 0 divisions, 0 square roots, 1 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -150,7 +151,7 @@ pub fn dynamics<T: Real>(
     // -- true dynamics of block 2 (speed) (11) --
     // F_2 with the plant's parameters
     let F2_plant = Vector([
-        real(-19.62) * theta.sin() - real(0.1) * omega / prepared.inertia,
+        real(-19.62) * theta.sin() - real(0.1) * omega * prepared.F2_plant_1,
     ]);
     // F_2 + G_2 x_3 + d_2
     let x2_flow = F2_plant + prepared.G2_plant * u_sat + clock.d2;
@@ -166,7 +167,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 4 additions, 6 multiplications, 2 divisions, 0 square roots, 2 elementary
+/// Operations: 4 additions, 7 multiplications, 1 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: d8a89b8a564bc3e8fcffd9f9781ba39abd631f54ca3d95a3db811e1b21a914e0
+// SHA-256 of the text below: 47c5f660dca01cb1085538d0c1ac20a82843e8fd4aa1d4be30febf8f71ecb5c3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// initial: 13 additions, 32 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
-// control: 204 additions, 297 multiplications, 12 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
+// initial: 11 additions, 27 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
+// control: 184 additions, 276 multiplications, 7 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
 
 //! `two_link_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -52,7 +52,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// rates (v1, v2).
     ///
-    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)`
+    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    /// w_hat_2 + S_2 Lam_2`
     pub th2: Vector<T, 5>,
     /// Bound eps_hat of the approximation error (66): rates (v1, v2).
     ///
@@ -325,7 +326,7 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 13 additions, 32 multiplications, 3 divisions, 0 square roots, 5 elementary
+/// Operations: 11 additions, 27 multiplications, 3 divisions, 0 square roots, 5 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
@@ -355,7 +356,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t4 = s1 / (k1 * k1);
+    let t4 = s1 * (real(1.0) / (k1 * k1));
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t4 * t4);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
@@ -364,22 +365,16 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
-    // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
 
     // -- robust feedback of block 1 (31) (63) --
-    let t5 = e1 * real(5.0)
+    let t5 = real(5.0)
         * T::select(
             E1_free.lt(real(1e-300)),
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
-        );
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = t5 + e1 * real(4.0);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
+        ) + real(4.0);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1 * (t5 + s1 * sec2E1 * real(0.5));
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
@@ -489,7 +484,7 @@ impl<T: Real> Clock<T> {
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 3 additions, 11 multiplications, 0 divisions, 0 square roots, 3 elementary
+/// Operations: 3 additions, 11 multiplications, 2 divisions, 0 square roots, 3 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
@@ -508,8 +503,8 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     let k1 = real(0.3) * t4 + real(0.05);
     // k_2(t)
     let k2 = real(4.0) * t4 + real(1.0);
-    let E1_free_1 = k1 * k1;
-    let E2_free_1 = k2 * k2;
+    let E1_free_1 = real(1.0) / (k1 * k1);
+    let E2_free_1 = real(1.0) / (k2 * k2);
     Clock {
         y_r,
         y_r_dot,
@@ -548,7 +543,7 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 198 additions, 280 multiplications, 12 divisions, 0 square roots, 8 elementary
+/// Operations: 178 additions, 259 multiplications, 5 divisions, 0 square roots, 8 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -568,7 +563,7 @@ pub fn law<T: Real>(
     let M_11 = prepared.a_1 + prepared.M_11_1 * t1 + prepared.M_11_2 * t2;
     let det_M = M_11 * prepared.a_2 - M_12 * M_12;
     let t3 = -M_12;
-    let inverse_M = Matrix::rows([[prepared.a_2, t3], [t3, M_11]]) / det_M;
+    let inverse_M = Matrix::rows([[prepared.a_2, t3], [t3, M_11]]) * (real(1.0) / det_M);
     let coriolis = prepared.a_3 * t2 - prepared.a_4 * t1;
     let v2 = x2[1];
     let v1 = x2[0];
@@ -585,7 +580,7 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t4 = s1 / clock.E1_free_1;
+    let t4 = s1 * clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
     let E1_free = real(FRAC_PI_2) * (t4 * t4);
     // E_1 >= pi/2 - delta
@@ -600,7 +595,7 @@ pub fn law<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t5 = s2 / clock.E2_free_1;
+    let t5 = s2 * clock.E2_free_1;
     // pi s_2^2 / (2 k_2^4), before the clamp
     let E2_free = real(FRAC_PI_2) * (t5 * t5);
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
@@ -623,36 +618,33 @@ pub fn law<T: Real>(
     let cosE1 = cos_E1;
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
+    let t9 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
+    let c1 = e1 * t9;
 
     // -- robust feedback of block 1 (31) (63) --
     let [sin_E1, sin_E2] = t6.sin().0;
-    let t9 = e1 * real(5.0)
+    let t10 = real(5.0)
         * T::select(
             E1_free.lt(real(1e-300)),
             real(1.0),
             sin_E1 * cosE1 * (real(1.0) / E1_free),
-        );
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = t9 + e1 * real(4.0);
-    // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * real(0.5);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_filter;
+        ) + real(4.0);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    let Lam1 = e1 * (t10 + t9 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t10 = state.zeta1 * real(20.0);
+    let t11 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t10 - clock.y_r_dot + Lam1;
+    let bracket1 = t11 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t10;
+    let zeta1_dot = state.zeta2 - t11;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -680,35 +672,29 @@ pub fn law<T: Real>(
     let D_hat2 = Vector([w_hat2[0], w_hat2[2] + w_hat2[3]]);
 
     // -- robust feedback of block 2 (31) (63) --
-    let t11 = e2 * real(10.0)
+    let t12 = e2.tanh();
+    // eps_hat Tanh(e / b) (64)
+    let Lam2_error_bound = t12 * state.eps2;
+    let t13 = real(10.0)
         * T::select(
             E2_free.lt(real(1e-300)),
             real(1.0),
             sin_E2 * cosE2 * (real(1.0) / E2_free),
-        );
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = t11 + e2 * real(8.0);
-    // ||L||^2/(2 eta_1) c^T (63)
-    let Lam2_disturbance = c2 * real(0.9999999999999998);
-    // e / (2 cos^2 E) (63)
-    let Lam2_network = e2 * (real(0.5) * sec2E2);
-    let t12 = e2.tanh();
-    // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t12 * state.eps2;
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (s_c1 * s_c1) * real(0.25) * t7;
-    // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
-        + Lam2_coupling;
+        ) + real(8.0);
+    let t14 = t13 + t8 * real(0.9999999999999998) + real(0.5) * sec2E2
+        + s_c1 * s_c1 * real(0.25) * t7;
+    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
+    // (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4
+    // eta_3^4), G, c, eta_3 of the outer block (38)
+    let Lam2 = e2 * t14 + Lam2_error_bound;
 
     // -- control (64) of block 2 --
-    let t13 = F2 + A_hat2;
-    let t14 = state.zeta2 * real(50.0);
+    let t15 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t13 - h1_dot + t14 + D_hat2 + Lam2;
-    let t15 = inverse_M.solve(bracket2);
+    let bracket2 = F2 + A_hat2 - h1_dot + t15 + D_hat2 + Lam2;
+    let t16 = Matrix::rows([[M_11, M_12], [M_12, prepared.a_2]]) * bracket2;
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t15;
+    let u = -t16;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
@@ -716,26 +702,25 @@ pub fn law<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = inverse_M * (u_sat + t15) - t14;
+    let zeta2_dot = inverse_M * (u_sat + t16) - t15;
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t16 = Vector([
-        real(-12.0) * w_hat2[0] + w_hat2[1],
-        real(-36.0) * w_hat2[0],
-        real(-8.0) * w_hat2[2] + real(-8.0) * w_hat2[3],
-        real(-2.0) * w_hat2[2] + real(-2.0) * w_hat2[3] + real(3.0) * w_hat2[4],
-        real(-11.0) * w_hat2[2] + real(-14.0) * w_hat2[3],
+    let t17 = Vector([
+        real(12.0) * Lam2[0],
+        real(36.0) * Lam2[0],
+        real(8.0) * Lam2[1],
+        real(2.0) * Lam2[1],
+        real(11.0) * Lam2[1],
     ]);
-    let t17 = t13 + inverse_M * u - h1_dot + t14;
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = t16
-        - Vector([
-            real(12.0) * t17[0],
-            real(36.0) * t17[0],
-            real(8.0) * t17[1],
-            real(2.0) * t17[1],
-            real(11.0) * t17[1],
-        ]);
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    // w_hat_2 + S_2 Lam_2
+    let th2_dot = Vector([
+        w_hat2[1],
+        real(0.0),
+        real(0.0),
+        real(3.0) * w_hat2[4],
+        real(-3.0) * w_hat2[3],
+    ]) + t17;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
@@ -794,7 +779,7 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 204 additions, 297 multiplications, 12 divisions, 0 square roots, 11 elementary
+/// Operations: 184 additions, 276 multiplications, 7 divisions, 0 square roots, 11 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

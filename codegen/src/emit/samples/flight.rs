@@ -2,7 +2,7 @@
 
 use emitted::pitch::controller::SAFE_INPUT;
 use emitted::pitch::{Controller, Params, Simulator};
-use emitted::{bare, wiener};
+use emitted::{bare, wandering, wiener};
 use nsv_runtime::closed_loop::{ClosedLoop, Options, Runs};
 use nsv_runtime::linear::Vector;
 use nsv_runtime::status::Status;
@@ -84,6 +84,7 @@ fn main() {
     events_are_reported();
     a_run_depends_on_its_seed_and_number_alone::<Simulator>();
     a_run_depends_on_its_seed_and_number_alone::<wiener::Simulator>();
+    a_run_depends_on_its_seed_and_number_alone::<wandering::Simulator>();
     a_bare_loop_decays();
     println!("ok");
 }
