@@ -153,6 +153,8 @@ pub trait Real:
     fn sin(self) -> Self;
     /// Cosine of an angle in rad.
     fn cos(self) -> Self;
+    /// [`Real::sin`] and [`Real::cos`], bit by bit, by one reduction of the angle.
+    fn sin_cos(self) -> (Self, Self);
     /// Tangent of an angle in rad.
     fn tan(self) -> Self;
     /// Inverse sine, rad.

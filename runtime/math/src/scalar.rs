@@ -103,7 +103,7 @@ bits!(u32);
 /// The elementary functions of a type with the constants of a precision.
 macro_rules! elementary {
     ($format:ident) => {
-        crate::scalar::elementary!($format: exp ln sin cos tan asin acos atan sinh cosh tanh rayleigh; atan2 pow; sin_cos_pi);
+        crate::scalar::elementary!($format: exp ln sin cos tan asin acos atan sinh cosh tanh rayleigh; atan2 pow; sin_cos sin_cos_pi);
     };
     ($format:ident: $($function:ident)*; $($function2:ident)*; $($pair:ident)*) => {
         $(

@@ -8,7 +8,7 @@ use nsv_math::lanes::{self, Kernel, Width};
 use nsv_math::real::Real;
 
 /// Results of the functions.
-const COUNT: usize = 16;
+const COUNT: usize = 18;
 
 /// Every function at pairs of arguments, lane after lane; those of one argument take the first.
 struct Everything<'a>(&'a [[f64; 2]]);
@@ -34,7 +34,7 @@ impl Kernel for Everything<'_> {
 
 #[inline(always)]
 fn every_function<T: Real>(x: T, y: T) -> [T; COUNT] {
-    let (sin_pi, cos_pi) = x.sin_cos_pi();
+    let ((sin, cos), (sin_pi, cos_pi)) = (x.sin_cos(), x.sin_cos_pi());
     [
         x.sin(),
         x.cos(),
@@ -52,6 +52,8 @@ fn every_function<T: Real>(x: T, y: T) -> [T; COUNT] {
         x.rayleigh(),
         sin_pi,
         cos_pi,
+        sin,
+        cos,
     ]
 }
 
@@ -112,6 +114,16 @@ fn results_are_those_of_every_other_machine() {
     let hashes = [hash(&double), hash(&single)];
     assert_eq!(
         hashes.map(|hash| format!("{hash:016x}")),
-        ["4e7864ba18638db2", "8aad41559c834025"]
+        ["3f1985cc9c41c200", "6dd7c07665e31dc5"]
     );
+}
+
+#[test]
+fn sine_and_cosine_together_are_those_alone() {
+    for [x, _] in pairs(20_000) {
+        let results = every_function(x, x).map(canonical);
+        assert_eq!(results[16..], results[..2], "{x:e}");
+        let results = every_function(x as f32, x as f32).map(|y| canonical(y.into()));
+        assert_eq!(results[16..], results[..2], "{x:e}, single precision");
+    }
 }

@@ -28,4 +28,4 @@ pub(crate) use logarithm::ln;
 pub(crate) use normal::{rayleigh, sin_cos_pi};
 pub(crate) use power::pow;
 pub(crate) use single::Single;
-pub(crate) use trigonometric::{cos, sin, tan};
+pub(crate) use trigonometric::{cos, sin, sin_cos, tan};

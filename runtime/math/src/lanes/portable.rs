@@ -223,7 +223,7 @@ impl<S: Real<Mask = bool>, const N: usize> Real for Array<S, N> {
     entry_by_entry!(
         abs, sqrt, exp, ln, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, rayleigh;
         atan2, pow;
-        sin_cos_pi;
+        sin_cos, sin_cos_pi;
         lt, le, gt, ge, eq, ne
     );
 }
