@@ -23,9 +23,15 @@ pub trait Each3: Copy {
     fn of<T: Real>(self, x: T, y: T, z: T) -> T;
 }
 
+/// A function of two numbers that gives two, long enough that a part of a register is better filled up than split.
+pub trait EachPair: Copy {
+    /// The function; `#[inline(always)]` in every implementation.
+    fn of<T: Real>(self, x: T, y: T) -> [T; 2];
+}
+
 /// One entry after the other.
 pub(crate) mod single {
-    use super::{Each, Each2, Each3};
+    use super::{Each, Each2, Each3, EachPair};
     use crate::real::Real;
 
     #[inline(always)]
@@ -54,13 +60,22 @@ pub(crate) mod single {
             i += 1;
         }
     }
+
+    #[inline(always)]
+    pub(crate) fn each_pair<T: Real>(f: impl EachPair, entries: &mut [T], others: &mut [T]) {
+        let mut i = 0;
+        while i < entries.len() {
+            [entries[i], others[i]] = f.of(entries[i], others[i]);
+            i += 1;
+        }
+    }
 }
 
 /// As many entries at a time as the registers hold that the program may use: first whole registers, the widest ones first, then what is
 /// left over. What is left of a long function is filled up to a register if it is more than half of one.
 #[cfg(target_arch = "x86_64")]
 pub(crate) mod packed {
-    use super::{Each, Each2, Each3, single};
+    use super::{Each, Each2, Each3, EachPair, single};
     use crate::real::Real;
 
     const AVX2: bool = cfg!(target_feature = "avx2");
@@ -194,6 +209,65 @@ pub(crate) mod packed {
             i += 1;
         }
         (rest, [y_rest, z_rest])
+    }
+
+    #[inline(always)]
+    pub(crate) fn each_pair<
+        S,
+        W,
+        M,
+        N,
+        const WIDE: usize,
+        const MIDDLE: usize,
+        const NARROW: usize,
+    >(
+        f: impl EachPair,
+        entries: &mut [S],
+        others: &mut [S],
+    ) where
+        S: Real,
+        W: Register<S, WIDE>,
+        M: Register<S, MIDDLE>,
+        N: Register<S, NARROW>,
+    {
+        let mut rest = (entries, others);
+        if AVX512 {
+            rest = whole_pairs::<S, W, WIDE>(f, rest.0, rest.1);
+        }
+        if AVX2 {
+            rest = whole_pairs::<S, M, MIDDLE>(f, rest.0, rest.1);
+        }
+        rest = whole_pairs::<S, N, NARROW>(f, rest.0, rest.1);
+        single::each_pair(f, rest.0, rest.1);
+    }
+
+    /// As [`whole`], of two arrays that both get results.
+    #[inline(always)]
+    fn whole_pairs<'a, S: Real, L: Register<S, N>, const N: usize>(
+        f: impl EachPair,
+        entries: &'a mut [S],
+        others: &'a mut [S],
+    ) -> (&'a mut [S], &'a mut [S]) {
+        let (chunks, rest) = entries.as_chunks_mut::<N>();
+        let (other_chunks, other_rest) = others.as_chunks_mut::<N>();
+        let pair = |x: &mut [S; N], y: &mut [S; N]| {
+            let [first, second] = f.of(L::load(x), L::load(y));
+            first.store(x);
+            second.store(y);
+        };
+        let mut i = 0;
+        while i < chunks.len() {
+            pair(&mut chunks[i], &mut other_chunks[i]);
+            i += 1;
+        }
+        if 2 * rest.len() > N {
+            let (mut x, mut y) = (filled(rest), filled(other_rest));
+            pair(&mut x, &mut y);
+            copy(&x, rest);
+            copy(&y, other_rest);
+            return (&mut [], &mut []);
+        }
+        (rest, other_rest)
     }
 
     /// The entries and, to fill up the array, the first one again.

@@ -1,8 +1,8 @@
 //! Numeric types of nsv's generated code: scalars and SIMD lanes, with one set of elementary functions.
 //!
 //! Every function of [`real::Real`] gives the same bits in a scalar and in each lane of a vector, on every instruction set and with every
-//! compiler flag: arithmetic is IEEE 754 and fused only by [`real::Real::mul_add`], and elementary functions are branch-free sequences of such arithmetic, written
-//! once for all types. [`lanes`] chooses the widest vectors of the processor at run time.
+//! compiler flag: arithmetic is IEEE 754, fused by [`real::Real::mul_add`] alone, and elementary functions are sequences of such arithmetic without a
+//! branch in lanes, written once for all types. [`lanes`] chooses the widest vectors of the processor at run time.
 
 #![no_std]
 #![deny(unsafe_code)]

@@ -5,7 +5,7 @@
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::entries::{Each, Each2, Each3, single};
+use crate::entries::{Each, Each2, Each3, EachPair, single};
 
 /// Truth value of each lane.
 pub trait Mask: Copy + Debug {
@@ -55,7 +55,8 @@ pub trait Bits: Copy + Debug {
     fn shl(self, n: u32) -> Self;
     /// Logical shift right by `n` places, `n` less than the size.
     fn shr(self, n: u32) -> Self;
-    /// Low and high half of the 64-bit product of the lanes' low 32 bits, each in the low 32 bits of a lane.
+    /// Low and high half of the 64-bit product of the lanes' low 32 bits, each in the low 32 bits of a lane; the bits above them mean
+    /// nothing, and are left so that nothing is spent on them.
     fn mul_wide(self, other: Self) -> (Self, Self);
 }
 
@@ -129,6 +130,12 @@ pub trait Real:
         single::each3(f, entries, others);
     }
 
+    /// Replaces the entries at each place by the two results of `f`; there are as many others.
+    #[inline(always)]
+    fn each_pair(f: impl EachPair, entries: &mut [Self], others: &mut [Self]) {
+        single::each_pair(f, entries, others);
+    }
+
     /// Less; false for NaN.
     fn lt(self, other: Self) -> Self::Mask;
     /// Less or equal; false for NaN.
@@ -158,6 +165,8 @@ pub trait Real:
     fn sin(self) -> Self;
     /// Cosine of an angle in rad.
     fn cos(self) -> Self;
+    /// [`Real::sin`] and [`Real::cos`], bit by bit, by one reduction of the angle.
+    fn sin_cos(self) -> (Self, Self);
     /// Tangent of an angle in rad.
     fn tan(self) -> Self;
     /// Inverse sine, rad.
@@ -176,6 +185,11 @@ pub trait Real:
     fn atan2(self, other: Self) -> Self;
     /// `self` to the power `exponent`.
     fn pow(self, exponent: Self) -> Self;
+    /// `sqrt(-2 ln x)` of a normal x between 0 and 1, the ends excluded, to a relative error of 2 epsilon: what a number of the Rayleigh
+    /// distribution exceeds with probability x.
+    fn rayleigh(self) -> Self;
+    /// Sine and cosine of pi x for |x| up to 1/2, to an absolute error of 2.5 epsilon.
+    fn sin_cos_pi(self) -> (Self, Self);
 
     /// 0.
     #[inline(always)]

@@ -1,7 +1,7 @@
 //! `f32` and `f64` as numbers of one lane.
 
 #[cfg(target_arch = "x86_64")]
-use crate::entries::{Each, Each2, Each3, packed};
+use crate::entries::{Each, Each2, Each3, EachPair, packed};
 use crate::fused::{fused_f32, fused_f64};
 #[cfg(target_arch = "x86_64")]
 use crate::lanes::x86;
@@ -92,7 +92,7 @@ macro_rules! bits {
             #[inline(always)]
             fn mul_wide(self, other: Self) -> (Self, Self) {
                 let product = u64::from(self as u32) * u64::from(other as u32);
-                (product as u32 as $integer, (product >> 32) as $integer)
+                (product as $integer, (product >> 32) as $integer)
             }
         }
     };
@@ -104,9 +104,9 @@ bits!(u32);
 /// The elementary functions of a type with the constants of a precision.
 macro_rules! elementary {
     ($format:ident) => {
-        crate::scalar::elementary!($format: exp ln sin cos tan asin acos atan sinh cosh tanh; atan2 pow);
+        crate::scalar::elementary!($format: exp ln sin cos tan asin acos atan sinh cosh tanh rayleigh; atan2 pow; sin_cos sin_cos_pi);
     };
-    ($format:ident: $($function:ident)*; $($function2:ident)*) => {
+    ($format:ident: $($function:ident)*; $($function2:ident)*; $($pair:ident)*) => {
         $(
             #[inline(always)]
             fn $function(self) -> Self {
@@ -117,6 +117,12 @@ macro_rules! elementary {
             #[inline(always)]
             fn $function2(self, other: Self) -> Self {
                 crate::elementary::$function2::<crate::elementary::$format, Self>(self, other)
+            }
+        )*
+        $(
+            #[inline(always)]
+            fn $pair(self) -> (Self, Self) {
+                crate::elementary::$pair::<crate::elementary::$format, Self>(self)
             }
         )*
     };
@@ -192,6 +198,14 @@ macro_rules! scalar {
             #[inline(always)]
             fn each2(f: impl Each2, entries: &mut [Self], others: &[Self]) {
                 packed::each2::<Self, x86::$wide, x86::$middle, x86::$narrow, $w, $m, $n>(
+                    f, entries, others,
+                );
+            }
+
+            #[cfg(target_arch = "x86_64")]
+            #[inline(always)]
+            fn each_pair(f: impl EachPair, entries: &mut [Self], others: &mut [Self]) {
+                packed::each_pair::<Self, x86::$wide, x86::$middle, x86::$narrow, $w, $m, $n>(
                     f, entries, others,
                 );
             }

@@ -48,6 +48,13 @@ pub(crate) trait Format {
     /// 2/3 as a sum, the first with half of the significand.
     const TWO_THIRDS: [f64; 2];
 
+    /// `-2 ln((1 + s)/(1 - s)) = s P(s^2)`, |s| up to 3 - sqrt 8.
+    const RAYLEIGH: &'static [f64];
+    /// `sin(pi x) = x P(x^2)`, |x| up to 1/2.
+    const SINE_PI: &'static [f64];
+    /// `cos(pi x) = P(x^2)`, |x| up to 1/2.
+    const COSINE_PI: &'static [f64];
+
     /// Arcus tangent of 1/2, 1, 3/2 and infinity, each as a sum.
     const ANGLES: [[f64; 2]; 4];
     /// pi as a sum.

@@ -82,27 +82,42 @@ fn unusual_atan2(y: f64, x: f64) -> f64 {
 struct Arcsine<T: Real> {
     y: T,
     rest: T,
-    beyond: T::Mask,
 }
 
 impl<T: Real> Arcsine<T> {
     #[inline(always)]
-    fn of<F: Format>(x: T) -> Self {
+    fn of<F: Format>(x: T, beyond: T::Mask) -> Self {
         let (a, half) = (x.abs(), T::from_f64(0.5));
-        let beyond = a.gt(half);
         let z = T::select(beyond, (T::one() - a) * half, a * a);
         let y = T::select(beyond, z.sqrt(), a);
         Self {
             y,
             rest: y * z * polynomial(z, F::ASIN),
-            beyond,
         }
     }
 }
 
 #[inline(always)]
+fn is_beyond<T: Real>(x: T) -> T::Mask {
+    x.abs().gt(T::from_f64(0.5))
+}
+
+#[inline(always)]
 pub(crate) fn asin<F: Format, T: Real>(x: T) -> T {
-    let Arcsine { y, rest, beyond } = Arcsine::of::<F>(x);
+    let beyond = is_beyond(x);
+    if !T::IS_SCALAR {
+        asin_where::<F, T>(x, beyond)
+    } else if beyond.any() {
+        asin_where::<F, T>(x, T::Mask::splat(true))
+    } else {
+        asin_where::<F, T>(x, T::Mask::splat(false))
+    }
+}
+
+/// The choices follow the mask, which is constant for a scalar.
+#[inline(always)]
+fn asin_where<F: Format, T: Real>(x: T, beyond: T::Mask) -> T {
+    let Arcsine { y, rest } = Arcsine::of::<F>(x, beyond);
     let [right_angle, right_angle_rest] = constants::<T, _>(F::ANGLES[3]);
     let twice = y + y;
     let complement = right_angle - twice;
@@ -113,7 +128,20 @@ pub(crate) fn asin<F: Format, T: Real>(x: T) -> T {
 
 #[inline(always)]
 pub(crate) fn acos<F: Format, T: Real>(x: T) -> T {
-    let Arcsine { y, rest, beyond } = Arcsine::of::<F>(x);
+    let beyond = is_beyond(x);
+    if !T::IS_SCALAR {
+        acos_where::<F, T>(x, beyond)
+    } else if beyond.any() {
+        acos_where::<F, T>(x, T::Mask::splat(true))
+    } else {
+        acos_where::<F, T>(x, T::Mask::splat(false))
+    }
+}
+
+/// The choices follow the mask, which is constant for a scalar.
+#[inline(always)]
+fn acos_where<F: Format, T: Real>(x: T, beyond: T::Mask) -> T {
+    let Arcsine { y, rest } = Arcsine::of::<F>(x, beyond);
     let [pi, pi_rest] = constants::<T, _>(F::PI);
     let [right_angle, right_angle_rest] = constants::<T, _>(F::ANGLES[3]);
     let (twice, twice_rest) = (y + y, rest + rest);

@@ -1,8 +1,8 @@
 //! Elementary functions.
 //!
 //! A function is one sequence of additions, products, at most one quotient and one root, comparisons and choices, which is the same for
-//! every argument; nothing is fused or reassociated, so it gives the same bits in a scalar and in every lane. Only what a controller hardly
-//! meets leaves it (angles beyond 1600 rad in single, 10^5 rad in double precision, logarithms of subnormal numbers, powers of negative
+//! every argument; nothing is fused or reassociated, so it gives the same bits in a scalar and in every lane. Where the sides of a choice are
+//! long (sin, cos, asin, acos) a scalar computes only the one that it takes. Only what a controller hardly meets leaves the sequence (angles beyond 1600 rad in single, 10^5 rad in double precision, logarithms of subnormal numbers, powers of negative
 //! ones): [`crate::rare`] replaces such lanes one by one. The text is written once for both precisions, whose constants are [`double`] and
 //! [`single`].
 
@@ -13,6 +13,7 @@ mod hyperbolic;
 mod inverse;
 mod large_angle;
 mod logarithm;
+mod normal;
 mod polynomial;
 mod power;
 mod sign;
@@ -24,6 +25,7 @@ pub(crate) use exponential::exp;
 pub(crate) use hyperbolic::{cosh, sinh, tanh};
 pub(crate) use inverse::{acos, asin, atan, atan2};
 pub(crate) use logarithm::ln;
+pub(crate) use normal::{rayleigh, sin_cos_pi};
 pub(crate) use power::pow;
 pub(crate) use single::Single;
-pub(crate) use trigonometric::{cos, sin, tan};
+pub(crate) use trigonometric::{cos, sin, sin_cos, tan};

@@ -45,6 +45,26 @@ impl Format for Single {
     const LOGARITHM_OF_POWER: &'static [f64] = &[0.6000023, 0.42820626, 0.35129845];
     const TWO_THIRDS: [f64; 2] = [0.66650390625, 0.00016276042];
 
+    // Relative 2^-30.1.
+    const RAYLEIGH: &'static [f64] = &[-4.0, -1.3333356, -0.79953974, -0.5976941];
+    // Of the quotient sin(pi x) / x, absolute 2^-23.4.
+    const SINE_PI: &'static [f64] = &[
+        core::f32::consts::PI as f64,
+        -5.1677155,
+        2.5501568,
+        -0.5987162,
+        0.078415394,
+    ];
+    // Absolute 2^-29.7.
+    const COSINE_PI: &'static [f64] = &[
+        1.0,
+        -4.934802,
+        4.0587063,
+        -1.33518,
+        0.23479436,
+        -0.024172619,
+    ];
+
     const ANGLES: [[f64; 2]; 4] = [
         [0.4636476, 5.0121587e-9],
         [core::f32::consts::FRAC_PI_4 as f64, -2.1855694e-8],

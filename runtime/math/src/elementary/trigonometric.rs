@@ -9,7 +9,7 @@ use super::format::{Format, sign_place};
 use super::large_angle;
 use super::polynomial::polynomial;
 use crate::rare::replaced;
-use crate::real::{Bits, Real};
+use crate::real::{Bits, Mask, Real};
 
 /// An angle `k pi/2 + r - low`.
 pub(super) struct Angle<T: Real> {
@@ -17,13 +17,6 @@ pub(super) struct Angle<T: Real> {
     pub(super) low: T,
     /// k modulo 4 in the low two bits.
     pub(super) quadrant: T::Bits,
-}
-
-/// `sin(r - low) = r - sine_tail` and `cos(r - low) = 1 - half_z + cosine_rest`.
-struct Parts<T: Real> {
-    sine_tail: T,
-    half_z: T,
-    cosine_rest: T,
 }
 
 impl<T: Real> Angle<T> {
@@ -53,15 +46,30 @@ impl<T: Real> Angle<T> {
         }
     }
 
+    /// What is taken from r to make `sin(r - low)`.
     #[inline(always)]
-    fn parts<F: Format>(&self) -> Parts<T> {
-        let Self { r, low, .. } = *self;
-        let z = r * r;
-        Parts {
-            sine_tail: low + r * z * polynomial(z, F::SINE),
-            half_z: z * T::from_f64(0.5),
-            cosine_rest: z * z * polynomial(z, F::COSINE) + r * low,
-        }
+    fn sine_tail<F: Format>(&self) -> T {
+        let z = self.r * self.r;
+        self.low + self.r * z * polynomial(z, F::SINE)
+    }
+
+    /// `r^2 / 2` and what is added to `1 - r^2 / 2` to make `cos(r - low)`.
+    #[inline(always)]
+    fn cosine_parts<F: Format>(&self) -> [T; 2] {
+        let z = self.r * self.r;
+        let rest = z * z * polynomial(z, F::COSINE) + self.r * self.low;
+        [z * T::from_f64(0.5), rest]
+    }
+
+    #[inline(always)]
+    fn sine<F: Format>(&self) -> T {
+        self.r - self.sine_tail::<F>()
+    }
+
+    #[inline(always)]
+    fn cosine<F: Format>(&self) -> T {
+        let [half_z, rest] = self.cosine_parts::<F>();
+        T::one() - (half_z - rest)
     }
 
     /// Whether k is odd: its lowest bit shifted to where it makes 2.
@@ -71,20 +79,41 @@ impl<T: Real> Angle<T> {
         T::from_bits(lowest.shl(sign_place::<F>() - 1)).gt(T::zero())
     }
 
+    /// The cosine of r - low where the mask is true, else the sine. A scalar computes the one that it takes: a branch, but a controller's
+    /// angle stays in its quadrant for many steps.
+    #[inline(always)]
+    fn either<F: Format>(&self, take_cosine: T::Mask) -> T {
+        if !T::IS_SCALAR {
+            return T::select(take_cosine, self.cosine::<F>(), self.sine::<F>());
+        }
+        if take_cosine.any() {
+            self.cosine::<F>()
+        } else {
+            self.sine::<F>()
+        }
+    }
+
     #[inline(always)]
     pub(super) fn sin<F: Format>(&self) -> T {
-        let parts = self.parts::<F>();
-        let sine = self.r - parts.sine_tail;
-        let value = T::select(self.is_odd::<F>(), parts.cosine(), sine);
+        let value = self.either::<F>(self.is_odd::<F>());
         negated_where::<F, T>(self.quadrant, value)
     }
 
     #[inline(always)]
     pub(super) fn cos<F: Format>(&self) -> T {
-        let parts = self.parts::<F>();
-        let sine = self.r - parts.sine_tail;
-        let value = T::select(self.is_odd::<F>(), sine, parts.cosine());
+        let value = self.either::<F>(self.is_odd::<F>().not());
         negated_where::<F, T>(self.quadrant.add(T::Bits::splat(1)), value)
+    }
+
+    #[inline(always)]
+    fn sin_cos<F: Format>(&self) -> (T, T) {
+        let (sine, cosine) = (self.sine::<F>(), self.cosine::<F>());
+        let odd = self.is_odd::<F>();
+        let next = self.quadrant.add(T::Bits::splat(1));
+        (
+            negated_where::<F, T>(self.quadrant, T::select(odd, cosine, sine)),
+            negated_where::<F, T>(next, T::select(odd, sine, cosine)),
+        )
     }
 
     /// With s and c the rounded sine and cosine of r: `r + (s - r c) / c` for even k, where the numerator is made of the tails, and
@@ -92,29 +121,23 @@ impl<T: Real> Angle<T> {
     #[inline(always)]
     pub(super) fn tan<F: Format>(&self) -> T {
         let r = self.r;
-        let parts = self.parts::<F>();
-        let s = r - parts.sine_tail;
-        let ds = (r - s) - parts.sine_tail;
-        // More exactly than `Parts::cosine`: the rounding of 1 - z/2 is added again.
-        let head = T::one() - parts.half_z;
-        let correction = ((T::one() - head) - parts.half_z) + parts.cosine_rest;
+        let sine_tail = self.sine_tail::<F>();
+        let s = r - sine_tail;
+        let ds = (r - s) - sine_tail;
+        let [half_z, cosine_rest] = self.cosine_parts::<F>();
+        // More exactly than `Angle::cosine`: the rounding of 1 - z/2 is added again.
+        let head = T::one() - half_z;
+        let correction = ((T::one() - head) - half_z) + cosine_rest;
         let c = head + correction;
         let dc = (head - c) + correction;
         let product_tail = r * (c - T::one()) + r * dc;
         let odd = self.is_odd::<F>();
-        let numerator = T::select(odd, c, parts.sine_tail + product_tail);
+        let numerator = T::select(odd, c, sine_tail + product_tail);
         let quotient = -(numerator / T::select(odd, s, c));
         // 1/c to 2 %, which is enough for a correction of the last place.
-        let secant = T::one() + T::from_f64(1.25) * parts.half_z;
+        let secant = T::one() + T::from_f64(1.25) * half_z;
         let cotangent = quotient + quotient * ((dc + ds * quotient) * secant);
         T::select(odd, cotangent, r + quotient)
-    }
-}
-
-impl<T: Real> Parts<T> {
-    #[inline(always)]
-    fn cosine(&self) -> T {
-        T::one() - (self.half_z - self.cosine_rest)
     }
 }
 
@@ -144,6 +167,21 @@ pub(crate) fn cos<F: Format, T: Real>(x: T) -> T {
     replaced(is_large::<F, T>(x), usual, [x], |[x]| {
         large_angle::reduced(x).cos::<Double>()
     })
+}
+
+/// Both by one reduction.
+#[inline(always)]
+pub(crate) fn sin_cos<F: Format, T: Real>(x: T) -> (T, T) {
+    let (sine, cosine) = Angle::reduced::<F>(x).sin_cos::<F>();
+    let large = is_large::<F, T>(x);
+    (
+        replaced(large, sine, [x], |[x]| {
+            large_angle::reduced(x).sin::<Double>()
+        }),
+        replaced(large, cosine, [x], |[x]| {
+            large_angle::reduced(x).cos::<Double>()
+        }),
+    )
 }
 
 #[inline(always)]

@@ -138,9 +138,9 @@ impl<S: Real, const N: usize> Neg for Array<S, N> {
     }
 }
 
-/// Methods of one argument, or of two, entry by entry.
+/// Methods of one argument, of two, or with two results, entry by entry.
 macro_rules! entry_by_entry {
-    ($($method:ident),*; $($method2:ident),*; $($comparison:ident),*) => {
+    ($($method:ident),*; $($method2:ident),*; $($pair:ident),*; $($comparison:ident),*) => {
         $(
             #[inline(always)]
             fn $method(self) -> Self {
@@ -151,6 +151,12 @@ macro_rules! entry_by_entry {
             #[inline(always)]
             fn $method2(self, other: Self) -> Self {
                 self.both(other, S::$method2)
+            }
+        )*
+        $(
+            #[inline(always)]
+            fn $pair(self) -> (Self, Self) {
+                (self.each(|x| x.$pair().0), self.each(|x| x.$pair().1))
             }
         )*
         $(
@@ -226,8 +232,9 @@ impl<S: Real<Mask = bool, Scalar = S>, const N: usize> Real for Array<S, N> {
     }
 
     entry_by_entry!(
-        abs, sqrt, exp, ln, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh;
+        abs, sqrt, exp, ln, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, rayleigh;
         atan2, pow;
+        sin_cos, sin_cos_pi;
         lt, le, gt, ge, eq, ne
     );
 }

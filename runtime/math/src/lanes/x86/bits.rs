@@ -2,6 +2,7 @@
 
 use core::arch::x86_64::*;
 
+use super::choice::*;
 use crate::real::Bits;
 
 /// Vectors of unsigned integers.
@@ -89,10 +90,7 @@ macro_rules! bits64 {
             |value| $splat(value as i64),
             |a, b| {
                 let product = $mul(a, b);
-                (
-                    $and(product, $splat(0xffff_ffff)),
-                    $shr(product, _mm_cvtsi32_si128(32)),
-                )
+                (product, $shr(product, _mm_cvtsi32_si128(32)))
             }
         );
     };
@@ -101,7 +99,7 @@ macro_rules! bits64 {
 /// Integers of 32 bits: products of the even and of the odd lanes, put together again.
 macro_rules! bits32 {
     ($bits:ident($register:ty), [$integer:ty; $count:literal], $and:ident, $or:ident, $xor:ident, $add:ident, $sub:ident, $shl:ident, $shr:ident, $splat:ident,
-     $mul:ident, $shl64:ident, $shr64:ident, $splat64:ident) => {
+     $mul:ident, $shr64:ident, $low_halves:ident, $high_halves:ident) => {
         bits!(
             $bits($register),
             [$integer; $count],
@@ -117,9 +115,7 @@ macro_rules! bits32 {
                 let half = _mm_cvtsi32_si128(32);
                 let even = $mul(a, b);
                 let odd = $mul($shr64(a, half), $shr64(b, half));
-                let low = $or($and(even, $splat64(0xffff_ffff)), $shl64(odd, half));
-                let high = $or($shr64(even, half), $and(odd, $splat64(!0xffff_ffff)));
-                (low, high)
+                ($low_halves(even, odd), $high_halves(even, odd))
             }
         );
     };
@@ -176,9 +172,9 @@ bits32!(
     _mm_srl_epi32,
     _mm_set1_epi32,
     _mm_mul_epu32,
-    _mm_sll_epi64,
     _mm_srl_epi64,
-    _mm_set1_epi64x
+    low_halves128,
+    high_halves128
 );
 bits32!(
     B32x8(__m256i),
@@ -192,9 +188,9 @@ bits32!(
     _mm256_srl_epi32,
     _mm256_set1_epi32,
     _mm256_mul_epu32,
-    _mm256_sll_epi64,
     _mm256_srl_epi64,
-    _mm256_set1_epi64x
+    low_halves256,
+    high_halves256
 );
 bits32!(
     B32x16(__m512i),
@@ -208,7 +204,7 @@ bits32!(
     _mm512_srl_epi32,
     _mm512_set1_epi32,
     _mm512_mul_epu32,
-    _mm512_sll_epi64,
     _mm512_srl_epi64,
-    _mm512_set1_epi64
+    low_halves512,
+    high_halves512
 );

@@ -1,4 +1,4 @@
-//! Comparisons that have no intrinsic of their own, and choices by mask.
+//! Comparisons that have no intrinsic of their own, and choices by mask and by place.
 
 use core::arch::x86_64::*;
 
@@ -46,6 +46,37 @@ choice!(select_pd512, __m512d, __mmask8, |m, a, b| {
 });
 choice!(select_ps512, __m512, __mmask16, |m, a, b| {
     _mm512_mask_blend_ps(m, b, a)
+});
+
+/// Of 64-bit integers at the even and at the odd places, one half of each.
+macro_rules! halves {
+    ($name:ident, $register:ty, |$even:ident, $odd:ident| $halves:expr) => {
+        #[inline(always)]
+        pub(super) unsafe fn $name($even: $register, $odd: $register) -> $register {
+            unsafe { $halves }
+        }
+    };
+}
+
+halves!(low_halves128, __m128i, |even, odd| {
+    let (even, odd) = (_mm_castsi128_ps(even), _mm_castsi128_ps(odd));
+    _mm_shuffle_epi32::<0b11_01_10_00>(_mm_castps_si128(_mm_shuffle_ps::<0b10_00_10_00>(even, odd)))
+});
+halves!(high_halves128, __m128i, |even, odd| {
+    let (even, odd) = (_mm_castsi128_ps(even), _mm_castsi128_ps(odd));
+    _mm_shuffle_epi32::<0b11_01_10_00>(_mm_castps_si128(_mm_shuffle_ps::<0b11_01_11_01>(even, odd)))
+});
+halves!(low_halves256, __m256i, |even, odd| {
+    _mm256_blend_epi32::<0b10101010>(even, _mm256_slli_epi64::<32>(odd))
+});
+halves!(high_halves256, __m256i, |even, odd| {
+    _mm256_blend_epi32::<0b10101010>(_mm256_srli_epi64::<32>(even), odd)
+});
+halves!(low_halves512, __m512i, |even, odd| {
+    _mm512_mask_blend_epi32(0xaaaa, even, _mm512_slli_epi64::<32>(odd))
+});
+halves!(high_halves512, __m512i, |even, odd| {
+    _mm512_mask_blend_epi32(0xaaaa, _mm512_srli_epi64::<32>(even), odd)
 });
 
 /// `a b + c` of each number, rounded once: by the instruction if the program is compiled for it, else one number after the other, since it
