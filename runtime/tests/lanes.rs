@@ -109,6 +109,37 @@ fn linear_algebra_agrees_lane_by_lane() {
     check::<LinearAlgebra<9>>(&cases(10, 81));
 }
 
+struct Angles;
+
+impl Text for Angles {
+    fn results<T: Real>(inputs: &[T]) -> Vec<T> {
+        let angles = Vector::<T, 3>(array::from_fn(|i| inputs[i]));
+        let results = [angles.sin(), angles.cos(), angles.tan()];
+        results.iter().flat_map(|vector| vector.0).collect()
+    }
+}
+
+#[test]
+fn arrays_of_angles_agree_where_one_of_them_is_large() {
+    let angles = [
+        0.3,
+        -2.0,
+        1e4,
+        1e5,
+        1e6,
+        -1e22,
+        f64::INFINITY,
+        f64::NAN,
+        -0.0,
+    ];
+    let cases = (0..200).map(|k| {
+        [k, k * 5 + k / 9, k * 7 + k / 3]
+            .map(|at| angles[at % 9])
+            .to_vec()
+    });
+    check::<Angles>(&cases.collect::<Vec<_>>());
+}
+
 struct Kernels;
 
 impl Text for Kernels {

@@ -77,8 +77,8 @@ def main() -> int:
         print(f"skipped: the baseline is that of {baseline['rustc']}, this is {rustc}")
         return 0
     if shutil.which("valgrind") is None:
-        print("valgrind is not installed: apt-get install valgrind")
-        return 1
+        print("skipped: valgrind is not installed (apt-get install valgrind)")
+        return 0
     found = counts(build())
     bad = regressions(baseline["instructions"], found)
     if bless:

@@ -1,5 +1,5 @@
-//! The committed simulators, compiled once for all tests: the smallest in every width of lanes, the others without, since each takes the
-//! compiler a minute.
+//! The committed simulators, compiled once for all tests: the smallest in every width of lanes, the others in scalars and pairs, since each
+//! width takes the compiler a while.
 
 use nsv_generated::{
     flexible_joint, motor_arm, nsv_attitude, pendulum, two_link_arm, underwater_vehicle,
@@ -20,17 +20,17 @@ pub struct Flight {
 }
 
 /// `specs/flexible_joint.yaml`.
-pub static FLEXIBLE_JOINT: Flight = flight::<Scalar<flexible_joint::Simulator>>();
+pub static FLEXIBLE_JOINT: Flight = flight::<InPairs<flexible_joint::Simulator>>();
 /// `specs/motor_arm.yaml`.
-pub static MOTOR_ARM: Flight = flight::<Scalar<motor_arm::Simulator>>();
+pub static MOTOR_ARM: Flight = flight::<InPairs<motor_arm::Simulator>>();
 /// `specs/nsv_attitude.yaml`.
-pub static NSV_ATTITUDE: Flight = flight::<Scalar<nsv_attitude::Simulator>>();
+pub static NSV_ATTITUDE: Flight = flight::<InPairs<nsv_attitude::Simulator>>();
 /// `specs/pendulum.yaml`.
 pub static PENDULUM: Flight = flight::<pendulum::Simulator>();
 /// `specs/two_link_arm.yaml`.
-pub static TWO_LINK_ARM: Flight = flight::<Scalar<two_link_arm::Simulator>>();
+pub static TWO_LINK_ARM: Flight = flight::<InPairs<two_link_arm::Simulator>>();
 /// `specs/underwater_vehicle.yaml`.
-pub static UNDERWATER_VEHICLE: Flight = flight::<Scalar<underwater_vehicle::Simulator>>();
+pub static UNDERWATER_VEHICLE: Flight = flight::<InPairs<underwater_vehicle::Simulator>>();
 
 /// All of them.
 pub static ALL: [&Flight; 6] = [
@@ -50,8 +50,8 @@ impl Flight {
     }
 }
 
-/// A simulator whose campaigns run without lanes.
-type Scalar<L> = InLanes<L, 1>;
+/// A simulator whose campaigns run in scalars or in lanes of two, which every processor has.
+type InPairs<L> = InLanes<L, 2>;
 
 const fn flight<L: ClosedLoop>() -> Flight {
     Flight {

@@ -1,14 +1,26 @@
 //! Functions of the entries of an array. A scalar type takes several entries at a time in the vector registers that the program is
 //! compiled for; every entry gets the bits that it would get alone.
 
-use crate::real::Real;
+use crate::real::{Mask, Real};
 
 /// A function of one number.
 pub trait Each: Copy {
     /// Whether a part of a register is better filled up than split into narrower ones: so for a long function.
     const LONG: bool = false;
+    /// Whether it branches for [`Each::is_rare`] arguments, so that an array of lanes is better searched for them as a whole.
+    const BRANCHES: bool = false;
     /// The function; `#[inline(always)]` in every implementation.
     fn of<T: Real>(self, x: T) -> T;
+    /// Arguments that [`Each::usual`] does not cover.
+    #[inline(always)]
+    fn is_rare<T: Real>(self, _x: T) -> T::Mask {
+        T::Mask::splat(false)
+    }
+    /// The function of other arguments, without a branch.
+    #[inline(always)]
+    fn usual<T: Real>(self, x: T) -> T {
+        self.of(x)
+    }
 }
 
 /// A function of two numbers.
@@ -32,14 +44,57 @@ pub trait EachPair: Copy {
 /// One entry after the other.
 pub(crate) mod single {
     use super::{Each, Each2, Each3, EachPair};
-    use crate::real::Real;
+    use crate::real::{Mask, Part, Real};
 
     #[inline(always)]
-    pub(crate) fn each<T: Real>(f: impl Each, entries: &mut [T]) {
+    pub(crate) fn each<T: Real, F: Each>(f: F, entries: &mut [T]) {
+        if F::BRANCHES && !T::IS_SCALAR && entries.len() > 1 {
+            return with_one_branch(f, entries);
+        }
         let mut i = 0;
         while i < entries.len() {
             entries[i] = f.of(entries[i]);
             i += 1;
+        }
+    }
+
+    #[inline(always)]
+    fn with_one_branch<T: Real>(f: impl Each, entries: &mut [T]) {
+        let mut rare = T::Mask::splat(false);
+        let mut i = 0;
+        while i < entries.len() {
+            rare = rare.or(f.is_rare(entries[i]));
+            i += 1;
+        }
+        if rare.any() {
+            rarely();
+            return T::outlined(OneByOne(f, entries));
+        }
+        let mut i = 0;
+        while i < entries.len() {
+            entries[i] = f.usual(entries[i]);
+            i += 1;
+        }
+    }
+
+    /// Tells the compiler that its caller's branch is not taken.
+    #[cold]
+    #[inline(never)]
+    fn rarely() {}
+
+    /// The function of each entry, in a function of its own because it is rarely called.
+    struct OneByOne<'a, F, T>(F, &'a mut [T]);
+
+    impl<F: Each, T: Real> Part for OneByOne<'_, F, T> {
+        type Output = ();
+
+        #[inline(always)]
+        fn run(self) {
+            let mut i = 0;
+            while i < self.1.len() {
+                self.1[i] = self.0.of(self.1[i]);
+                i += 1;
+            }
         }
     }
 

@@ -161,6 +161,14 @@ pub trait Real:
     fn exp(self) -> Self;
     /// Natural logarithm.
     fn ln(self) -> Self;
+    /// Whether sine, cosine and tangent of this angle need more than the usual reduction.
+    fn is_large_angle(self) -> Self::Mask;
+    /// Sine of an angle that is not large, without a branch.
+    fn usual_sin(self) -> Self;
+    /// Cosine of an angle that is not large, without a branch.
+    fn usual_cos(self) -> Self;
+    /// Tangent of an angle that is not large, without a branch.
+    fn usual_tan(self) -> Self;
     /// Sine of an angle in rad.
     fn sin(self) -> Self;
     /// Cosine of an angle in rad.

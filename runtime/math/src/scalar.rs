@@ -104,7 +104,7 @@ bits!(u32);
 /// The elementary functions of a type with the constants of a precision.
 macro_rules! elementary {
     ($format:ident) => {
-        crate::scalar::elementary!($format: exp ln sin cos tan asin acos atan sinh cosh tanh rayleigh; atan2 pow; sin_cos sin_cos_pi);
+        crate::scalar::elementary!($format: exp ln sin cos tan asin acos atan sinh cosh tanh rayleigh usual_sin usual_cos usual_tan; atan2 pow; sin_cos sin_cos_pi);
     };
     ($format:ident: $($function:ident)*; $($function2:ident)*; $($pair:ident)*) => {
         $(
@@ -119,6 +119,10 @@ macro_rules! elementary {
                 crate::elementary::$function2::<crate::elementary::$format, Self>(self, other)
             }
         )*
+        #[inline(always)]
+        fn is_large_angle(self) -> Self::Mask {
+            crate::elementary::is_large_angle::<crate::elementary::$format, Self>(self)
+        }
         $(
             #[inline(always)]
             fn $pair(self) -> (Self, Self) {

@@ -26,9 +26,6 @@ functions! {
     Sqrt = sqrt, long true;
     Exp = exp, long true;
     Ln = ln, long true;
-    Sin = sin, long true;
-    Cos = cos, long true;
-    Tan = tan, long true;
     Asin = asin, long true;
     Acos = acos, long true;
     Atan = atan, long true;
@@ -36,6 +33,40 @@ functions! {
     Cosh = cosh, long true;
     Tanh = tanh, long true;
     Sign = sign, long false;
+}
+
+/// Functions of an angle, by their methods: for any angle, and for one that is not large.
+macro_rules! angular {
+    ($($type:ident = $method:ident, $usual:ident;)*) => {$(
+        #[derive(Clone, Copy)]
+        pub(super) struct $type;
+
+        impl Each for $type {
+            const LONG: bool = true;
+            const BRANCHES: bool = true;
+
+            #[inline(always)]
+            fn of<T: Real>(self, x: T) -> T {
+                x.$method()
+            }
+
+            #[inline(always)]
+            fn is_rare<T: Real>(self, x: T) -> T::Mask {
+                x.is_large_angle()
+            }
+
+            #[inline(always)]
+            fn usual<T: Real>(self, x: T) -> T {
+                x.$usual()
+            }
+        }
+    )*};
+}
+
+angular! {
+    Sin = sin, usual_sin;
+    Cos = cos, usual_cos;
+    Tan = tan, usual_tan;
 }
 
 /// An integer power.

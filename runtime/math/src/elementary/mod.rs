@@ -28,4 +28,6 @@ pub(crate) use logarithm::ln;
 pub(crate) use normal::{rayleigh, sin_cos_pi};
 pub(crate) use power::pow;
 pub(crate) use single::Single;
-pub(crate) use trigonometric::{cos, sin, sin_cos, tan};
+pub(crate) use trigonometric::{
+    cos, is_large_angle, sin, sin_cos, tan, usual_cos, usual_sin, usual_tan,
+};

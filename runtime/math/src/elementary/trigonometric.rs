@@ -149,22 +149,37 @@ fn negated_where<F: Format, T: Real>(bits: T::Bits, value: T) -> T {
 }
 
 #[inline(always)]
-fn is_large<F: Format, T: Real>(x: T) -> T::Mask {
+pub(crate) fn is_large_angle<F: Format, T: Real>(x: T) -> T::Mask {
     x.abs().gt(T::from_f64(F::LARGEST_ANGLE))
 }
 
 #[inline(always)]
+pub(crate) fn usual_sin<F: Format, T: Real>(x: T) -> T {
+    Angle::reduced::<F>(x).sin::<F>()
+}
+
+#[inline(always)]
+pub(crate) fn usual_cos<F: Format, T: Real>(x: T) -> T {
+    Angle::reduced::<F>(x).cos::<F>()
+}
+
+#[inline(always)]
+pub(crate) fn usual_tan<F: Format, T: Real>(x: T) -> T {
+    Angle::reduced::<F>(x).tan::<F>()
+}
+
+#[inline(always)]
 pub(crate) fn sin<F: Format, T: Real>(x: T) -> T {
-    let usual = Angle::reduced::<F>(x).sin::<F>();
-    replaced(is_large::<F, T>(x), usual, [x], |[x]| {
+    let usual = usual_sin::<F, T>(x);
+    replaced(is_large_angle::<F, T>(x), usual, [x], |[x]| {
         large_angle::reduced(x).sin::<Double>()
     })
 }
 
 #[inline(always)]
 pub(crate) fn cos<F: Format, T: Real>(x: T) -> T {
-    let usual = Angle::reduced::<F>(x).cos::<F>();
-    replaced(is_large::<F, T>(x), usual, [x], |[x]| {
+    let usual = usual_cos::<F, T>(x);
+    replaced(is_large_angle::<F, T>(x), usual, [x], |[x]| {
         large_angle::reduced(x).cos::<Double>()
     })
 }
@@ -173,7 +188,7 @@ pub(crate) fn cos<F: Format, T: Real>(x: T) -> T {
 #[inline(always)]
 pub(crate) fn sin_cos<F: Format, T: Real>(x: T) -> (T, T) {
     let (sine, cosine) = Angle::reduced::<F>(x).sin_cos::<F>();
-    let large = is_large::<F, T>(x);
+    let large = is_large_angle::<F, T>(x);
     (
         replaced(large, sine, [x], |[x]| {
             large_angle::reduced(x).sin::<Double>()
@@ -186,8 +201,8 @@ pub(crate) fn sin_cos<F: Format, T: Real>(x: T) -> (T, T) {
 
 #[inline(always)]
 pub(crate) fn tan<F: Format, T: Real>(x: T) -> T {
-    let usual = Angle::reduced::<F>(x).tan::<F>();
-    replaced(is_large::<F, T>(x), usual, [x], |[x]| {
+    let usual = usual_tan::<F, T>(x);
+    replaced(is_large_angle::<F, T>(x), usual, [x], |[x]| {
         large_angle::reduced(x).tan::<Double>()
     })
 }

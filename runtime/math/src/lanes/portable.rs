@@ -231,8 +231,13 @@ impl<S: Real<Mask = bool, Scalar = S>, const N: usize> Real for Array<S, N> {
         self.each(S::is_finite)
     }
 
+    #[inline(always)]
+    fn is_large_angle(self) -> Self::Mask {
+        self.each(S::is_large_angle)
+    }
+
     entry_by_entry!(
-        abs, sqrt, exp, ln, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, rayleigh;
+        abs, sqrt, exp, ln, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, rayleigh, usual_sin, usual_cos, usual_tan;
         atan2, pow;
         sin_cos, sin_cos_pi;
         lt, le, gt, ge, eq, ne
