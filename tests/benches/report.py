@@ -55,7 +55,7 @@ def step_table(found: dict[str, Any]) -> list[str]:
         rows.append(
             [name, number(warm["median"]), f"{number(warm['least'])} to {number(warm['most'])}", *factors, cold, f"{figures['error']:.0e}"]
         )
-    heads = ["", "cycles", "range", *(f"times {subject}" for subject in subjects), "cold call, cycles", "largest difference"]
+    heads = ["", "cycles", "range", *(f"time, {subject} = 1" for subject in subjects), "cold call, cycles", "largest difference"]
     return lines + table(heads, rows) + missing(found)
 
 
@@ -71,7 +71,7 @@ def ensemble_table(found: dict[str, Any]) -> list[str]:
         factors = [f"{rate_of(subject) / rate['median']:.2f}" for subject in subjects]
         spread = f"{number(rate['least'] / 1e6)} to {number(rate['most'] / 1e6)}"
         rows.append([name, number(rate["median"] / 1e6), spread, *factors, f"{peers[name]['error']:.0e}"])
-    heads = ["", "million steps per second", "range", *(f"{subject} is faster by" for subject in subjects), "largest difference"]
+    heads = ["", "million steps per second", "range", *(f"time, {subject} = 1" for subject in subjects), "largest difference"]
     return table(heads, rows) + missing(found)
 
 
@@ -89,7 +89,7 @@ def public_table(found: dict[str, Any]) -> list[str]:
         rate = figures["rate"]
         spread = f"{number(rate['least'] / 1e6)} to {number(rate['most'] / 1e6)}"
         rows.append([name, number(rate["median"] / 1e6), spread, f"{subject / rate['median']:.2f}"])
-    return table(["", "million steps per second", "range", "nsv is faster by"], rows)
+    return table(["", "million steps per second", "range", "time, nsv = 1"], rows)
 
 
 def markdown(result: dict[str, Any]) -> str:
