@@ -5,12 +5,15 @@ import json
 import os
 import platform
 import random
+import re
+import shlex
 import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from datetime import date
 from functools import partial
+from importlib.metadata import distributions
 from pathlib import Path
 from typing import Any
 
@@ -20,13 +23,16 @@ import public_cases
 import reference
 import report
 from build import Missing, compiled
-from peers import BASELINE, PEERS, SUBJECT
+from peers import BASELINE, PEERS, SUBJECT, SUBJECTS
 from workload import ROOT, Layout, Workload, exported, workload
 
 HERE = Path(__file__).resolve().parent
 BUILD = ROOT / "target/benches"
 INPUTS = 16
 RUNS, STEPS = 1056, 250
+PACKAGES = [line.partition("==")[0] for line in (HERE / "requirements.txt").read_text().split()]
+# Each figure's samples in one process.
+Samples = dict[str, list[float]]
 # Results agree to this, relative to the largest entry of their vector, or to TINY where the whole vector is smaller.
 TOLERANCE, TINY = 1e-9, 1e-6
 
@@ -59,11 +65,11 @@ def prepared(spec: str, names: list[str] | None) -> Subject:
     text = exported(spec)
     (folder / "programs.txt").write_text(text)
     subject = Subject(workload(spec, text), folder)
-    wanted = (SUBJECT, BASELINE, *(names if names is not None else [""]))
+    wanted = (*SUBJECTS, BASELINE, *(names if names is not None else [""]))
     for peer in [peer for peer in PEERS if peer.name.startswith(wanted)]:
         say(f"{spec}: building {peer.name}")
         try:
-            built = peer.build(subject.work, folder / peer.name.replace(" ", "_").replace(",", ""))
+            built = peer.build(subject.work, folder / re.sub(r"\W+", "_", peer.name))
             subject.paths[peer.name] = built.shared_object
         except Missing as reason:
             subject.missing[peer.name] = str(reason)
@@ -81,7 +87,7 @@ def difference(layout: Layout, values: np.ndarray, expected: np.ndarray) -> floa
     return worst
 
 
-def measured(script: str, request: dict[str, Any]) -> dict[str, float]:
+def measured(script: str, request: dict[str, Any]) -> Samples:
     """One measurement in a fresh process on the last core."""
     core = max(os.sched_getaffinity(0))
     command = [sys.executable, HERE / script, json.dumps(request, default=str)]
@@ -91,12 +97,12 @@ def measured(script: str, request: dict[str, Any]) -> dict[str, float]:
     return json.loads(done.stdout.splitlines()[-1])
 
 
-Measure = Callable[[str], tuple[dict[str, float], float]]
+Measure = Callable[[str], tuple[Samples, float]]
 
 
 def trials(title: str, kinds: dict[str, str], measure: Measure, processes: int) -> dict[str, Any]:
     """Figures and largest difference of each label, from several processes in shuffled order; JAX has three, since it compiles in each."""
-    found: dict[str, list[dict[str, float]]] = {label: [] for label in kinds}
+    found: dict[str, list[Samples]] = {label: [] for label in kinds}
     worst = dict.fromkeys(kinds, 0.0)
     for trial in range(processes):
         say(f"{title}: process {trial + 1} of {processes} of each peer")
@@ -118,7 +124,7 @@ def steps(subject: Subject, processes: int) -> dict[str, Any]:
     kinds = {peer.name: peer.step for peer in PEERS if peer.step and peer.name in subject.paths}
     values = subject.folder / "values.npy"
 
-    def measure(name: str) -> tuple[dict[str, float], float]:
+    def measure(name: str) -> tuple[Samples, float]:
         figures = measured("measure.py", subject.request(kind=kinds[name], path=subject.paths[name], values=values))
         return figures, difference(work.outputs, np.load(values), expected)
 
@@ -144,7 +150,7 @@ def ensembles(subject: Subject, processes: int) -> dict[str, Any]:
     shape = {"x": (0, work.inputs["x"][1])}
     spread: dict[str, np.ndarray] = {}
 
-    def measure(label: str) -> tuple[dict[str, float], float]:
+    def measure(label: str) -> tuple[Samples, float]:
         request = subject.request(kind=kinds[label], path=paths[label], values=values, runs=RUNS, steps=STEPS, scale=scale)
         figures, found = measured("measure_ensemble.py", request), np.load(values)
         spread[label] = np.array([found["noisy"].mean(axis=0), found["noisy"].std(axis=0)])
@@ -178,11 +184,21 @@ def version(*command: str) -> str:
         return "not installed"
 
 
-def machine() -> dict[str, str]:
-    """What the figures depend on."""
+def origin() -> dict[str, str]:
+    """What the figures depend on, and the command that gives them."""
     model = [line.partition(": ")[2] for line in Path("/proc/cpuinfo").read_text().splitlines() if line.startswith("model name")]
-    tools = {tool: version(tool, "--version") for tool in ("gcc", "clang", "rustc")}
-    return {"processor": model[0], "cores": str(os.cpu_count()), "python": platform.python_version(), "date": str(date.today())} | tools
+    tools = {tool: version(tool, "--version") for tool in ("rustc", "gcc", "g++", "clang")}
+    packages = [f"{found.metadata['Name']} {found.version}" for found in distributions() if found.metadata["Name"] in PACKAGES]
+    return {
+        "date": str(date.today()),
+        "command": shlex.join(["python3", "tests/benches/run.py", *sys.argv[1:]]),
+        "revision": version("git", "-C", str(ROOT), "describe", "--always", "--dirty"),
+        "processor": model[0],
+        "cores": f"{os.cpu_count()}; {os.getloadavg()[0]:.1f} processes ran in the minute before the measurements",
+        "system": f"{platform.system()} {platform.release()}",
+        **tools,
+        "Python": ", ".join([platform.python_version(), *sorted(packages)]),
+    }
 
 
 def run(chosen: argparse.Namespace) -> None:
@@ -191,7 +207,7 @@ def run(chosen: argparse.Namespace) -> None:
     compiled(BUILD / "ensemble", (HERE / "ensemble.c").read_text(), "step.c", ["gcc", "-O3", "-march=native"])
     laws = {"step", "ensemble"} & set(chosen.stages)
     subjects = {spec: prepared(spec, chosen.peers) for spec in chosen.specs if laws}
-    result: dict[str, Any] = {"machine": machine()}
+    result: dict[str, Any] = {"origin": origin()}
     if "step" in chosen.stages:
         result["step"] = {spec: steps(subject, chosen.processes) for spec, subject in subjects.items()}
     if "ensemble" in chosen.stages:

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef void (*step_function)(const void *in, void *out);
+typedef void (*step_function)(void *in, void *out);
 typedef void (*carry_function)(const void *out, void *in, double t, const double *dw);
 
 /* Where the parts of the flat input lie: t, x and controller states, noise. */
@@ -74,7 +74,7 @@ static inline double normal(void) {
 
 /* Final plant states of all runs; `start` and `in` are the packed start and space for an input. */
 void ensemble(step_function step, carry_function carry, const struct layout *at, const void *start, void *in, size_t in_size, void *out,
-              void (*unpack)(const void *, double *), size_t runs, size_t steps, uint64_t seed, double *finals) {
+              void (*unpack)(const void *, const void *, double *), size_t runs, size_t steps, uint64_t seed, double *finals) {
     double dw[64], flat[4096];
     make_layers();
     seed_words(seed);
@@ -93,7 +93,7 @@ void ensemble(step_function step, carry_function carry, const struct layout *at,
             }
             step(in, out);
         }
-        if (unpack) unpack(out, flat);
+        if (unpack) unpack(in, out, flat);
         memcpy(finals + run * at->states, unpack ? flat : out, at->states * sizeof(double));
     }
 }

@@ -85,5 +85,5 @@ def read_programs(text: str) -> dict[str, Program]:
         elif keyword.startswith("%"):
             program.statements.append(read_statement(line))
         else:
-            assert keyword in ("origin", ""), f"not a line of a program: {line}"
+            assert keyword in ("origin", "fused", ""), f"not a line of a program: {line}"
     return programs

@@ -8,7 +8,7 @@
 #include <sys/mman.h>
 #include <x86intrin.h>
 
-typedef void (*step_function)(const void *in, void *out);
+typedef void (*step_function)(void *in, void *out);
 
 static inline uint64_t ticks_before(void) {
     _mm_lfence();
@@ -40,13 +40,29 @@ double cycles_per_tick(void) {
     return best;
 }
 
-/* Ticks per call of each of `batches` batches, in which the inputs are used in turn. `in` holds `count` inputs of `in_size` bytes. */
-void measure_warm(step_function step, const char *in, size_t in_size, int count, char *out, int calls, int batches, double *ticks) {
-    for (int i = 0; i < calls; i++) step(in + in_size * (i % count), out);
-    for (int batch = 0; batch < batches; batch++) {
-        uint64_t start = ticks_before();
-        for (int i = 0, k = 0; i < calls; i++, k = k + 1 == count ? 0 : k + 1) step(in + in_size * k, out);
-        ticks[batch] = (double)(ticks_after() - start) / calls;
+/* `count` inputs of `size` bytes at `in`, which a step may change, and as they are at first. */
+struct inputs {
+    char *in;
+    const char *first;
+    size_t size;
+    int count;
+};
+
+static void restore(const struct inputs *of) { memcpy(of->in, of->first, of->size * of->count); }
+
+/* Ticks per call of each of `batches` batches of `parts` times `calls` calls, in which the inputs are used in turn. Before each part all
+ * inputs are as at first, since a step that works in place would else go on from them for ever with the same noise. */
+void measure_warm(step_function step, const struct inputs *of, char *out, int calls, int parts, int batches, double *ticks) {
+    struct inputs all = *of;
+    for (int batch = -1; batch < batches; batch++) {
+        uint64_t sum = 0;
+        for (int part = 0; part < parts; part++) {
+            restore(&all);
+            uint64_t start = ticks_before();
+            for (int i = 0, k = 0; i < calls; i++, k = k + 1 == all.count ? 0 : k + 1) step(all.in + all.size * k, out);
+            sum += ticks_after() - start;
+        }
+        if (batch >= 0) ticks[batch] = (double)sum / (calls * parts);
     }
 }
 
@@ -60,17 +76,18 @@ static void evict(const char *returns, volatile char *data) {
     for (size_t at = 0; at < CODE; at += LINE) ((code)(uintptr_t)(returns + at))();
 }
 
-/* Ticks of single calls, each after an eviction; the cost of reading the counter is taken off. */
-void measure_cold(step_function step, const char *in, size_t in_size, int count, char *out, int calls, double *ticks) {
+/* Ticks of single calls on inputs as at first, each after an eviction; the cost of reading the counter is taken off. */
+void measure_cold(step_function step, const struct inputs *of, char *out, int calls, double *ticks) {
     char *returns = mmap(0, CODE, PROT_READ | PROT_WRITE | PROT_EXEC, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     volatile char *data = calloc(DATA, 1);
     memset(returns, 0xc3, CODE);
     for (int i = 0; i < calls; i++) {
+        restore(of);
         evict(returns, data);
         uint64_t start = ticks_before();
         uint64_t empty = ticks_after() - start;
         start = ticks_before();
-        step(in + in_size * (i % count), out);
+        step(of->in + of->size * (i % of->count), out);
         ticks[i] = (double)(ticks_after() - start) - (double)empty;
     }
     munmap(returns, CODE);

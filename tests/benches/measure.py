@@ -1,4 +1,4 @@
-"""One measurement of a step in a fresh process: `python measure.py REQUEST`, a JSON object; prints one JSON line.
+"""One measurement of a step in a fresh process: `python measure.py REQUEST`, a JSON object; prints the samples as one JSON line.
 
 Whatever has machine code to call is timed by the loop of measure.c. heyoka and JAX are called from Python, by loops of their own. The
 results of all inputs are written for the comparison.
@@ -15,7 +15,7 @@ import numpy as np
 
 from workload import Workload, workload
 
-CALLS, BATCHES, COLD = 400, 60, 61
+CALLS, PARTS, BATCHES, COLD = 80, 5, 60, 61
 POINTER = ctypes.c_void_p
 BATCH = 264
 
@@ -27,8 +27,14 @@ def aligned(size: int) -> np.ndarray:
     return block[start : start + size]
 
 
+class Inputs(ctypes.Structure):
+    """As in measure.c."""
+
+    _fields_ = [("given", POINTER), ("first", POINTER), ("size", ctypes.c_size_t), ("count", ctypes.c_int)]
+
+
 class Step:
-    """Machine code `step(in, out)` on the flat arrays, or on its own packing of them."""
+    """Machine code `step(in, out)` on the flat arrays, or on its own packing of them; it may change what it is given."""
 
     def __init__(self, path: str, inputs: np.ndarray, results: int) -> None:
         self.inputs, self.results, self.packs = inputs, results, False
@@ -41,47 +47,64 @@ class Step:
             self.packs = hasattr(self.code, "pack")
         self.call = ctypes.CFUNCTYPE(None, POINTER, POINTER)(self.function.value)
         self.size = self.code.in_size() if self.packs else 64 * -(-inputs.shape[1] // 8)
-        self.given = aligned(self.size * len(inputs))
+        self.given, self.first = (aligned(self.size * len(inputs)) for _ in range(2))
         self.out = aligned(self.code.out_size() if self.packs else 8 * results)
         for k, row in enumerate(inputs):
             if self.packs:
-                self.code.pack(POINTER(row.ctypes.data), POINTER(self.given.ctypes.data + k * self.size))
+                self.code.pack(POINTER(row.ctypes.data), POINTER(self.first.ctypes.data + k * self.size))
             else:
-                ctypes.memmove(self.given.ctypes.data + k * self.size, row.ctypes.data, row.nbytes)
+                ctypes.memmove(self.first.ctypes.data + k * self.size, row.ctypes.data, row.nbytes)
+        self.given[:] = self.first
+
+    def read(self, given: int, to: np.ndarray) -> None:
+        """The results of a call, from what it was given, where it has advanced that, and from its output."""
+        if self.packs:
+            self.code.unpack(POINTER(given), POINTER(self.out.ctypes.data), POINTER(to.ctypes.data))
+        else:
+            ctypes.memmove(to.ctypes.data, self.out.ctypes.data, to.nbytes)
 
     def values(self) -> np.ndarray:
-        """The results of each input."""
+        """The results of one call with each input."""
         found = np.zeros((len(self.inputs), self.results))
+        self.given[:] = self.first
         for k, row in enumerate(found):
-            self.call(self.given.ctypes.data + k * self.size, self.out.ctypes.data)
-            if self.packs:
-                self.code.unpack(POINTER(self.out.ctypes.data), POINTER(row.ctypes.data))
-            else:
-                ctypes.memmove(row.ctypes.data, self.out.ctypes.data, row.nbytes)
+            given = self.given.ctypes.data + k * self.size
+            self.call(given, self.out.ctypes.data)
+            self.read(given, row)
         return found
 
+    def finite(self) -> bool:
+        """Whether what the calls have left is finite, so that no call was slow or fast by its numbers."""
+        row = np.zeros(self.results)
+        left = []
+        for k in range(len(self.inputs)):
+            self.read(self.given.ctypes.data + k * self.size, row)
+            left.append(bool(np.isfinite(row).all()))
+        return all(left)
 
-def measure_code(loop: ctypes.CDLL, step: Step) -> dict[str, float]:
-    """Ticks of warm and cold calls."""
-    given, out = (POINTER(array.ctypes.data) for array in (step.given, step.out))
-    arguments = [step.function, given, ctypes.c_size_t(step.size), len(step.inputs), out]
+
+def measure_code(loop: ctypes.CDLL, step: Step) -> dict[str, np.ndarray]:
+    """Ticks per call: of each warm batch, and of each cold call."""
+    given, first, out = (POINTER(array.ctypes.data) for array in (step.given, step.first, step.out))
+    inputs = Inputs(given, first, step.size, len(step.inputs))
     warm, cold = np.zeros(BATCHES), np.zeros(COLD)
-    loop.measure_warm(*arguments, CALLS, BATCHES, POINTER(warm.ctypes.data))
-    loop.measure_cold(*arguments, COLD, POINTER(cold.ctypes.data))
-    return {"warm": float(np.median(warm)), "least": float(warm.min()), "cold": float(np.median(cold))}
+    loop.measure_warm(step.function, ctypes.byref(inputs), out, CALLS, PARTS, BATCHES, POINTER(warm.ctypes.data))
+    assert step.finite(), "the states stay finite between two restorations"
+    loop.measure_cold(step.function, ctypes.byref(inputs), out, COLD, POINTER(cold.ctypes.data))
+    return {"warm": warm, "cold": cold}
 
 
-def measure_python(loop: ctypes.CDLL, call: Callable[[], object], steps: int, calls: int) -> dict[str, float]:
-    """Ticks per step of a call that does some steps."""
+def measure_python(loop: ctypes.CDLL, call: Callable[[], object], steps: int, calls: int) -> dict[str, np.ndarray]:
+    """Ticks per step of each call that does some steps."""
     warm = []
     for _ in range(calls + 3):
         start = loop.ticks()
         call()
         warm.append((loop.ticks() - start) / steps)
-    return {"warm": float(np.median(warm[3:])), "least": min(warm[3:])}
+    return {"warm": np.array(warm[3:])}
 
 
-def measure_heyoka(loop: ctypes.CDLL, work: Workload, inputs: np.ndarray) -> tuple[np.ndarray, dict[str, float]]:
+def measure_heyoka(loop: ctypes.CDLL, work: Workload, inputs: np.ndarray) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Results and ticks of a compiled function on a batch of inputs."""
     from peers import heyoka
 
@@ -92,7 +115,7 @@ def measure_heyoka(loop: ctypes.CDLL, work: Workload, inputs: np.ndarray) -> tup
     return np.ascontiguousarray(out[:, : len(inputs)].T), times
 
 
-def measure_jax(loop: ctypes.CDLL, work: Workload, inputs: np.ndarray) -> tuple[np.ndarray, dict[str, float]]:
+def measure_jax(loop: ctypes.CDLL, work: Workload, inputs: np.ndarray) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Results and ticks of a function compiled by jit."""
     from peers import jax as peer
 
@@ -124,7 +147,7 @@ def main() -> None:
         times = measure_code(loop, step)
     np.save(request["values"], values)
     ratio = max(before, loop.cycles_per_tick())
-    print(json.dumps({name: ticks * ratio for name, ticks in times.items()} | {"cycles_per_tick": ratio}))
+    print(json.dumps({name: (ticks * ratio).round(1).tolist() for name, ticks in times.items()}))
 
 
 if __name__ == "__main__":

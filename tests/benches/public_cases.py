@@ -25,7 +25,7 @@ def brownian_error(finals: np.ndarray) -> float:
     return float(max(of_mean, abs(finals.std() / deviation - 1) * np.sqrt(2 * samples)))
 
 
-def measure_all(folder: Path, trials: Callable[..., dict[str, Any]], measured: Callable[..., dict[str, float]]) -> dict[str, Any]:
+def measure_all(folder: Path, trials: Callable[..., dict[str, Any]], measured: Callable[..., dict[str, list[float]]]) -> dict[str, Any]:
     """Every case in both precisions."""
     library = cargo_at(HERE / "public", folder / "target", "libpublic_cases.so")
     kinds = {name: "jax" if name == "JAX" else "loop" for name in PEERS if name in ("nsv",) or find_spec(name.split()[0].lower())}
@@ -33,7 +33,7 @@ def measure_all(folder: Path, trials: Callable[..., dict[str, Any]], measured: C
     values = folder / "values.npy"
 
     def case_of(case: str, precision: str) -> dict[str, Any]:
-        def measure(name: str) -> tuple[dict[str, float], float]:
+        def measure(name: str) -> tuple[dict[str, list[float]], float]:
             request = {"case": case, "single": precision == "f32", "peer": name, "runs": RUNS, "library": library, "values": values}
             figures, finals = measured("measure_public.py", request), np.load(values).astype(float)
             if case == "brownian":

@@ -52,6 +52,8 @@ class Scalariser:
             return [self.powi(entry, int(statement.words[0])) for entry in arguments[0]]
         if op == "select":
             return [self.graph.select(arguments[0][0], a, b) for a, b in zip(*arguments[1:], strict=True)]
+        if op == "mul_add":
+            return self.elementwise("add", self.elementwise("mul", *arguments[:2]), arguments[2])
         if op == "array":
             return [entry for argument in arguments for entry in argument]
         if op == "polynomial":
@@ -173,7 +175,7 @@ class Scalariser:
         return self.mul(graph.const(2.0**order), graph.select(near, series, s[order]))
 
     def solve(self, a: Array, b: Array) -> Array:
-        """A^-1 b: adjugate over determinant for up to three rows, else elimination without exchanging rows."""
+        """A^-1 b: adjugate times the determinant's reciprocal for up to three rows, else elimination without exchanging rows."""
         n = len(b)
         rows = [a[i * n : (i + 1) * n] for i in range(n)]
         if n > 3:
@@ -182,7 +184,8 @@ class Scalariser:
             return [self.div(b[0], a[0])]
         adjugate = self.adjugate2(rows) if n == 2 else self.adjugate3(rows)
         determinant = self.dot(rows[0], [row[0] for row in adjugate])
-        return [self.div(self.dot(row, b), determinant) for row in adjugate]
+        scale = self.div(self.graph.const(1.0), determinant)
+        return [self.mul(self.dot(row, b), scale) for row in adjugate]
 
     def adjugate2(self, a: list[Array]) -> list[Array]:
         """The transposed cofactors of two rows."""

@@ -45,11 +45,16 @@ class Workload:
         return slice(at, at + rows * columns)
 
 
+def compiler(*arguments: str) -> str:
+    """What the compiler prints, run at the repository's root."""
+    command = ["cargo", "run", "--quiet", "--locked", "--release", "--package", "nsv-codegen", "--bin", "nsv", "--", *arguments]
+    return subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True).stdout
+
+
 def exported(spec: str) -> str:
     """The programs that the compiler makes of a specification before it optimises, as text."""
-    command = ["cargo", "run", "--quiet", "--locked", "--package", "nsv-codegen", "--bin", "nsv", "--", "generate", f"specs/{spec}.yaml"]
-    command += ["--emit", "ir", "--stage", "lowered", "--program"]
-    return "".join(subprocess.run([*command, name], cwd=ROOT, check=True, capture_output=True, text=True).stdout for name in PROGRAMS)
+    shown = ["generate", f"specs/{spec}.yaml", "--emit", "ir", "--stage", "lowered", "--program"]
+    return "".join(compiler(*shown, name) for name in PROGRAMS)
 
 
 def sample_time(spec: str) -> float:

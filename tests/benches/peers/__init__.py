@@ -22,15 +22,27 @@ class Peer:
 
 
 SUBJECT = "nsv"
+FAST = "nsv, --math fast"
 BASELINE = "CasADi C, gcc -O3"
-FASTEST = "nsv, 8 lanes"
+WIDTHS = {"8 lanes": "nsv 8", "4 lanes": "nsv 4", "scalar": "nsv 1"}
+
+
+def contestant(name: str, math: str, note: str) -> Peer:
+    """The emitted code in one arithmetic; its ensembles have a label for each width of lanes."""
+    labels = {f"{name}, {width}": kind for width, kind in WIDTHS.items()}
+    return Peer(name, partial(nsv.build, math=math), "library", labels, note)
+
+
+# The rows that every other is compared with, as they are named in the report.
+SUBJECTS = [SUBJECT, FAST]
 
 PEERS = [
-    Peer(
-        SUBJECT, nsv.build, "library", {FASTEST: "nsv 8", "nsv, 4 lanes": "nsv 4", "nsv, scalar": "nsv 1"},
-        "`control` and `plant` of the emitted module, rustc -C target-cpu=native; in ensembles the sampled controller with its guards, "
-        "and the runtime's noise",
+    contestant(
+        SUBJECT, "strict",
+        "the emitted module, rustc -C target-cpu=native; every bit is that of the equations. In ensembles the sampled controller with its "
+        "guards, and the runtime's noise",
     ),
+    contestant(FAST, "fast", "the same in fast arithmetic: roundings can differ"),
     Peer(BASELINE, partial(casadi.build, flags="gcc -O3"), "library", {BASELINE: "library"}, "-march=native"),
     Peer(
         "CasADi C, clang fast-math", partial(casadi.build, flags="clang fast-math"), "library", {"CasADi C, clang fast-math": "library"},

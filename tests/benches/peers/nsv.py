@@ -1,14 +1,17 @@
-"""nsv's side: the emitted code of `generated/`, called as a user's program would call it.
+"""nsv's side: the emitted module, called as a user's program would call it, in strict or in fast arithmetic.
 
-`step` calls the functions `control` and `plant` with their own types; ensembles call the sampled controller in the runtime's lanes. What
-packs the flat arrays of the workload into the emitted types is made here from the names in the compiler's text form, and is not timed.
+`step` advances a closed loop in place by the functions of the law and of the plant, with their own types. What depends on parameters alone
+is computed once, when an input is packed, as `Controller::new` does; what depends on time in every step. Ensembles call the sampled
+controller in the runtime's lanes, with a clock for all of them. What packs the flat arrays of the workload into the emitted types is made
+here from the names in the compiler's text form, and is not timed.
 """
 
+import re
 from pathlib import Path
 from string import Template
 
 from build import Built, cargo
-from workload import ROOT, Workload
+from workload import ROOT, Workload, compiler
 
 CRATE = Path(__file__).parent / "nsv_crate"
 
@@ -23,7 +26,6 @@ name = "nsv_bench"
 crate-type = ["cdylib"]
 
 [dependencies]
-nsv-generated = {{ path = "{root}/generated", features = ["std"] }}
 nsv-runtime = {{ path = "{root}/runtime", features = ["std"] }}
 
 [profile.release]
@@ -34,27 +36,79 @@ panic = "abort"
 
 [workspace]
 """
+FUNCTION = re.compile(r"^pub fn (\w+)<T: Real>\(([^)]*)\)", re.MULTILINE)
+ABSENT = "core::marker::PhantomData"
 
 
-def source(work: Workload) -> str:
-    """The library's text."""
-    states, channels = work.inputs["x"][1][0], work.inputs["dw"][1][0]
+class Functions:
+    """The public functions of an emitted file, with the names of their arguments; a program need not have all pieces."""
+
+    def __init__(self, path: Path) -> None:
+        self.file = path.stem
+        self.arguments = {name: re.findall(r"\b_?(\w+): ", text) for name, text in FUNCTION.findall(path.read_text())}
+
+    def call(self, name: str, **values: str) -> str:
+        """A call with values by the names of arguments."""
+        return f"{self.file}::{name}({', '.join(values[argument] for argument in self.arguments[name])})"
+
+    def prepared(self) -> tuple[str, str]:
+        """Type and value of what parameters give."""
+        known = "prepare" in self.arguments
+        return (f"{self.file}::Prepared<T>", self.call("prepare", params="params")) if known else (f"{ABSENT}<T>", ABSENT)
+
+    def clock(self, **values: str) -> str:
+        """Statement that computes what depends on time; the same in all lanes if neither parameters nor what they give can differ."""
+        if "clock" not in self.arguments:
+            return ""
+        if values.keys() >= set(self.arguments["clock"]):
+            return f"let clock = {self.file}::Clock::splat(&{self.call('clock', **values)});"
+        return f"let clock = {self.call('clock', t='T::from_f64(t)', params='params', prepared='prepared')};"
+
+
+def pieces(work: Workload, module: Path) -> dict[str, str]:
+    """What pieces.rs.in leaves open."""
     width = work.outputs["u_sat"][1][0]
-    blocks = [", ".join(f"x[{j}]" for j in range(i, i + width)) for i in range(0, work.blocks * width, width)]
+    law, plant = Functions(module / "controller.rs"), Functions(module / "plant.rs")
+    blocks = [f"Vector([{', '.join(f'x[{i * width + j}]' for j in range(width))}])" for i in range(work.blocks)]
+    values = {"t": "t", "state": "state", "params": "params", "prepared": "prepared", "clock": "&clock", "x": "x", "u_sat": "u_sat"}
+    measured = {f"x{i + 1}": block for i, block in enumerate(blocks)}
+    (law_prepared, prepare_law), (plant_prepared, prepare_plant) = law.prepared(), plant.prepared()
+    # As in the emitted simulator: the controller's parameters are those of the design in every run.
+    scalar = {"t": "T::Scalar::from_f64(t)", "params": "&Params::design()"}
+    shared = "prepared" not in law.arguments.get("clock", ["prepared"])
+    sampled = [*["&clock"] * shared, *blocks]
+    return {
+        "law_prepared": law_prepared, "prepare_law": prepare_law, "plant_prepared": plant_prepared, "prepare_plant": prepare_plant,
+        "law_clock": f"let clock = {law.call('clock', **values)};" if "clock" in law.arguments else "",
+        "law": law.call("law" if "law" in law.arguments else "control", **values | measured),
+        "sample_clock": law.clock(**scalar) if shared else "",
+        "sample": f"step{'_at' if shared else ''}({', '.join(['T::from_f64(t)', *sampled])})",
+        "plant_clock": plant.clock(t=scalar["t"]),
+        "rate": plant.call("dynamics" if "dynamics" in plant.arguments else "plant", **values | {"t": "T::from_f64(t)"}),
+    }  # fmt: skip
+
+
+def source(work: Workload) -> dict[str, str]:
+    """What lib.rs.in leaves open."""
+    states, channels = work.inputs["x"][1][0], work.inputs["dw"][1][0]
     rows = []
     for i in range(states):
         terms = [f"rate.diffusion[({i}, {j})] * dw[{j}]" for j in work.noisy[i]]
         rows.append(" + ".join([f"        (x[{i}] + rate.drift[{i}] * dt)", *terms]) + ",")
-    return Template((CRATE / "lib.rs.in").read_text()).substitute(
-        spec=work.spec, states=states, channels=channels, width=width, size=work.size, results=len(work.results),
-        loads="\n".join(f"    input.{name}.load(&mut from);" for name in work.inputs),
-        stores="\n".join(f"    output.{name}.store(&mut to);" for name in work.outputs),
-        nominals="\n".join(f"    input.{name}.store(&mut to);" for name in work.inputs),
-        blocks=", ".join(f"Vector([{block}])" for block in blocks), rows="\n".join(rows),
-    )  # fmt: skip
+    results = ["output.u_sat" if name == "u_sat" else f"input.{name.replace('next.', 'state.')}" for name in work.outputs]
+    sizes = {"states": states, "channels": channels, "width": work.outputs["u_sat"][1][0], "size": work.size, "results": len(work.results)}
+    return {name: str(size) for name, size in sizes.items()} | {
+        "loads": "\n".join(f"    input.{name}.load(&mut from);" for name in work.inputs),
+        "stores": "\n".join(f"    {name}.store(&mut to);" for name in results),
+        "nominals": "\n".join(f"    input.{name}.store(&mut to);" for name in work.inputs),
+        "rows": "\n".join(rows),
+    }
 
 
-def build(work: Workload, folder: Path) -> Built:
-    """Compiles the library for this processor."""
-    sources = {"lib.rs": source(work)} | {path.name: path.read_text() for path in CRATE.glob("*.rs")}
+def build(work: Workload, folder: Path, math: str) -> Built:
+    """Emits the module and compiles the library for this processor."""
+    compiler("generate", f"specs/{work.spec}.yaml", "--math", math, "--out", str(folder / "src"))
+    words = {"spec": work.spec} | source(work) | pieces(work, folder / "src" / work.spec)
+    sources = {path.stem: Template(path.read_text()).substitute(words) for path in CRATE.glob("*.in")}
+    sources |= {path.name: path.read_text() for path in CRATE.glob("*.rs")}
     return Built(cargo(folder, MANIFEST.format(spec=work.spec.replace("_", "-"), root=ROOT), sources, "libnsv_bench.so"))

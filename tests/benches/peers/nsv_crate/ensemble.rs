@@ -7,7 +7,7 @@ use nsv_runtime::linear::Vector;
 use nsv_runtime::noise::Noise;
 use nsv_runtime::real::{Part, Real};
 
-use crate::{CHANNELS, Controller, DT, Params, STATES, advance, plant, sample};
+use crate::{CHANNELS, Controller, DT, Params, PlantPrepared, STATES, advance, plant, prepare_plant, rate, sample};
 
 /// Runs from one seed; the final states of the plant are written run after run.
 struct Ensemble<'a> {
@@ -21,7 +21,8 @@ struct Ensemble<'a> {
 struct Sample<'a, T: Real> {
     controller: &'a mut Controller<T>,
     truth: &'a Params<T>,
-    t: T,
+    prepared: &'a PlantPrepared<T>,
+    t: f64,
     x: Vector<T, STATES>,
     dw: Vector<T, CHANNELS>,
 }
@@ -32,7 +33,7 @@ impl<T: Real> Part for Sample<'_, T> {
     #[inline(always)]
     fn run(self) -> Vector<T, STATES> {
         let u_sat = sample(self.controller, self.t, &self.x);
-        advance(self.t, self.x, u_sat, self.truth, self.dw)
+        advance(self.x, rate(self.t, self.x, u_sat, self.truth, self.prepared), self.dw)
     }
 }
 
@@ -42,14 +43,15 @@ impl Kernel for Ensemble<'_> {
     #[inline(always)]
     fn run<T: Real>(self) {
         let truth = Params::<T>::plant();
+        let prepared = prepare_plant(&truth);
         for (group, finals) in self.finals.chunks_mut(T::LANES).enumerate() {
             let noise = Noise::<T>::process(self.seed, (group * T::LANES) as u64);
             let mut controller = Controller::new(Params::<T>::design());
             let mut x = Vector::<T, STATES>::from_f64(plant::INITIAL_STATE);
             for k in 0..self.steps {
-                let t = T::from_f64(k as f64 * DT);
+                let t = k as f64 * DT;
                 let dw = noise.normals::<CHANNELS>(k) * T::from_f64(self.scale);
-                x = T::outlined(Sample { controller: &mut controller, truth: &truth, t, x, dw });
+                x = T::outlined(Sample { controller: &mut controller, truth: &truth, prepared: &prepared, t, x, dw });
             }
             for (lane, last) in finals.iter_mut().enumerate() {
                 *last = x.0.map(|entry| entry.lane(lane));

@@ -104,7 +104,7 @@ pub unsafe extern "C" fn pack(flat: *const f64, to: *mut Input) {
 /// # Safety
 /// `output` is one, `flat` has space for the results of the workload.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn unpack(output: *const Output, flat: *mut f64) {
+pub unsafe extern "C" fn unpack(_input: *const Input, output: *const Output, flat: *mut f64) {
     let Output { plant, state, u_sat } = unsafe { &*output };
     let mut values: Vec<f64> = Vec::new();
     values.extend(plant.attitude.iter().chain(&plant.rates));
