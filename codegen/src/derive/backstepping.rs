@@ -92,7 +92,9 @@ impl Law<'_> {
         let quantity = |base: &str| name(format!("{base}{i}"));
         let (e, s, c) = (quantity("e"), quantity("s"), quantity("c"));
         let feedback = self.barrier_feedback(i);
-        let mut text = "(4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e  (31)".to_string();
+        let mut text =
+            "(4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)  (31)"
+                .to_string();
         let mut sum = self.define(format!("Lam0_{i}"), format!("Lam0 = {text}"), feedback);
         let mut add = |law: &mut Self, part: &str, equation: &str, term: Symbol| {
             let part = law.define(format!("Lam{i}_{part}"), equation, term);

@@ -1,13 +1,13 @@
 //! The controller as a sampled system: each state one sample later.
 //!
-//! A state with z' = -A z + r(t), A constant, advances by z+ = z + Gamma z', Gamma = A^-1 (I - exp(-A dt)): exact for held r, so no
-//! sample time makes the leak unstable. Explicit Euler is the same line with Gamma = dt. phi (68) advances by the exponential of its
+//! A state with z' = -A z + r(t), A constant, advances by z+ = z + g(A) z', g(A) = A^-1 (I - exp(-A dt)): exact for held r, so no
+//! sample time makes the leak unstable. Explicit Euler is the same line with g = dt. phi (68) advances by the exponential of its
 //! own decay and is held at its floor (E10, E11).
 
 use nsv_spec::model::{Disturbance, Integration, Matrix, Network, NoiseBound, PhiFloor};
 
 use super::law::Law;
-use super::observer::{assemble, closed_observer};
+use super::observer::{assemble, closed_observer, rate_equation};
 use super::symbol::{Symbol, name, number, vector};
 use crate::ir::Function;
 
@@ -16,35 +16,47 @@ impl Law<'_> {
     pub(super) fn define_next_states(&mut self) {
         for (i, block) in (1..).zip(&self.model.blocks) {
             self.group(format!("states of block {i}, one sample later"));
-            self.advance(format!("zeta{i}"), &block.c);
+            self.advance(format!("zeta{i}"), &block.c, &format!("C_{i}"), "(13)");
             if let (Some(filter), true) = (&block.filter, self.contains(&format!("h{i}_dot"))) {
                 let leak: Vec<f64> = filter.iter().map(|constant| 1.0 / constant).collect();
-                self.advance(format!("h{i}"), &diagonal_matrix(&leak));
+                self.advance(
+                    format!("h{i}"),
+                    &diagonal_matrix(&leak),
+                    &format!("1/Fl_{i}"),
+                    "(33)",
+                );
             }
             if let Some(s) = &block.observer {
-                let leak = match &block.disturbance {
-                    Disturbance::Exosystem(channels) => {
-                        negate(&closed_observer(s, &assemble(channels)))
-                    }
-                    _ => s.clone(),
+                let (leak, symbol) = match &block.disturbance {
+                    Disturbance::Exosystem(channels) => (
+                        negate(&closed_observer(s, &assemble(channels))),
+                        format!("S_{i} L_{i} - M_{i}"),
+                    ),
+                    _ => (s.clone(), format!("S_{i}")),
                 };
-                self.advance(format!("th{i}"), &leak);
+                self.advance(format!("th{i}"), &leak, &symbol, rate_equation(block));
             }
             if let Some(network) = &block.network {
                 self.advance_weights(i, network);
             }
             if let Some(bound) = &block.error_bound {
-                self.advance_scalar(format!("eps{i}"), bound.rate);
+                self.advance_scalar(format!("eps{i}"), bound.rate, &format!("iota_{i}0"), "(66)");
             }
             if let Some(bound) = &block.noise_bound {
-                self.advance_scalar(format!("sigma{i}"), bound.tau * bound.lambda);
+                let symbol = format!("taubar_{i} lambda_sigma");
+                self.advance_scalar(
+                    format!("sigma{i}"),
+                    bound.tau * bound.lambda,
+                    &symbol,
+                    "(67)",
+                );
                 self.advance_compensation(i, bound);
             }
         }
     }
 
-    /// z+ = z + Gamma z' with a matrix leak.
-    fn advance(&mut self, state: String, leak: &Matrix) {
+    /// z+ = z + g(A) z' with a matrix leak A.
+    fn advance(&mut self, state: String, leak: &Matrix, symbol: &str, equation: &str) {
         let dt = self.model.controller.sample_time;
         let step = match self.model.controller.integration {
             Integration::Euler => diagonal_matrix(&vec![dt; leak.rows]),
@@ -53,20 +65,20 @@ impl Law<'_> {
         let rate = name(format!("{state}_dot"));
         let increment = self.gain(
             format!("{state}_step"),
-            &format!("Gamma of {state}"),
+            &format!("g({symbol})"),
             &step,
             rate,
         );
-        self.define_next(&state, increment);
+        self.define_next(&state, increment, symbol, equation);
     }
 
-    /// z+ = z + Gamma z' with a scalar leak.
-    fn advance_scalar(&mut self, state: String, leak: f64) {
-        let rate = name(format!("{state}_dot"));
-        self.define_next(&state, number(self.scalar_step(leak)) * rate);
+    /// z+ = z + g(a) z' with a scalar leak a.
+    fn advance_scalar(&mut self, state: String, leak: f64, symbol: &str, equation: &str) {
+        let increment = number(self.scalar_step(leak)) * name(format!("{state}_dot"));
+        self.define_next(&state, increment, symbol, equation);
     }
 
-    /// W+ = W + Gamma W', with the leak taken together: a product, a product and a sum for each weight.
+    /// W+ = W + g W', with the leak taken together: a product, a product and a sum for each weight.
     fn advance_weights(&mut self, i: usize, network: &Network) {
         let leak = network.gamma * network.lambda;
         let step = self.scalar_step(leak);
@@ -82,12 +94,14 @@ impl Law<'_> {
         );
         let next = number(1.0 - step * leak) * w + p.outer(vector(&drive) * c);
         let text = format!(
-            "W_{i}(t + dt) = (1 - Gamma Gamma_{i} lambda_{i}) W_{i} + Gamma Gamma_{i} P_{i} c_{i} I_{i}"
+            "W_{i}(t + dt) = (1 - g Gamma_{i} lambda_{i}) W_{i} + g Gamma_{i} P_{i} c_{i} I_{i}, {}  {}",
+            self.weight(&format!("Gamma_{i} lambda_{i}")),
+            if i < self.order() { "(32)" } else { "(65)" }
         );
         self.define(format!("W{i}_next"), text, next);
     }
 
-    /// Gamma of a scalar leak.
+    /// g of a scalar leak.
     fn scalar_step(&self, leak: f64) -> f64 {
         let dt = self.model.controller.sample_time;
         match self.model.controller.integration {
@@ -96,12 +110,23 @@ impl Law<'_> {
         }
     }
 
-    fn define_next(&mut self, state: &str, increment: Symbol) {
+    fn define_next(&mut self, state: &str, increment: Symbol, leak: &str, equation: &str) {
+        let weight = self.weight(leak);
         self.define(
             format!("{state}_next"),
-            format!("{state}(t + dt) = {state} + Gamma {state}'"),
+            format!("{state}(t + dt) = {state} + g {state}', {weight}  {equation}"),
             name(state) + increment,
         );
+    }
+
+    /// What g is, in words and symbols.
+    fn weight(&self, leak: &str) -> String {
+        match self.model.controller.integration {
+            Integration::Euler => "g = dt".to_string(),
+            Integration::Exponential => {
+                format!("g = (1 - exp(-a dt))/a, a = {leak}")
+            }
+        }
     }
 
     /// phi+ = max(phi exp(-dt (Psi/(phi^2 + s^2) + kappa)), phi_min) while ||e|| >= iota_phi.
@@ -120,7 +145,7 @@ impl Law<'_> {
         };
         let floor = self.define(format!("phi{i}_min"), text, floor);
         let text = format!(
-            "phi_{i}(t + dt) = max(phi_{i} exp(-dt (Psi_{i}/(phi_{i}^2 + s_{i}^2) + kappa_phi)), phi_min)"
+            "phi_{i}(t + dt) = phi_{i} exp(-dt (Psi_{i}/(phi_{i}^2 + s_{i}^2) + kappa_phi)) if ||e_{i}|| >= iota_phi, else phi_{i}; at least phi_min  (68) (E11)"
         );
         self.define(format!("phi{i}_next"), text, next.max(floor));
     }
@@ -146,8 +171,8 @@ fn negate(a: &Matrix) -> Matrix {
     }
 }
 
-/// Gamma = integral over dt of exp(-A s) ds. On an interval short enough that ||A|| h <= 1/2 it is the power series
-/// h (I - A h/2! + (A h)^2/3! - ..); doubling the interval uses Gamma(2h) = Gamma(h) (2 I - A Gamma(h)).
+/// g(A) = integral over dt of exp(-A s) ds. On an interval short enough that ||A|| h <= 1/2 it is the power series
+/// h (I - A h/2! + (A h)^2/3! - ..); doubling the interval uses g(2h) = g(h) (2 I - A g(h)).
 /// Products and sums only, so that every machine gets the same bits; 18 terms leave less than 2^-70.
 fn exponential_step(a: &Matrix, dt: f64) -> Matrix {
     let n = a.rows;

@@ -16,17 +16,24 @@ pub(crate) struct Assembled {
     pub l: Matrix,
 }
 
+/// The number of the equation of th_i'.
+pub(super) fn rate_equation(block: &Block) -> &'static str {
+    match block.disturbance {
+        Disturbance::Exosystem(_) => "(50)",
+        _ => "(21)",
+    }
+}
+
 impl Law<'_> {
     /// D_hat_i.
     pub(super) fn define_estimate(&mut self, i: usize, block: &Block) {
         let Some(s) = &block.observer else { return };
-        self.group(format!("disturbance observer of block {i} (20) (49)"));
-        let doc = format!("observer state of block {i} (21) (50)");
-        let observed = if matches!(block.disturbance, Disturbance::Exosystem(_)) {
-            format!("e{i}")
-        } else {
-            format!("x{i}")
+        let (observed, equation) = match block.disturbance {
+            Disturbance::Exosystem(_) => (format!("e{i}"), "(49)"),
+            _ => (format!("x{i}"), "(20)"),
         };
+        self.group(format!("disturbance observer of block {i} {equation}"));
+        let doc = format!("observer state of block {i} {}", rate_equation(block));
         // The first estimate is zero.
         let initial = -self.observed(i, s, name(observed));
         let th = self.state(format!("th{i}"), Shape::Vector(s.rows), doc, initial);
@@ -62,7 +69,10 @@ impl Law<'_> {
     /// th_i'.
     pub(super) fn define_observer_rate(&mut self, i: usize, block: &Block) {
         let Some(s) = &block.observer else { return };
-        self.group(format!("observer dynamics of block {i} (21) (50)"));
+        self.group(format!(
+            "observer dynamics of block {i} {}",
+            rate_equation(block)
+        ));
         let last = i == self.order();
         let known = name(format!("F{i}"));
         let known = if block.network.is_some() {

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0e4af28c47a1a4f21f94efd6a588c2916ea095d2068f618062f3b66508ae6797
+// SHA-256 of the text below: 61ea85b3607f37fd3ae1395765d700e852ac91b20e14e1f1a498474eae1862a9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // initial: 21 additions, 54 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
@@ -50,16 +50,18 @@ pub struct State<T> {
     ///
     /// `h_1' = (alpha_1 - h_1) / Fl_1`
     pub h1: Vector<T, 1>,
-    /// Network weights W_hat (65), one row per monomial and one column per channel: link_rate (v1).
+    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: link_rate
+    /// (v1).
     ///
-    /// `W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2`
+    /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
+    /// a = Gamma_2 lambda_2 (32)`
     ///
     /// Rows: `one, z1, v1, z12, z1_v1, v12`.
     pub W2: Matrix<T, 6, 1>,
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// link_rate (v1).
     ///
-    /// `th2(t + dt) = th2 + Gamma th2'`
+    /// `th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21)`
     pub th2: Vector<T, 1>,
     /// Filtered virtual control h (33): motor_angle (q2).
     ///
@@ -495,7 +497,8 @@ pub fn initial<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(4.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t8 + t7 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -527,9 +530,9 @@ pub fn initial<T: Real>(
     // -- robust feedback of block 2 (31) (63) --
     let t9 = real(34.5) + s2 * real(0.5) + s2 * (real(5e-5) * G_norm2_2)
         + s_c1 * s_c1 * real(0.25);
-    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
-    // eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-    // block (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
+    // eta_3 of the outer block (38)
     let Lam2 = e2 * t9;
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
@@ -555,8 +558,9 @@ pub fn initial<T: Real>(
 
     // -- robust feedback of block 3 (31) (63) --
     let t11 = G_norm2_2 * s_c2;
-    // Lam_3 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
-    // + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
+    // block (38)
     let Lam3 = e3 * (real(100.0) + s3 * real(0.5) + t11 * t11 * real(2.5e-9));
 
     // -- virtual control (31) of block 3 --
@@ -569,7 +573,7 @@ pub fn initial<T: Real>(
     // e_4 = x_4 - h_3 - zeta_4
     let e4 = x4 + bracket3;
 
-    // -- disturbance observer of block 4 (20) (49) --
+    // -- disturbance observer of block 4 (49) --
     // S_4, observer gain
     let S4: Matrix<T, 3, 1> = Matrix::from_f64([[40.0], [20.0], [60.0]]);
 
@@ -785,7 +789,8 @@ pub fn law<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(4.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t4 + t3 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -823,14 +828,14 @@ pub fn law<T: Real>(
     // A_hat_2 = iota_2 W_2^T P_2
     let A_hat2 = state.W2.transpose_mul(P2);
 
-    // -- disturbance observer of block 2 (20) (49) --
+    // -- disturbance observer of block 2 (20) --
     // D_hat_2 = th_2 + S_2 x_2
     let D_hat2 = state.th2 + x2 * real(40.0);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
-    // eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-    // block (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
+    // eta_3 of the outer block (38)
     let Lam2 = e2
         * (real(34.5) + s2 * real(0.5) + s2 * prepared.Lam2_1
             + s_c1 * s_c1 * real(0.25));
@@ -865,8 +870,9 @@ pub fn law<T: Real>(
 
     // -- robust feedback of block 3 (31) (63) --
     let t8 = prepared.G_norm2_2 * s_c2;
-    // Lam_3 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
-    // + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
+    // block (38)
     let Lam3 = e3 * (real(100.0) + s3 * real(0.5) + t8 * t8 * real(2.5e-9));
     // ||c_3||^2
     let s_c3 = c3.sum_squares();
@@ -894,7 +900,7 @@ pub fn law<T: Real>(
     // s_4 = e_4^T e_4
     let s4 = e4.sum_squares();
 
-    // -- disturbance observer of block 4 (20) (49) --
+    // -- disturbance observer of block 4 (49) --
     // S_4, observer gain
     let S4: Matrix<T, 3, 1> = Matrix::from_f64([[40.0], [20.0], [60.0]]);
     // w_hat_4 = th_4 + S_4 e_4
@@ -905,8 +911,9 @@ pub fn law<T: Real>(
     let D_hat4 = L4 * w_hat4;
 
     // -- robust feedback of block 4 (31) (63) --
-    // Lam_4 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
-    // (63) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    // Lam_4 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // ||L||^2/(2 eta_1) c^T (63) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the
+    // outer block (38)
     let Lam4 = e4 * (real(265.0) + s4 + s_c3 * s_c3 * real(0.25));
 
     // -- control (64) of block 4 --
@@ -923,14 +930,14 @@ pub fn law<T: Real>(
     // zeta_4' = -C_4 zeta_4 + G_4 (sat(u) - u)
     let zeta4_dot = (u_sat + t11) * real(250.0) - t10;
 
-    // -- observer dynamics of block 4 (21) (50) --
+    // -- observer dynamics of block 4 (50) --
     // th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 u - h_3' + C_4 zeta_4 + A_hat_4) = M_4
     // w_hat_4 + S_4 Lam_4
     let th4_dot = Vector([real(0.0), real(20.0) * w_hat4[2], real(-20.0) * w_hat4[1]])
         + S4 * Lam4;
 
     // -- states of block 4, one sample later --
-    // Gamma of th4
+    // g(S_4 L_4 - M_4)
     let th4_step: Matrix<T, 3, 3> = Matrix::from_f64([
         [0.000495049750665833, -4.950207916806941e-6, -1.6542082639089032e-8],
         [-2.4999170823621035e-6, 0.0004974917704589582, 2.4916460410425596e-6],
@@ -938,33 +945,34 @@ pub fn law<T: Real>(
     ]);
 
     // -- states of block 1, one sample later --
-    // zeta1(t + dt) = zeta1 + Gamma zeta1'
+    // zeta1(t + dt) = zeta1 + g zeta1', g = (1 - exp(-a dt))/a, a = C_1 (13)
     state.zeta1 = state.zeta1 + zeta1_dot * real(0.0004975083125415973);
-    // h1(t + dt) = h1 + Gamma h1'
+    // h1(t + dt) = h1 + g h1', g = (1 - exp(-a dt))/a, a = 1/Fl_1 (33)
     state.h1 = state.h1 + h1_dot * real(0.0004877057549928599);
 
     // -- states of block 2, one sample later --
-    // zeta2(t + dt) = zeta2 + Gamma zeta2'
+    // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.0004938017594333467);
-    // h2(t + dt) = h2 + Gamma h2'
+    // h2(t + dt) = h2 + g h2', g = (1 - exp(-a dt))/a, a = 1/Fl_2 (33)
     state.h2 = state.h2 + h2_dot * real(0.00044239843385719023);
-    // th2(t + dt) = th2 + Gamma th2'
+    // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21)
     state.th2 = state.th2
         - (D_hat2 + t6 + prepared.G2 * x3) * real(40.0) * real(0.0004950331673311175);
-    // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
+    // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
+    // = Gamma_2 lambda_2 (32)
     state.W2 = state.W2 * real(0.9999500012499791)
         + P2.outer(c2 * real(0.0004999875002083307));
 
     // -- states of block 3, one sample later --
-    // zeta3(t + dt) = zeta3 + Gamma zeta3'
+    // zeta3(t + dt) = zeta3 + g zeta3', g = (1 - exp(-a dt))/a, a = C_3 (13)
     state.zeta3 = state.zeta3 + zeta3_dot * real(0.0004877057549928599);
-    // h3(t + dt) = h3 + Gamma h3'
+    // h3(t + dt) = h3 + g h3', g = (1 - exp(-a dt))/a, a = 1/Fl_3 (33)
     state.h3 = state.h3 + h3_dot * real(0.00039346934028736656);
 
     // -- states of block 4, one sample later --
-    // zeta4(t + dt) = zeta4 + Gamma zeta4'
+    // zeta4(t + dt) = zeta4 + g zeta4', g = (1 - exp(-a dt))/a, a = C_4 (13)
     state.zeta4 = state.zeta4 + zeta4_dot * real(0.00047581290982020213);
-    // th4(t + dt) = th4 + Gamma th4'
+    // th4(t + dt) = th4 + g th4', g = (1 - exp(-a dt))/a, a = S_4 L_4 - M_4 (50)
     state.th4 = state.th4 + th4_step * th4_dot;
     ControlOutputs {
         u,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: a113f94d126f8f80bebd2f74c4bb8394a672c9057c79c57cf4e2eee8a3bf72ff
+// SHA-256 of the text below: fb423af0cf9695a9a7679a35f0332f37d013ee0a06a20a612b51878ad8be64ae
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // lyapunov: 237 additions, 315 multiplications, 6 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
@@ -116,7 +116,8 @@ pub fn lyapunov<T: Real>(
     let t20 = E1.sin();
     let t21 = t20 * cosE1;
     let t22 = real(1.0) / E1_free;
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1
         * (real(5.0) * T::select(E1_free.lt(real(1e-300)), real(1.0), t21 * t22)
             + real(4.0) + t19 * real(0.5));
@@ -157,7 +158,7 @@ pub fn lyapunov<T: Real>(
     // A_hat_2 = iota_2 W_2^T P_2
     let A_hat2 = t24 * P2;
 
-    // -- disturbance observer of block 2 (20) (49) --
+    // -- disturbance observer of block 2 (20) --
     // D_hat_2 = th_2 + S_2 x_2
     let D_hat2 = state.th2 + x2 * real(40.0);
 
@@ -168,9 +169,9 @@ pub fn lyapunov<T: Real>(
     // -- robust feedback of block 2 (31) (63) --
     let t25 = real(5e-5) * G_norm2_2;
     let t26 = s_c1 * s_c1;
-    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
-    // eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-    // block (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
+    // eta_3 of the outer block (38)
     let Lam2 = e2 * (real(34.5) + s2 * real(0.5) + s2 * t25 + t26 * real(0.25));
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
@@ -210,8 +211,9 @@ pub fn lyapunov<T: Real>(
     // -- robust feedback of block 3 (31) (63) --
     let t31 = G_norm2_2 * s_c2;
     let t32 = t31 * t31;
-    // Lam_3 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
-    // + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
+    // block (38)
     let Lam3 = e3 * (real(100.0) + s3 * real(0.5) + t32 * real(2.5e-9));
     // ||c_3||^2
     let s_c3 = c3.sum_squares();
@@ -239,7 +241,7 @@ pub fn lyapunov<T: Real>(
     // s_4 = e_4^T e_4
     let s4 = e4.sum_squares();
 
-    // -- disturbance observer of block 4 (20) (49) --
+    // -- disturbance observer of block 4 (49) --
     // S_4, observer gain
     let S4: Matrix<T, 3, 1> = Matrix::from_f64([[40.0], [20.0], [60.0]]);
     // w_hat_4 = th_4 + S_4 e_4
@@ -250,8 +252,9 @@ pub fn lyapunov<T: Real>(
     let D_hat4 = L4 * w_hat4;
 
     // -- robust feedback of block 4 (31) (63) --
-    // Lam_4 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
-    // (63) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    // Lam_4 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // ||L||^2/(2 eta_1) c^T (63) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the
+    // outer block (38)
     let Lam4 = e4 * (real(265.0) + s4 + s_c3 * s_c3 * real(0.25));
 
     // -- control (64) of block 4 --
@@ -268,7 +271,7 @@ pub fn lyapunov<T: Real>(
     // zeta_4' = -C_4 zeta_4 + G_4 (sat(u) - u)
     let zeta4_dot = (u_sat + t35) * real(250.0) - t34;
 
-    // -- observer dynamics of block 4 (21) (50) --
+    // -- observer dynamics of block 4 (50) --
     // th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 u - h_3' + C_4 zeta_4 + A_hat_4) = M_4
     // w_hat_4 + S_4 Lam_4
     let th4_dot = Vector([real(0.0), real(20.0) * w_hat4[2], real(-20.0) * w_hat4[1]])

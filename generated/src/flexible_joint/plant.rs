@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 2cfb327bb7f64205b1f52126938f6a730ca3c187b12974fbb655a05df548d69e
+// SHA-256 of the text below: c03ef1252fbc45e569f84993601639f29634903ca04c65ac9fc49360adb828ee
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // plant: 10 additions, 17 multiplications, 0 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -150,7 +150,7 @@ pub fn dynamics<T: Real>(
 ) -> PlantOutputs<T> {
     let real = T::from_f64;
 
-    // -- disturbance observer of block 4 (20) (49) --
+    // -- disturbance observer of block 4 (49) --
     // L_4
     let L4: Matrix<T, 1, 3> = Matrix::from_f64([[1.0, 1.0, 0.0]]);
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: f99223683ab753302f3240ab7179c55ce7f9605fc3cd94d34af3ed5b3becda09
+// SHA-256 of the text below: 30c583ed3e1c2114b97f7e52ef6b80d9fc668edc08d1126216ffe730790d84d5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // initial: 23 additions, 59 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
@@ -46,9 +46,11 @@ pub struct State<T> {
     ///
     /// `h_1' = (alpha_1 - h_1) / Fl_1`
     pub h1: Vector<T, 1>,
-    /// Network weights W_hat (65), one row per monomial and one column per channel: speed (rate).
+    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: speed
+    /// (rate).
     ///
-    /// `W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2`
+    /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
+    /// a = Gamma_2 lambda_2 (32)`
     ///
     /// Rows: `one, z1, rate, z12, z1_rate, rate2`.
     pub W2: Matrix<T, 6, 1>,
@@ -68,7 +70,8 @@ pub struct State<T> {
     pub sigma2: T,
     /// Noise term phi (68), kept positive: speed (rate).
     ///
-    /// `phi_2(t + dt) = max(phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)), phi_min)`
+    /// `phi_2(t + dt) = phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)) if ||e_2|| >=
+    /// iota_phi, else phi_2; at least phi_min (68) (E11)`
     pub phi2: T,
     /// Filtered virtual control h (33): current (amps).
     ///
@@ -77,7 +80,7 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// current (amps).
     ///
-    /// `th3(t + dt) = th3 + Gamma th3'`
+    /// `th3(t + dt) = th3 + g th3', g = (1 - exp(-a dt))/a, a = S_3 (21)`
     pub th3: Vector<T, 1>,
 }
 
@@ -468,7 +471,8 @@ pub fn initial<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(1.72);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t9 + t8 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -515,10 +519,11 @@ pub fn initial<T: Real>(
 
     // -- robust feedback of block 2 (31) (63) --
     let t10 = real(45.0) + s2 * real(0.5) + s2 * (real(0.05) * G_norm2_2) + real(0.5);
-    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
-    // (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
-    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e
+    // / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) +
+    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2
+    // + s^2) (64)
     let Lam2 = e2 * (t10 + s_c1 * s_c1 * real(0.25) + Psi2 / (real(100.0) + s2 * s2));
 
     // -- virtual control (31) of block 2 --
@@ -774,7 +779,8 @@ pub fn law<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(1.72);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t4 + t3 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -812,7 +818,7 @@ pub fn law<T: Real>(
     // A_hat_2 = iota_2 W_2^T P_2
     let A_hat2 = state.W2.transpose_mul(P2);
 
-    // -- disturbance observer of block 2 (20) (49) --
+    // -- disturbance observer of block 2 (49) --
     // w_hat_2 = th_2 + S_2 e_2
     let w_hat2 = state.th2 + e2 * real(10.0);
 
@@ -826,10 +832,11 @@ pub fn law<T: Real>(
     let t8 = prepared.Psi2 / (state.phi2 * state.phi2 + t7);
     let t9 = real(45.0) + s2 * real(0.5) + s2 * prepared.Lam2_1 + real(0.5)
         + s_c1 * s_c1 * real(0.25);
-    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
-    // (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
-    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e
+    // / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) +
+    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2
+    // + s^2) (64)
     let Lam2 = e2 * (t9 + prepared.Lam2_2 * state.sigma2 * s_scale2 + t8)
         + Lam2_error_bound;
     // ||c_2||^2
@@ -847,7 +854,7 @@ pub fn law<T: Real>(
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
     let zeta2_dot = prepared.G2 * state.zeta3 - t11;
 
-    // -- observer dynamics of block 2 (21) (50) --
+    // -- observer dynamics of block 2 (50) --
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
     let th2_dot = w_hat2 * real(-12.0)
         - (t10 + prepared.G2 * (x3 - state.zeta3) - h1_dot + t11) * real(10.0);
@@ -877,14 +884,15 @@ pub fn law<T: Real>(
     // s_3 = e_3^T e_3
     let s3 = e3.sum_squares();
 
-    // -- disturbance observer of block 3 (20) (49) --
+    // -- disturbance observer of block 3 (20) --
     // D_hat_3 = th_3 + S_3 x_3
     let D_hat3 = state.th3 + x3 * real(50.0);
 
     // -- robust feedback of block 3 (31) (63) --
     let t12 = prepared.G_norm2_2 * s_c2;
-    // Lam_3 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block
+    // (38)
     let Lam3 = e3 * (real(225.0) + s3 * real(0.5) + t12 * t12 * real(0.015625));
 
     // -- control (64) of block 3 --
@@ -902,26 +910,28 @@ pub fn law<T: Real>(
     let zeta3_dot = (u_sat + t14) * real(40.0) - t13;
 
     // -- states of block 1, one sample later --
-    // zeta1(t + dt) = zeta1 + Gamma zeta1'
+    // zeta1(t + dt) = zeta1 + g zeta1', g = (1 - exp(-a dt))/a, a = C_1 (13)
     state.zeta1 = state.zeta1 + zeta1_dot * real(0.000990066334662235);
-    // h1(t + dt) = h1 + Gamma h1'
+    // h1(t + dt) = h1 + g h1', g = (1 - exp(-a dt))/a, a = 1/Fl_1 (33)
     state.h1 = state.h1 + h1_dot * real(0.0009754115099857198);
 
     // -- states of block 2, one sample later --
-    // zeta2(t + dt) = zeta2 + Gamma zeta2'
+    // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.0009754115099857198);
-    // h2(t + dt) = h2 + Gamma h2'
+    // h2(t + dt) = h2 + g h2', g = (1 - exp(-a dt))/a, a = 1/Fl_2 (33)
     state.h2 = state.h2 + h2_dot * real(0.0009063462346100907);
-    // th2(t + dt) = th2 + Gamma th2'
+    // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
     state.th2 = state.th2 + th2_dot * real(0.000994023928172455);
-    // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
+    // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
+    // = Gamma_2 lambda_2 (32)
     state.W2 = state.W2 * real(0.9999000049998333)
         + P2.outer(c2 * real(0.000999950001666625));
-    // eps2(t + dt) = eps2 + Gamma eps2'
+    // eps2(t + dt) = eps2 + g eps2', g = (1 - exp(-a dt))/a, a = iota_20 (66)
     state.eps2 = state.eps2 + real(0.000999950001666625) * eps2_dot;
-    // sigma2(t + dt) = sigma2 + Gamma sigma2'
+    // sigma2(t + dt) = sigma2 + g sigma2', g = (1 - exp(-a dt))/a, a = taubar_2 lambda_sigma (67)
     state.sigma2 = state.sigma2 + real(0.000999950001666625) * sigma2_dot;
-    // phi_2(t + dt) = max(phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)), phi_min)
+    // phi_2(t + dt) = phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)) if ||e_2|| >= iota_phi,
+    // else phi_2; at least phi_min (68) (E11)
     state.phi2 = T::select(
             s2.sqrt().ge(real(0.2)),
             state.phi2 * (-(real(0.001) * phi2_decay)).exp(),
@@ -930,9 +940,9 @@ pub fn law<T: Real>(
         .max(prepared.phi2_min);
 
     // -- states of block 3, one sample later --
-    // zeta3(t + dt) = zeta3 + Gamma zeta3'
+    // zeta3(t + dt) = zeta3 + g zeta3', g = (1 - exp(-a dt))/a, a = C_3 (13)
     state.zeta3 = state.zeta3 + zeta3_dot * real(0.0009516258196404043);
-    // th3(t + dt) = th3 + Gamma th3'
+    // th3(t + dt) = th3 + g th3', g = (1 - exp(-a dt))/a, a = S_3 (21)
     state.th3 = state.th3
         - (D_hat3 + F3 + u_sat * real(40.0)) * real(50.0) * real(0.0009754115099857198);
     ControlOutputs {

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 19633e7234a97e196a2abf2fd67ee41173027d98d26de829dce1018491c19b87
+// SHA-256 of the text below: edf160533b4895cbbf2fc6f7d9a0acc137590047054301d9079b31a6a6c75531
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // lyapunov: 282 additions, 424 multiplications, 15 divisions, 2 square roots, 13 elementary functions, 15 comparisons and selections
@@ -117,7 +117,8 @@ pub fn lyapunov<T: Real>(
     let t20 = E1.sin();
     let t21 = t20 * cosE1;
     let t22 = real(1.0) / E1_free;
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1
         * (real(3.2199999999999998)
             * T::select(E1_free.lt(real(1e-300)), real(1.0), t21 * t22) + real(1.72)
@@ -159,7 +160,7 @@ pub fn lyapunov<T: Real>(
     // A_hat_2 = iota_2 W_2^T P_2
     let A_hat2 = t24 * P2;
 
-    // -- disturbance observer of block 2 (20) (49) --
+    // -- disturbance observer of block 2 (49) --
     // w_hat_2 = th_2 + S_2 e_2
     let w_hat2 = state.th2 + e2 * real(10.0);
 
@@ -202,10 +203,11 @@ pub fn lyapunov<T: Real>(
     let t35 = Psi2 / t34;
     let t36 = real(45.0) + s2 * real(0.5) + s2 * t28 + real(0.5) + t29 * real(0.25)
         + t32;
-    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
-    // (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
-    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e
+    // / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) +
+    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2
+    // + s^2) (64)
     let Lam2 = e2 * (t36 + t35) + Lam2_error_bound;
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
@@ -228,7 +230,7 @@ pub fn lyapunov<T: Real>(
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
-    // -- observer dynamics of block 2 (21) (50) --
+    // -- observer dynamics of block 2 (50) --
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
     let th2_dot = w_hat2 * real(-12.0)
         - (t37 + G2 * (x3 - state.zeta3) - h1_dot + t38) * real(10.0);
@@ -264,14 +266,15 @@ pub fn lyapunov<T: Real>(
     // s_3 = e_3^T e_3
     let s3 = e3.sum_squares();
 
-    // -- disturbance observer of block 3 (20) (49) --
+    // -- disturbance observer of block 3 (20) --
     // D_hat_3 = th_3 + S_3 x_3
     let D_hat3 = state.th3 + x3 * real(50.0);
 
     // -- robust feedback of block 3 (31) (63) --
     let t41 = G_norm2_2 * s_c2;
-    // Lam_3 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block
+    // (38)
     let Lam3 = e3 * (real(225.0) + s3 * real(0.5) + t41 * t41 * real(0.015625));
 
     // -- control (64) of block 3 --

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 423b48a81ac5fadb0b9b5516c7ae7cfa0202d4dc9c1af13ad9f35e1f3e1cf789
+// SHA-256 of the text below: 8d6c00a26d95d2278f24e2c9c8307308ec37ada09b8a8e2718aece59e2a7f45b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // initial: 60 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary functions, 6 comparisons and selections
@@ -39,10 +39,11 @@ pub struct State<T> {
     ///
     /// `zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)`
     pub zeta2: Vector<T, 3>,
-    /// Network weights W_hat (65), one row per monomial and one column per channel: attitude
+    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: attitude
     /// (alpha, beta, mu).
     ///
-    /// `W_1(t + dt) = (1 - Gamma Gamma_1 lambda_1) W_1 + Gamma Gamma_1 P_1 c_1 I_1`
+    /// `W_1(t + dt) = (1 - g Gamma_1 lambda_1) W_1 + g Gamma_1 P_1 c_1 I_1, g = (1 - exp(-a dt))/a,
+    /// a = Gamma_1 lambda_1 (32)`
     ///
     /// Rows: `one, alpha, beta, mu, alpha2, alpha_beta, alpha_mu, beta2, beta_mu, mu2, alpha3,
     /// alpha2_beta, alpha2_mu, alpha_beta2, alpha_mu2, beta3, beta2_mu, beta_mu2, mu3`.
@@ -50,16 +51,17 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// attitude (alpha, beta, mu).
     ///
-    /// `th1(t + dt) = th1 + Gamma th1'`
+    /// `th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21)`
     pub th1: Vector<T, 3>,
     /// Filtered virtual control h (33): rates (p, q, r).
     ///
     /// `h_1' = (alpha_1 - h_1) / Fl_1`
     pub h1: Vector<T, 3>,
-    /// Network weights W_hat (65), one row per monomial and one column per channel: rates (p, q,
-    /// r).
+    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: rates (p,
+    /// q, r).
     ///
-    /// `W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2`
+    /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
+    /// a = Gamma_2 lambda_2 (65)`
     ///
     /// Rows: `one, p, q, r, p2, p_q, p_r, q2, q_r, r2, p3, p2_q, p2_r, p_q2, p_r2, q3, q2_r, q_r2,
     /// r3`.
@@ -81,7 +83,8 @@ pub struct State<T> {
     pub sigma2: T,
     /// Noise term phi (68), kept positive: rates (p, q, r).
     ///
-    /// `phi_2(t + dt) = max(phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)), phi_min)`
+    /// `phi_2(t + dt) = phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)) if ||e_2|| >=
+    /// iota_phi, else phi_2; at least phi_min (68) (E11)`
     pub phi2: T,
 }
 
@@ -484,8 +487,8 @@ pub fn initial<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(2.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t16 + t15 * real(0.5) + t15 * (real(0.5) * G_norm2_1));
 
     // -- virtual control (31) of block 1 --
@@ -838,7 +841,7 @@ pub fn law<T: Real>(
     // A_hat_1 = iota_1 W_1^T P_1
     let A_hat1 = state.W1.transpose_mul(P1) * real(0.1);
 
-    // -- disturbance observer of block 1 (20) (49) --
+    // -- disturbance observer of block 1 (20) --
     // D_hat_1 = th_1 + S_1 x_1
     let D_hat1 = state.th1 + x1 * real(10.0);
 
@@ -854,8 +857,8 @@ pub fn law<T: Real>(
             real(1.0),
             sin_E1 * cosE1 * (real(1.0) / E1_free),
         ) + real(2.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t26 + t25 * real(0.5) + t25 * (real(0.5) * G_norm2_1));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -885,7 +888,7 @@ pub fn law<T: Real>(
     // A_hat_2 = iota_2 W_2^T P_2
     let A_hat2 = state.W2.transpose_mul(P2) * real(0.1);
 
-    // -- disturbance observer of block 2 (20) (49) --
+    // -- disturbance observer of block 2 (49) --
     let t31 = Vector([
         real(-1.5) * e2[0],
         real(1.5) * e2[0],
@@ -944,10 +947,10 @@ pub fn law<T: Real>(
     let t38 = H_norm2_2 * Ybar_norm2;
     let t39 = Psi2 / (state.phi2 * state.phi2 + t35);
     let t40 = t36 + t24 * real(75.0) + real(0.5) * sec2E2 + t37 * t37 * real(0.25) * t23;
-    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
-    // (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4
-    // eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 +
-    // varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
+    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
+    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
     let Lam2 = e2 * (t40 + t38 * state.sigma2 * s_scale2 + t39 * t23) + Lam2_error_bound;
 
     // -- control (64) of block 2 --
@@ -971,7 +974,7 @@ pub fn law<T: Real>(
     >::from_f64([7.375621211696555e-7, 7.375621211696555e-8, 7.375621211696555e-8])
         .hadamard(u_sat + t42) - t41;
 
-    // -- observer dynamics of block 2 (21) (50) --
+    // -- observer dynamics of block 2 (50) --
     let t43 = Vector([
         real(3.0) * w_hat2[1],
         real(-3.0) * w_hat2[0],
@@ -1028,30 +1031,33 @@ pub fn law<T: Real>(
     let phi2_min = (Psi2 * real(0.02)).sqrt();
 
     // -- states of block 1, one sample later --
-    // zeta1(t + dt) = zeta1 + Gamma zeta1'
+    // zeta1(t + dt) = zeta1 + g zeta1', g = (1 - exp(-a dt))/a, a = C_1 (13)
     state.zeta1 = state.zeta1 + zeta1_dot * real(0.0019605280423838395);
-    // h1(t + dt) = h1 + Gamma h1'
+    // h1(t + dt) = h1 + g h1', g = (1 - exp(-a dt))/a, a = 1/Fl_1 (33)
     state.h1 = state.h1 + h1_dot * real(0.00198013266932447);
-    // th1(t + dt) = th1 + Gamma th1'
+    // th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21)
     state.th1 = state.th1
         - (D_hat1 + t27 + G1 * x2) * real(10.0) * real(0.00198013266932447);
-    // W_1(t + dt) = (1 - Gamma Gamma_1 lambda_1) W_1 + Gamma Gamma_1 P_1 c_1 I_1
+    // W_1(t + dt) = (1 - g Gamma_1 lambda_1) W_1 + g Gamma_1 P_1 c_1 I_1, g = (1 - exp(-a dt))/a, a
+    // = Gamma_1 lambda_1 (32)
     state.W1 = state.W1 * real(0.9998000199986667)
         + P1.outer(c1 * real(0.00019998000133326671));
 
     // -- states of block 2, one sample later --
-    // zeta2(t + dt) = zeta2 + Gamma zeta2'
+    // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
-    // th2(t + dt) = th2 + Gamma th2'
+    // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
     state.th2 = state.th2 + t45;
-    // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
+    // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
+    // = Gamma_2 lambda_2 (65)
     state.W2 = state.W2 * real(0.9998000199986667)
         + P2.outer(c2 * real(0.00019998000133326671));
-    // eps2(t + dt) = eps2 + Gamma eps2'
+    // eps2(t + dt) = eps2 + g eps2', g = (1 - exp(-a dt))/a, a = iota_20 (66)
     state.eps2 = state.eps2 + real(0.001999800013332667) * eps2_dot;
-    // sigma2(t + dt) = sigma2 + Gamma sigma2'
+    // sigma2(t + dt) = sigma2 + g sigma2', g = (1 - exp(-a dt))/a, a = taubar_2 lambda_sigma (67)
     state.sigma2 = state.sigma2 + real(0.001999800013332667) * sigma2_dot;
-    // phi_2(t + dt) = max(phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)), phi_min)
+    // phi_2(t + dt) = phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)) if ||e_2|| >= iota_phi,
+    // else phi_2; at least phi_min (68) (E11)
     state.phi2 = T::select(
             s2.sqrt().ge(real(0.01)),
             state.phi2 * (-(real(0.002) * phi2_decay)).exp(),

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 4319737194ddd8bd552b19860559aed8fb800802f5796adf7d77bd6ce9000007
+// SHA-256 of the text below: 7d5abcba75727650b864f5347589b64ff303d9f8470af6249c61c5e2ce9ae4bb
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // lyapunov: 1928 additions, 2395 multiplications, 20 divisions, 3 square roots, 30 elementary functions, 34 comparisons and selections
@@ -239,7 +239,7 @@ pub fn lyapunov<T: Real>(
     // A_hat_1 = iota_1 W_1^T P_1
     let A_hat1 = t55 * P1 * real(0.1);
 
-    // -- disturbance observer of block 1 (20) (49) --
+    // -- disturbance observer of block 1 (20) --
     // D_hat_1 = th_1 + S_1 x_1
     let D_hat1 = state.th1 + x1 * real(10.0);
 
@@ -254,8 +254,8 @@ pub fn lyapunov<T: Real>(
     let t58 = real(0.5) * G_norm2_1;
     let t59 = real(2.375) * T::select(E1_free.lt(real(1e-300)), real(1.0), t56 * t57)
         + real(2.0) + t54 * real(0.5);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t59 + t54 * t58);
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -291,7 +291,7 @@ pub fn lyapunov<T: Real>(
     // A_hat_2 = iota_2 W_2^T P_2
     let A_hat2 = t66 * P2 * real(0.1);
 
-    // -- disturbance observer of block 2 (20) (49) --
+    // -- disturbance observer of block 2 (49) --
     let t67 = Vector([
         real(-1.5) * e2[0],
         real(1.5) * e2[0],
@@ -351,10 +351,10 @@ pub fn lyapunov<T: Real>(
     let t75 = state.phi2 * state.phi2;
     let t76 = Psi2 / (t75 + t71);
     let t77 = t72 + t52 * real(75.0) + real(0.5) * sec2E2 + t73 * t73 * real(0.25) * t51;
-    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
-    // (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4
-    // eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 +
-    // varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
+    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
+    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
     let Lam2 = e2 * (t77 + t74 * state.sigma2 * s_scale2 + t76 * t51) + Lam2_error_bound;
 
     // -- control (64) of block 2 --
@@ -383,7 +383,7 @@ pub fn lyapunov<T: Real>(
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(c2 * real(0.1)) - state.W2 * real(0.1);
 
-    // -- observer dynamics of block 2 (21) (50) --
+    // -- observer dynamics of block 2 (50) --
     let t81 = Vector([
         real(3.0) * w_hat2[1],
         real(-3.0) * w_hat2[0],

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: fdef6dbaee788ab0e786986a648f328cc650ce49068504f6146712036764bbe0
+// SHA-256 of the text below: 40b3ff5969b8ef76b940483997872926968521e16b17df8ccd8d5c565832e366
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // initial: 5 additions, 18 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
@@ -42,16 +42,18 @@ pub struct State<T> {
     ///
     /// `h_1' = (alpha_1 - h_1) / Fl_1`
     pub h1: Vector<T, 1>,
-    /// Network weights W_hat (65), one row per monomial and one column per channel: speed (omega).
+    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: speed
+    /// (omega).
     ///
-    /// `W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2`
+    /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
+    /// a = Gamma_2 lambda_2 (65)`
     ///
     /// Rows: `one, z1, omega, z12, z1_omega, omega2`.
     pub W2: Matrix<T, 6, 1>,
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// speed (omega).
     ///
-    /// `th2(t + dt) = th2 + Gamma th2'`
+    /// `th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21)`
     pub th2: Vector<T, 1>,
 }
 
@@ -358,7 +360,8 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(4.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t2 + s1 * sec2E1 * real(0.5));
 
     // -- virtual control (31) of block 1 --
@@ -535,7 +538,8 @@ pub fn law<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(4.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t4 + t3 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -573,13 +577,14 @@ pub fn law<T: Real>(
     // A_hat_2 = iota_2 W_2^T P_2
     let A_hat2 = state.W2.transpose_mul(P2);
 
-    // -- disturbance observer of block 2 (20) (49) --
+    // -- disturbance observer of block 2 (20) --
     // D_hat_2 = th_2 + S_2 x_2
     let D_hat2 = state.th2 + x2 * real(20.0);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block
+    // (38)
     let Lam2 = e2 * (real(22.5) + s2 * real(0.5) + s_c1 * s_c1 * real(0.25));
 
     // -- control (64) of block 2 --
@@ -598,18 +603,19 @@ pub fn law<T: Real>(
     let zeta2_dot = prepared.G2 * (u_sat + t8) - t7;
 
     // -- states of block 1, one sample later --
-    // zeta1(t + dt) = zeta1 + Gamma zeta1'
+    // zeta1(t + dt) = zeta1 + g zeta1', g = (1 - exp(-a dt))/a, a = C_1 (13)
     state.zeta1 = state.zeta1 + zeta1_dot * real(0.0019605280423838395);
-    // h1(t + dt) = h1 + Gamma h1'
+    // h1(t + dt) = h1 + g h1', g = (1 - exp(-a dt))/a, a = 1/Fl_1 (33)
     state.h1 = state.h1 + h1_dot * real(0.0019032516392808085);
 
     // -- states of block 2, one sample later --
-    // zeta2(t + dt) = zeta2 + Gamma zeta2'
+    // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
-    // th2(t + dt) = th2 + Gamma th2'
+    // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21)
     state.th2 = state.th2
         - (D_hat2 + t6 + prepared.G2 * u_sat) * real(20.0) * real(0.0019605280423838395);
-    // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
+    // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
+    // = Gamma_2 lambda_2 (65)
     state.W2 = state.W2 * real(0.9998000199986667)
         + P2.outer(c2 * real(0.001999800013332667));
     ControlOutputs {

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 47c5f660dca01cb1085538d0c1ac20a82843e8fd4aa1d4be30febf8f71ecb5c3
+// SHA-256 of the text below: 20715678f01c38572e64a7801d108f7a1ea1ae8c8c3e8088277765c539d36dc7
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // initial: 11 additions, 27 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
@@ -42,9 +42,11 @@ pub struct State<T> {
     ///
     /// `h_1' = (alpha_1 - h_1) / Fl_1`
     pub h1: Vector<T, 2>,
-    /// Network weights W_hat (65), one row per monomial and one column per channel: rates (v1, v2).
+    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: rates (v1,
+    /// v2).
     ///
-    /// `W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2`
+    /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
+    /// a = Gamma_2 lambda_2 (65)`
     ///
     /// Rows: `one, v1, v2, q2, v12, v1_v2, v1_q2, v22, v2_q2, q22, v13, v12_v2, v12_q2, v1_v22,
     /// v1_v2_q2, v1_q22, v23, v22_q2, v2_q22, q23`.
@@ -373,7 +375,8 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(4.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t5 + s1 * sec2E1 * real(0.5));
 
     // -- virtual control (31) of block 1 --
@@ -630,7 +633,8 @@ pub fn law<T: Real>(
             real(1.0),
             sin_E1 * cosE1 * (real(1.0) / E1_free),
         ) + real(4.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t10 + t9 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -658,7 +662,7 @@ pub fn law<T: Real>(
     // A_hat_2 = iota_2 W_2^T P_2
     let A_hat2 = state.W2.transpose_mul(P2);
 
-    // -- disturbance observer of block 2 (20) (49) --
+    // -- disturbance observer of block 2 (49) --
     // w_hat_2 = th_2 + S_2 e_2
     let w_hat2 = state.th2
         + Vector([
@@ -683,9 +687,9 @@ pub fn law<T: Real>(
         ) + real(8.0);
     let t14 = t13 + t8 * real(0.9999999999999998) + real(0.5) * sec2E2
         + s_c1 * s_c1 * real(0.25) * t7;
-    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
-    // (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4
-    // eta_3^4), G, c, eta_3 of the outer block (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
+    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
     let Lam2 = e2 * t14 + Lam2_error_bound;
 
     // -- control (64) of block 2 --
@@ -704,7 +708,7 @@ pub fn law<T: Real>(
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
     let zeta2_dot = inverse_M * (u_sat + t16) - t15;
 
-    // -- observer dynamics of block 2 (21) (50) --
+    // -- observer dynamics of block 2 (50) --
     let t17 = Vector([
         real(12.0) * Lam2[0],
         real(36.0) * Lam2[0],
@@ -731,7 +735,7 @@ pub fn law<T: Real>(
     let violated = violated1.or(violated2);
 
     // -- states of block 2, one sample later --
-    // Gamma of th2
+    // g(S_2 L_2 - M_2)
     let th2_step: Matrix<T, 5, 5> = Matrix::from_f64([
         [0.001976143425723861, 1.984071770174817e-6, 0.0, 0.0, 0.0],
         [-7.142658372629343e-5, 0.001999952286965959, 0.0, 0.0, 0.0],
@@ -747,20 +751,21 @@ pub fn law<T: Real>(
     ]);
 
     // -- states of block 1, one sample later --
-    // zeta1(t + dt) = zeta1 + Gamma zeta1'
+    // zeta1(t + dt) = zeta1 + g zeta1', g = (1 - exp(-a dt))/a, a = C_1 (13)
     state.zeta1 = state.zeta1 + zeta1_dot * real(0.0019605280423838395);
-    // h1(t + dt) = h1 + Gamma h1'
+    // h1(t + dt) = h1 + g h1', g = (1 - exp(-a dt))/a, a = 1/Fl_1 (33)
     state.h1 = state.h1 + h1_dot * real(0.0019032516392808085);
 
     // -- states of block 2, one sample later --
-    // zeta2(t + dt) = zeta2 + Gamma zeta2'
+    // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
-    // th2(t + dt) = th2 + Gamma th2'
+    // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
     state.th2 = state.th2 + th2_step * th2_dot;
-    // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
+    // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
+    // = Gamma_2 lambda_2 (65)
     state.W2 = state.W2 * real(0.9998000199986667)
         + P2.outer(c2 * real(0.001999800013332667));
-    // eps2(t + dt) = eps2 + Gamma eps2'
+    // eps2(t + dt) = eps2 + g eps2', g = (1 - exp(-a dt))/a, a = iota_20 (66)
     state.eps2 = state.eps2 + real(0.001999800013332667) * eps2_dot;
     ControlOutputs {
         u,

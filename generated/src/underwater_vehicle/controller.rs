@@ -1,4 +1,4 @@
-// SHA-256 of the text below: fa14d344d164fb1c01327e6dd8249174e0909afeafdfa24a4fdb22043270010f
+// SHA-256 of the text below: 8b81d35675fb3586c15e02df4fa715d979dc0b8ff443cb8df6145df2b3289f00
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // initial: 89 additions, 150 multiplications, 9 divisions, 0 square roots, 19 elementary functions, 3 comparisons and selections
@@ -42,16 +42,17 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// pose (north, east, down, phi, theta, psi).
     ///
-    /// `th1(t + dt) = th1 + Gamma th1'`
+    /// `th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21)`
     pub th1: Vector<T, 6>,
     /// Filtered virtual control h (33): velocity (surge, sway, heave, p, q, r).
     ///
     /// `h_1' = (alpha_1 - h_1) / Fl_1`
     pub h1: Vector<T, 6>,
-    /// Network weights W_hat (65), one row per monomial and one column per channel: velocity
+    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: velocity
     /// (surge, sway, heave, p, q, r).
     ///
-    /// `W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2`
+    /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
+    /// a = Gamma_2 lambda_2 (65)`
     ///
     /// Rows: `one, surge, sway, heave, p, q, r, surge2, surge_sway, surge_heave, surge_p, surge_q,
     /// surge_r, sway2, sway_heave, sway_p, sway_q, sway_r, heave2, heave_p, heave_q, heave_r, p2,
@@ -74,7 +75,8 @@ pub struct State<T> {
     pub sigma2: T,
     /// Noise term phi (68), kept positive: velocity (surge, sway, heave, p, q, r).
     ///
-    /// `phi_2(t + dt) = max(phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)), phi_min)`
+    /// `phi_2(t + dt) = phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)) if ||e_2|| >=
+    /// iota_phi, else phi_2; at least phi_min (68) (E11)`
     pub phi2: T,
 }
 
@@ -427,7 +429,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
 
-    // -- disturbance observer of block 1 (20) (49) --
+    // -- disturbance observer of block 1 (20) --
     // D_hat_1 = th_1 + S_1 x_1
     let D_hat1 = x1 - x1;
 
@@ -466,8 +468,8 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
         real(1.0),
         E1.sin() * cosE1 * (real(1.0) / E1_free),
     ) + real(0.5);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t38 + t37 * real(0.5) + t37 * (real(0.5) * G_norm2_1));
 
     // -- virtual control (31) of block 1 --
@@ -860,7 +862,7 @@ pub fn law<T: Real>(
     // c_1 = s_1 e_1^T / cos^2 E_1
     let c1 = e1 * t13;
 
-    // -- disturbance observer of block 1 (20) (49) --
+    // -- disturbance observer of block 1 (20) --
     // D_hat_1 = th_1 + S_1 x_1
     let D_hat1 = state.th1 + x1;
 
@@ -893,8 +895,8 @@ pub fn law<T: Real>(
         real(1.0),
         E1.sin() * cosE1 * (real(1.0) / E1_free),
     ) + real(0.5);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t31 + t13 * real(0.5) + t13 * (real(0.5) * G_norm2_1));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -943,7 +945,7 @@ pub fn law<T: Real>(
     // A_hat_2 = iota_2 W_2^T P_2
     let A_hat2 = state.W2.transpose_mul(P2);
 
-    // -- disturbance observer of block 2 (20) (49) --
+    // -- disturbance observer of block 2 (49) --
     let t37 = Vector([
         real(-8.0) * e2[0],
         real(5.8) * e2[0],
@@ -980,10 +982,10 @@ pub fn law<T: Real>(
     let t40 = G_norm2_1 * s_c1;
     let t41 = prepared.Psi2 / (state.phi2 * state.phi2 + t39);
     let t42 = real(5.25) + s2 * real(3.0) + real(0.5) + t40 * t40 * real(0.25);
-    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
-    // (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4
-    // eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 +
-    // varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
+    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
+    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
     let Lam2 = e2 * (t42 + prepared.Lam2_1 * state.sigma2 * s_scale2 + t41)
         + Lam2_error_bound;
 
@@ -1016,7 +1018,7 @@ pub fn law<T: Real>(
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
     let zeta2_dot = t50 - t43;
 
-    // -- observer dynamics of block 2 (21) (50) --
+    // -- observer dynamics of block 2 (50) --
     let t51 = Vector([
         w_hat2[1],
         real(-0.2) * w_hat2[1] - w_hat2[0],
@@ -1097,26 +1099,28 @@ pub fn law<T: Real>(
     ]);
 
     // -- states of block 1, one sample later --
-    // zeta1(t + dt) = zeta1 + Gamma zeta1'
+    // zeta1(t + dt) = zeta1 + g zeta1', g = (1 - exp(-a dt))/a, a = C_1 (13)
     state.zeta1 = state.zeta1 + zeta1_dot * real(0.009754115099857198);
-    // h1(t + dt) = h1 + Gamma h1'
+    // h1(t + dt) = h1 + g h1', g = (1 - exp(-a dt))/a, a = 1/Fl_1 (33)
     state.h1 = state.h1 + h1_dot * real(0.009516258196404044);
-    // th1(t + dt) = th1 + Gamma th1'
+    // th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21)
     state.th1 = state.th1 - (D_hat1 + t53) * real(0.009950166250831947);
 
     // -- states of block 2, one sample later --
-    // zeta2(t + dt) = zeta2 + Gamma zeta2'
+    // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.009516258196404044);
-    // th2(t + dt) = th2 + Gamma th2'
+    // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
     state.th2 = state.th2 + t54;
-    // W_2(t + dt) = (1 - Gamma Gamma_2 lambda_2) W_2 + Gamma Gamma_2 P_2 c_2 I_2
+    // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
+    // = Gamma_2 lambda_2 (65)
     state.W2 = state.W2 * real(0.999000499833375)
         + P2.outer(c2 * real(0.009995001666250083));
-    // eps2(t + dt) = eps2 + Gamma eps2'
+    // eps2(t + dt) = eps2 + g eps2', g = (1 - exp(-a dt))/a, a = iota_20 (66)
     state.eps2 = state.eps2 + real(0.009995001666250083) * eps2_dot;
-    // sigma2(t + dt) = sigma2 + Gamma sigma2'
+    // sigma2(t + dt) = sigma2 + g sigma2', g = (1 - exp(-a dt))/a, a = taubar_2 lambda_sigma (67)
     state.sigma2 = state.sigma2 + real(0.009995001666250083) * sigma2_dot;
-    // phi_2(t + dt) = max(phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)), phi_min)
+    // phi_2(t + dt) = phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)) if ||e_2|| >= iota_phi,
+    // else phi_2; at least phi_min (68) (E11)
     state.phi2 = T::select(
             s2.sqrt().ge(real(0.2)),
             state.phi2 * (-(real(0.01) * phi2_decay)).exp(),

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 7a87bd0b14ede9f0b9f4e65be75b6f9e32865bf9fd01d32f5c9da2be64362d96
+// SHA-256 of the text below: 44412caaa3587078ab143030bdf0a1b16af166d5e54123aecf179c8fa6c1fbc5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // lyapunov: 4121 additions, 4529 multiplications, 31 divisions, 2 square roots, 28 elementary functions, 25 comparisons and selections
@@ -189,7 +189,7 @@ pub fn lyapunov<T: Real>(
     // c_1 = s_1 e_1^T / cos^2 E_1
     let c1 = e1 * t55;
 
-    // -- disturbance observer of block 1 (20) (49) --
+    // -- disturbance observer of block 1 (20) --
     // D_hat_1 = th_1 + S_1 x_1
     let D_hat1 = state.th1 + x1;
 
@@ -223,8 +223,8 @@ pub fn lyapunov<T: Real>(
     let t76 = real(0.5) * G_norm2_1;
     let t77 = T::select(E1_free.lt(real(1e-300)), real(1.0), t74 * t75) + real(0.5)
         + t55 * real(0.5) + t55 * t76;
-    // Lam_1 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + eta_1/2 c^T (36) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * t77;
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -276,7 +276,7 @@ pub fn lyapunov<T: Real>(
     // A_hat_2 = iota_2 W_2^T P_2
     let A_hat2 = t87 * P2;
 
-    // -- disturbance observer of block 2 (20) (49) --
+    // -- disturbance observer of block 2 (49) --
     let t88 = Vector([
         real(-8.0) * e2[0],
         real(5.8) * e2[0],
@@ -364,10 +364,10 @@ pub fn lyapunov<T: Real>(
     let t129 = state.phi2 * state.phi2;
     let t130 = Psi2 / (t129 + t126);
     let t131 = real(5.25) + s2 * real(3.0) + real(0.5) + t127 * t127 * real(0.25);
-    // Lam_2 = (4 kbar + K) k^4/(2 pi) sin E cos E / s^2 e + kbar e (31) + ||L||^2/(2 eta_1) c^T
-    // (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4
-    // eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 +
-    // varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
+    // ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
+    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
+    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
     let Lam2 = e2 * (t131 + t128 * state.sigma2 * s_scale2 + t130) + Lam2_error_bound;
 
     // -- control (64) of block 2 --
@@ -409,7 +409,7 @@ pub fn lyapunov<T: Real>(
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
-    // -- observer dynamics of block 2 (21) (50) --
+    // -- observer dynamics of block 2 (50) --
     let t144 = Vector([
         w_hat2[1],
         real(-0.2) * w_hat2[1] - w_hat2[0],
