@@ -1,0 +1,113 @@
+//! Results of the programs of `--math fast` against those of the strict ones.
+
+use std::ops::Range;
+
+use nsv_codegen::ir::Program;
+use nsv_codegen::lower::Programs;
+use nsv_codegen::opt::{Arithmetic, optimise_with};
+
+use crate::emitted::{Function, Module};
+use crate::evaluated::Evaluated;
+use crate::layout::results;
+use crate::points::{Kind, Points};
+use crate::work::share;
+
+/// Differences of a result: those at states of the closed loop, and at all points.
+#[derive(Clone, Default)]
+struct Differences {
+    flight: Vec<f64>,
+    all: Vec<f64>,
+    /// Points where entries are finite, or infinite of one sign, in one of the two only.
+    of_kind: u64,
+}
+
+/// A function in both arithmetics.
+struct Pair<'p> {
+    name: &'static str,
+    places: Vec<(String, Range<usize>)>,
+    evaluated: [Evaluated<'p>; 2],
+    differences: Vec<Differences>,
+}
+
+impl<'p> Pair<'p> {
+    fn new<F: Function>(points: &Points, programs: &'p [Program; 2]) -> Self {
+        let places = results(&programs[0], &F::results());
+        Pair {
+            name: F::NAME,
+            evaluated: [0, 1].map(|at| Evaluated::new(&programs[at], points.layout(), &places)),
+            differences: vec![Differences::default(); places.len()],
+            places,
+        }
+    }
+
+    fn compare(&mut self, kind: Kind, point: &[f64]) {
+        let size = self.places.last().map_or(0, |(_, place)| place.end);
+        let [strict, fast] = &mut self.evaluated;
+        let mut values = [vec![0.0; size], vec![0.0; size]];
+        strict.run(point, &mut values[0]);
+        fast.run(point, &mut values[1]);
+        for ((_, place), differences) in self.places.iter().zip(&mut self.differences) {
+            let Some(difference) = difference(&values[0][place.clone()], &values[1][place.clone()]) else {
+                differences.of_kind += 1;
+                continue;
+            };
+            differences.all.push(difference);
+            if kind == Kind::Flight {
+                differences.flight.push(difference);
+            }
+        }
+    }
+}
+
+/// Largest difference of the finite entries in units of the last place of the largest of them; none if others are not the same.
+fn difference(strict: &[f64], fast: &[f64]) -> Option<f64> {
+    let (mut largest, mut off) = (0.0_f64, 0.0_f64);
+    for (strict, fast) in strict.iter().zip(fast) {
+        if strict.is_finite() && fast.is_finite() {
+            largest = largest.max(strict.abs());
+            // Halves, since a difference of finite numbers may overflow.
+            off = off.max((strict / 2.0 - fast / 2.0).abs());
+        } else if strict != fast && !(strict.is_nan() && fast.is_nan()) {
+            return None;
+        }
+    }
+    let place = largest - largest.next_down();
+    Some(if off == 0.0 { 0.0 } else { 2.0 * (off / place.max(f64::MIN_POSITIVE * f64::EPSILON)) })
+}
+
+/// Compares at `count` points and prints a Markdown table.
+pub fn run<M: Module>(points: &Points, programs: &Programs, count: u64) {
+    let both = [&programs.initial, &programs.control, &programs.plant]
+        .map(|program| [Arithmetic::Strict, Arithmetic::Fast].map(|arithmetic| optimise_with(program.clone(), arithmetic)));
+    let worker =
+        || [Pair::new::<M::Initial>(points, &both[0]), Pair::new::<M::Control>(points, &both[1]), Pair::new::<M::Plant>(points, &both[2])];
+    let workers = share(points, count, worker, |pairs, portion| {
+        for (kind, point) in portion.kinds.iter().zip(portion.points.chunks(points.layout().size())) {
+            pairs.iter_mut().for_each(|pair| pair.compare(*kind, point));
+        }
+    });
+    println!("| spec | result | closed loop: median | 99.9 % | largest | all points: largest | infinite or NaN in one only |");
+    println!("|---|---|---|---|---|---|---|");
+    for (at, pair) in workers[0].iter().enumerate() {
+        for (result, (name, _)) in pair.places.iter().enumerate() {
+            let of = |list: fn(&Differences) -> &Vec<f64>| {
+                let mut all: Vec<f64> = workers.iter().flat_map(|pairs| list(&pairs[at].differences[result])).copied().collect();
+                all.sort_by(f64::total_cmp);
+                [0.5, 0.999, 1.0].map(|share| all.get(((all.len() as f64 * share) as usize).min(all.len().saturating_sub(1))).copied())
+            };
+            let [median, most, flight] = of(|differences| &differences.flight).map(figure);
+            let all = figure(of(|differences| &differences.all)[2]);
+            let of_kind: u64 = workers.iter().map(|pairs| pairs[at].differences[result].of_kind).sum();
+            println!("| {} | {}: {name} | {median} | {most} | {flight} | {all} | {of_kind} |", M::NAME, pair.name);
+        }
+    }
+}
+
+/// Two digits.
+fn figure(value: Option<f64>) -> String {
+    match value {
+        None => "-".to_owned(),
+        Some(value) if value < 100.0 => format!("{}", (10.0 * value).round() / 10.0),
+        Some(value) => format!("{value:.1e}"),
+    }
+}
