@@ -12,8 +12,10 @@ pub struct Point<'a, T> {
     pub x: &'a [T],
     /// States of the controller.
     pub state: &'a [T],
-    /// Parameters.
+    /// Parameters: of the controller's design, or of the plant for `plant`.
     pub params: &'a [T],
+    /// Parameters of the plant where those of the design are given too.
+    pub plant: &'a [T],
     /// Control within its limits.
     pub u_sat: &'a [T],
 }
@@ -48,6 +50,8 @@ pub trait Module {
     type Control: Function;
     /// Rates of the plant.
     type Plant: Function;
+    /// Lyapunov function and its generator.
+    type Lyapunov: Function;
 }
 
 /// Where results are written.
@@ -153,6 +157,7 @@ macro_rules! module {
         #[doc = concat!("`nsv_generated::", stringify!($module), "`")]
         pub mod $module {
             use nsv_generated::$module::controller::{self, ControlOutputs};
+            use nsv_generated::$module::lyapunov::{self, LyapunovOutputs};
             use nsv_generated::$module::plant::{self, PlantOutputs};
             use nsv_generated::$module::{Params, State};
             use nsv_runtime::real::Real;
@@ -167,6 +172,8 @@ macro_rules! module {
             pub struct Control;
             /// Its `plant`.
             pub struct Plant;
+            /// Its `lyapunov`.
+            pub struct Lyapunov;
 
             impl Module for Emitted {
                 const NAME: &'static str = stringify!($module);
@@ -178,11 +185,17 @@ macro_rules! module {
                 type Initial = Initial;
                 type Control = Control;
                 type Plant = Plant;
+                type Lyapunov = Lyapunov;
             }
 
             #[inline(always)]
             fn params<T: Real>(mut data: &[T]) -> Params<T> {
                 Params { $($param: Flat::take(&mut data)),* }
+            }
+
+            #[inline(always)]
+            fn state<T: Real>(mut data: &[T]) -> State<T> {
+                State { $($state: Flat::take(&mut data)),* }
             }
 
             #[inline(always)]
@@ -217,9 +230,9 @@ macro_rules! module {
 
                 #[inline(always)]
                 fn evaluate<T: Real>(point: Point<'_, T>, results: &mut Sink<'_, T>) {
-                    let (mut x, mut data) = (point.x, point.state);
+                    let mut x = point.x;
                     $(let $x = Flat::take(&mut x);)*
-                    let mut state = State { $($state: Flat::take(&mut data)),* };
+                    let mut state = state(point.state);
                     let outputs = controller::control(point.t, $($x,)* &mut state, &params(point.params));
                     let ControlOutputs { u, u_sat, violated, $($control),* } = outputs;
                     u.put(results);
@@ -243,6 +256,25 @@ macro_rules! module {
                     let (x, u_sat) = (Flat::take(&mut x), Flat::take(&mut u_sat));
                     let PlantOutputs { $($plant),* } = plant::plant(point.t, x, u_sat, &params(point.params));
                     $($plant.put(results);)*
+                }
+            }
+
+            impl Function for Lyapunov {
+                const NAME: &'static str = "lyapunov";
+
+                fn results() -> Vec<String> {
+                    ["V", "LV"].map(str::to_owned).into()
+                }
+
+                #[inline(always)]
+                fn evaluate<T: Real>(point: Point<'_, T>, results: &mut Sink<'_, T>) {
+                    let mut x = point.x;
+                    $(let $x = Flat::take(&mut x);)*
+                    $(let $w = Flat::take(&mut x);)*
+                    let (state, design, plant) = (state(point.state), params(point.params), params(point.plant));
+                    let LyapunovOutputs { V, LV } = lyapunov::lyapunov(point.t, $($x,)* $($w,)* &state, &design, &plant);
+                    V.put(results);
+                    LV.put(results);
                 }
             }
         }

@@ -17,7 +17,7 @@ use crate::work::share;
 struct Differences {
     flight: Vec<f64>,
     all: Vec<f64>,
-    /// Points where entries are finite, or infinite of one sign, in one of the two only.
+    /// Points where the two differ in a truth value, in infinity or NaN.
     of_kind: u64,
 }
 
@@ -46,8 +46,10 @@ impl<'p> Pair<'p> {
         let mut values = [vec![0.0; size], vec![0.0; size]];
         strict.run(point, &mut values[0]);
         fast.run(point, &mut values[1]);
-        for ((_, place), differences) in self.places.iter().zip(&mut self.differences) {
-            let Some(difference) = difference(&values[0][place.clone()], &values[1][place.clone()]) else {
+        for ((name, place), differences) in self.places.iter().zip(&mut self.differences) {
+            let [a, b] = [0, 1].map(|at| &values[at][place.clone()]);
+            let truths = name == "violated" && a != b;
+            let Some(difference) = difference(a, b).filter(|_| !truths) else {
                 differences.of_kind += 1;
                 continue;
             };
@@ -77,37 +79,47 @@ fn difference(strict: &[f64], fast: &[f64]) -> Option<f64> {
 
 /// Compares at `count` points and prints a Markdown table.
 pub fn run<M: Module>(points: &Points, programs: &Programs, count: u64) {
-    let both = [&programs.initial, &programs.control, &programs.plant]
+    let both = [&programs.initial, &programs.control, &programs.plant, &programs.lyapunov]
         .map(|program| [Arithmetic::Strict, Arithmetic::Fast].map(|arithmetic| optimise_with(program.clone(), arithmetic)));
-    let worker =
-        || [Pair::new::<M::Initial>(points, &both[0]), Pair::new::<M::Control>(points, &both[1]), Pair::new::<M::Plant>(points, &both[2])];
+    let worker = || {
+        [
+            Pair::new::<M::Initial>(points, &both[0]),
+            Pair::new::<M::Control>(points, &both[1]),
+            Pair::new::<M::Plant>(points, &both[2]),
+            Pair::new::<M::Lyapunov>(points, &both[3]),
+        ]
+    };
     let workers = share(points, count, worker, |pairs, portion| {
         for (kind, point) in portion.kinds.iter().zip(portion.points.chunks(points.layout().size())) {
             pairs.iter_mut().for_each(|pair| pair.compare(*kind, point));
         }
     });
-    println!("| spec | result | closed loop: median | 99.9 % | largest | all points: largest | infinite or NaN in one only |");
+    println!("| spec | result | closed loop: median | 99.9 % | largest | all points: largest | other truth, infinity or NaN |");
     println!("|---|---|---|---|---|---|---|");
+    let mut unchanged = Vec::new();
     for (at, pair) in workers[0].iter().enumerate() {
         for (result, (name, _)) in pair.places.iter().enumerate() {
             let of = |list: fn(&Differences) -> &Vec<f64>| {
                 let mut all: Vec<f64> = workers.iter().flat_map(|pairs| list(&pairs[at].differences[result])).copied().collect();
                 all.sort_by(f64::total_cmp);
-                [0.5, 0.999, 1.0].map(|share| all.get(((all.len() as f64 * share) as usize).min(all.len().saturating_sub(1))).copied())
+                let last = all.len().saturating_sub(1);
+                [0.5, 0.999, 1.0].map(|share| all.get(((all.len() as f64 * share) as usize).min(last)).copied().unwrap_or(0.0))
             };
-            let [median, most, flight] = of(|differences| &differences.flight).map(figure);
-            let all = figure(of(|differences| &differences.all)[2]);
+            let (flight, [.., most]) = (of(|differences| &differences.flight), of(|differences| &differences.all));
             let of_kind: u64 = workers.iter().map(|pairs| pairs[at].differences[result].of_kind).sum();
-            println!("| {} | {}: {name} | {median} | {most} | {flight} | {all} | {of_kind} |", M::NAME, pair.name);
+            let text = format!("{}: {name}", pair.name);
+            if most == 0.0 && of_kind == 0 {
+                unchanged.push(text);
+                continue;
+            }
+            let [median, nearly_all, largest] = flight.map(figure);
+            println!("| {} | {text} | {median} | {nearly_all} | {largest} | {} | {of_kind} |", M::NAME, figure(most));
         }
     }
+    println!("\nThe same at every point: {}.", unchanged.join(", "));
 }
 
 /// Two digits.
-fn figure(value: Option<f64>) -> String {
-    match value {
-        None => "-".to_owned(),
-        Some(value) if value < 100.0 => format!("{}", (10.0 * value).round() / 10.0),
-        Some(value) => format!("{value:.1e}"),
-    }
+fn figure(value: f64) -> String {
+    if value < 100.0 { format!("{}", (10.0 * value).round() / 10.0) } else { format!("{value:.1e}") }
 }

@@ -105,7 +105,7 @@ pub fn flights<M: Module>(model: &Model, programs: &Programs, layout: &Layout, s
         };
         let mut point = vec![0.0; layout.size()];
         point[layout.x.clone()].copy_from_slice(M::INITIAL_STATE);
-        for (name, at) in M::PARAMS.iter().zip(layout.params.clone()) {
+        for (name, at) in M::PARAMS.iter().cycle().zip(layout.params.start..layout.plant.end) {
             let parameter = model.parameters.iter().find(|parameter| parameter.name == *name).expect("the model has it");
             point[at] = parameter.value * (0.95 + 0.1 * closed.draw.uniform());
         }

@@ -88,6 +88,13 @@ impl Layout {
     #[inline(always)]
     fn split<'a, T: Copy>(&self, point: &'a [T]) -> Point<'a, T> {
         let part = |range: &std::ops::Range<usize>| &point[range.clone()];
-        Point { t: point[0], x: part(&self.x), state: part(&self.state), params: part(&self.params), u_sat: part(&self.u_sat) }
+        Point {
+            t: point[0],
+            x: part(&self.x),
+            state: part(&self.state),
+            params: part(&self.params),
+            plant: part(&self.plant),
+            u_sat: part(&self.u_sat),
+        }
     }
 }

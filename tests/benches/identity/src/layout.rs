@@ -22,14 +22,16 @@ pub fn compiled(name: &str) -> (Model, Programs) {
     (model, programs)
 }
 
-/// Where the inputs of all functions stand in a point: time, plant state, controller states, parameters, control.
+/// Where the inputs of all functions stand in a point: time, plant state, controller states, parameters of design and plant, control.
 pub struct Layout {
     /// Plant state.
     pub x: Range<usize>,
     /// Controller states.
     pub state: Range<usize>,
-    /// Parameters.
+    /// Parameters of the controller's design, and of the plant for its own function.
     pub params: Range<usize>,
+    /// Parameters of the plant where those of the design are given too.
+    pub plant: Range<usize>,
     /// Control within its limits.
     pub u_sat: Range<usize>,
     /// The inputs of the programs by name.
@@ -45,13 +47,22 @@ impl Layout {
         let x = 1..1 + M::INITIAL_STATE.len();
         let state = x.end..x.end + states;
         let params = state.end..state.end + M::PARAMS.len();
-        let u_sat = params.end..params.end + channels;
+        let plant = params.end..params.end + M::PARAMS.len();
+        let u_sat = plant.end..plant.end + channels;
         let moved = |entries: &Range<usize>, by: usize| entries.start + by..entries.end + by;
         let mut inputs = vec![("t".to_owned(), 0..1), ("x".to_owned(), x.clone()), ("u_sat".to_owned(), u_sat.clone())];
         inputs.extend((0..model.blocks.len()).map(|i| (format!("x{}", i + 1), moved(&(i * channels..(i + 1) * channels), x.start))));
         inputs.extend(sizes.iter().map(|(name, entries)| (format!("state.{name}"), moved(entries, state.start))));
-        inputs.extend(M::PARAMS.iter().zip(params.clone()).map(|(name, at)| (format!("params.{name}"), at..at + 1)));
-        Layout { x, state, params, u_sat, inputs }
+        for (prefix, range) in [("params", &params), ("plant", &plant)] {
+            inputs.extend(M::PARAMS.iter().zip(range.clone()).map(|(name, at)| (format!("{prefix}.{name}"), at..at + 1)));
+        }
+        let mut exosystems = x.start + model.blocks.len() * channels;
+        for input in programs.lyapunov.inputs.iter().filter(|input| input.name.starts_with('w')) {
+            inputs.push((input.name.clone(), exosystems..exosystems + size(input.shape)));
+            exosystems += size(input.shape);
+        }
+        assert!(exosystems == x.end, "exosystems fill the plant's state");
+        Layout { x, state, params, plant, u_sat, inputs }
     }
 
     /// Number of entries of a point.

@@ -52,11 +52,14 @@ impl<'p> Compared<'p> {
 
 /// What a thread has found.
 struct Worker<'p> {
-    functions: [Compared<'p>; 3],
+    functions: [Compared<'p>; 4],
     /// Of scalar code, each type of lanes, and the evaluator on optimised and lowered programs.
     counts: Vec<Count>,
     /// Points of each kind, and those of them whose results are all finite.
     kinds: [[u64; 2]; 3],
+    limits: &'static [f64],
+    /// Points where a constraint is violated, a control beyond its limit, and a control exactly at it.
+    law: [u64; 3],
     shown: usize,
 }
 
@@ -73,6 +76,9 @@ impl Worker<'_> {
             let start = Instant::now();
             emitted(Numbers::SCALAR, layout, portion.points, &mut expected);
             self.counts[0].time += start.elapsed();
+            if self.functions[at].name == "control" {
+                self.classify(at, &expected);
+            }
             let mut found = vec![0.0; width * count];
             for (way, numbers) in (1..).zip(&lanes) {
                 let start = Instant::now();
@@ -84,7 +90,7 @@ impl Worker<'_> {
             }
             for (point, expected) in expected.chunks(width).enumerate() {
                 finite[point] &= expected.iter().all(|entry| entry.is_finite());
-                if !(portion.first / 3 + point as u64 / 3).is_multiple_of(every) {
+                if !((portion.first + point as u64) / 3).is_multiple_of(every) {
                     continue;
                 }
                 for stage in 0..2 {
@@ -100,6 +106,18 @@ impl Worker<'_> {
             let counts = &mut self.kinds[*kind as usize];
             counts[0] += 1;
             counts[1] += u64::from(finite);
+        }
+    }
+
+    /// Counts what the law met.
+    fn classify(&mut self, control: usize, results: &[f64]) {
+        let places = &self.functions[control].places;
+        let [u, violated] = ["u", "violated"].map(|name| &places.iter().find(|(known, _)| known == name).expect("every law has it").1);
+        for results in results.chunks(self.functions[control].size()) {
+            let limited = || results[u.clone()].iter().zip(self.limits);
+            self.law[0] += u64::from(results[violated.start] != 0.0);
+            self.law[1] += u64::from(limited().any(|(u, limit)| u.abs() > *limit));
+            self.law[2] += u64::from(limited().any(|(u, limit)| u.abs() == *limit));
         }
     }
 
@@ -143,7 +161,7 @@ fn ways() -> Vec<String> {
 /// Compares at `count` points, the evaluator at each group of three kinds whose number is a multiple of `every`. Prints rows of a
 /// Markdown table; whether all bits agree.
 pub fn run<M: Module>(points: &Points, programs: &Programs, count: u64, every: u64) -> bool {
-    let lowered = [&programs.initial, &programs.control, &programs.plant];
+    let lowered = [&programs.initial, &programs.control, &programs.plant, &programs.lyapunov];
     let optimised = lowered.map(|program| optimise(program.clone()));
     let layout = points.layout();
     let worker = || Worker {
@@ -151,9 +169,12 @@ pub fn run<M: Module>(points: &Points, programs: &Programs, count: u64, every: u
             Compared::new::<M::Initial>(layout, [&optimised[0], lowered[0]]),
             Compared::new::<M::Control>(layout, [&optimised[1], lowered[1]]),
             Compared::new::<M::Plant>(layout, [&optimised[2], lowered[2]]),
+            Compared::new::<M::Lyapunov>(layout, [&optimised[3], lowered[3]]),
         ],
         counts: vec![Count::default(); ways().len()],
         kinds: [[0; 2]; 3],
+        limits: M::LIMITS,
+        law: [0; 3],
         shown: 0,
     };
     let start = Instant::now();
@@ -169,17 +190,20 @@ fn report(name: &str, workers: &[Worker<'_>], elapsed: Duration) -> bool {
             format!("{:?} {all}, of which {:.1} % finite", kind, 100.0 * finite as f64 / all as f64)
         })
         .collect();
-    println!("{name}: {}; {:.0} s", kinds.join("; "), elapsed.as_secs_f64());
-    println!("| spec | against scalar code | points | values | different | us per point |\n|---|---|---|---|---|---|");
-    let scalar_points: u64 = workers.iter().flat_map(|worker| worker.kinds).map(|[all, _]| all).sum();
+    let [violated, beyond, exactly] = [0, 1, 2].map(|at| workers.iter().map(|worker| worker.law[at]).sum::<u64>());
+    println!("{name}: {}", kinds.join("; "));
+    println!("a constraint violated at {violated}, a control beyond its limit at {beyond}, exactly at it at {exactly}");
+    println!("{:.0} s by two threads\n", elapsed.as_secs_f64());
+    println!("| spec | against emitted scalar code | points | results | different bits | us per point |\n|---|---|---|---|---|---|");
     let mut same = true;
     for (way, text) in ways().iter().enumerate() {
         let sum = |of: fn(&Count) -> u64| workers.iter().map(|worker| of(&worker.counts[way])).sum::<u64>();
         let time: Duration = workers.iter().map(|worker| worker.counts[way].time).sum();
-        let points = if way == 0 { scalar_points } else { sum(|count| count.points) };
-        let (values, different) = (sum(|count| count.values), sum(|count| count.different));
+        let (points, values, different) = (sum(|count| count.points), sum(|count| count.values), sum(|count| count.different));
         let cost = 1e6 * time.as_secs_f64() / points as f64;
-        println!("| {name} | {text} | {points} | {values} | {different} | {cost:.1} |");
+        if way > 0 {
+            println!("| {name} | {text} | {points} | {values} | {different} | {cost:.1} |");
+        }
         same &= different == 0;
     }
     same
