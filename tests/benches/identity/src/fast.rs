@@ -16,6 +16,8 @@ use crate::work::share;
 #[derive(Clone, Default)]
 struct Differences {
     flight: Vec<f64>,
+    /// Half of the largest difference at states of the closed loop, and the largest entry there.
+    absolute: [f64; 2],
     all: Vec<f64>,
     /// Points where the two differ in a truth value, in infinity or NaN.
     of_kind: u64,
@@ -49,32 +51,39 @@ impl<'p> Pair<'p> {
         for ((name, place), differences) in self.places.iter().zip(&mut self.differences) {
             let [a, b] = [0, 1].map(|at| &values[at][place.clone()]);
             let truths = name == "violated" && a != b;
-            let Some(difference) = difference(a, b).filter(|_| !truths) else {
+            let Some([off, largest]) = difference(a, b).filter(|_| !truths) else {
                 differences.of_kind += 1;
                 continue;
             };
-            differences.all.push(difference);
+            differences.all.push(places(off, largest));
             if kind == Kind::Flight {
-                differences.flight.push(difference);
+                differences.flight.push(places(off, largest));
+                let [most, scale] = differences.absolute;
+                differences.absolute = [most.max(off), scale.max(largest)];
             }
         }
     }
 }
 
-/// Largest difference of the finite entries in units of the last place of the largest of them; none if others are not the same.
-fn difference(strict: &[f64], fast: &[f64]) -> Option<f64> {
+/// Half of the largest difference of finite entries, since that of two finite numbers may overflow, and the largest of them; none if
+/// others are not the same.
+fn difference(strict: &[f64], fast: &[f64]) -> Option<[f64; 2]> {
     let (mut largest, mut off) = (0.0_f64, 0.0_f64);
     for (strict, fast) in strict.iter().zip(fast) {
         if strict.is_finite() && fast.is_finite() {
             largest = largest.max(strict.abs());
-            // Halves, since a difference of finite numbers may overflow.
             off = off.max((strict / 2.0 - fast / 2.0).abs());
         } else if strict != fast && !(strict.is_nan() && fast.is_nan()) {
             return None;
         }
     }
-    let place = largest - largest.next_down();
-    Some(if off == 0.0 { 0.0 } else { 2.0 * (off / place.max(f64::MIN_POSITIVE * f64::EPSILON)) })
+    Some([off, largest])
+}
+
+/// A difference, of which half is given, in units of the last place of a number.
+fn places(half: f64, number: f64) -> f64 {
+    let place = number - number.next_down();
+    if half == 0.0 { 0.0 } else { 2.0 * (half / place) }
 }
 
 /// Compares at `count` points and prints a Markdown table.
@@ -94,8 +103,10 @@ pub fn run<M: Module>(points: &Points, programs: &Programs, count: u64) {
             pairs.iter_mut().for_each(|pair| pair.compare(*kind, point));
         }
     });
-    println!("| spec | result | closed loop: median | 99.9 % | largest | all points: largest | other truth, infinity or NaN |");
-    println!("|---|---|---|---|---|---|---|");
+    println!(
+        "| spec | result | closed loop: median | 99.9 % | largest | of the loop's largest value | all points: largest | other truth, infinity or NaN |"
+    );
+    println!("|---|---|---|---|---|---|---|---|");
     let mut unchanged = Vec::new();
     for (at, pair) in workers[0].iter().enumerate() {
         for (result, (name, _)) in pair.places.iter().enumerate() {
@@ -113,7 +124,10 @@ pub fn run<M: Module>(points: &Points, programs: &Programs, count: u64) {
                 continue;
             }
             let [median, nearly_all, largest] = flight.map(figure);
-            println!("| {} | {text} | {median} | {nearly_all} | {largest} | {} | {of_kind} |", M::NAME, figure(most));
+            let [off, scale] =
+                [0, 1].map(|part| workers.iter().map(|pairs| pairs[at].differences[result].absolute[part]).fold(0.0, f64::max));
+            let of_loop = figure(places(off, scale));
+            println!("| {} | {text} | {median} | {nearly_all} | {largest} | {of_loop} | {} | {of_kind} |", M::NAME, figure(most));
         }
     }
     println!("\nThe same at every point: {}.", unchanged.join(", "));
