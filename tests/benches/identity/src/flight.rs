@@ -7,7 +7,7 @@ use nsv_spec::model::{Model, NoiseModel};
 
 use crate::draw::Draw;
 use crate::emitted::{Function, Module};
-use crate::lanes::Numbers;
+use crate::lanes::scalar;
 use crate::layout::{Layout, results};
 
 /// Runs that states are taken from.
@@ -30,8 +30,7 @@ impl Scalar {
     /// An emitted function, whose results stand at these places.
     pub fn new<F: Function>(places: Vec<(String, Range<usize>)>) -> Self {
         let size = places.last().map_or(0, |(_, entries)| entries.end);
-        let evaluate = |layout: &Layout, point: &[f64], results: &mut [f64]| Numbers::SCALAR.evaluate::<F>(layout, point, results);
-        Scalar { places, evaluate, results: vec![0.0; size] }
+        Scalar { places, evaluate: scalar::<F>, results: vec![0.0; size] }
     }
 
     /// Computes the results of a point.

@@ -38,6 +38,11 @@ impl Numbers {
     }
 }
 
+/// Results of a function at points, in scalars alone: the compiler has less to do.
+pub fn scalar<F: Function>(layout: &Layout, points: &[f64], results: &mut [f64]) {
+    At { layout, points, results, function: PhantomData::<F> }.run::<f64>();
+}
+
 impl Display for Numbers {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {

@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    nsv_identity::run::<nsv_identity::emitted::motor_arm::Emitted>()
+    nsv_identity::strict::<nsv_identity::emitted::motor_arm::Emitted>()
 }
