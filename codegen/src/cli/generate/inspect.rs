@@ -19,16 +19,16 @@ pub(super) struct Args {
     #[arg(long, value_enum, value_name = "FORM", conflicts_with_all = ["check", "out"])]
     emit: Option<Form>,
     /// Stage of the shown program: `lowered`, a pass (as its first round left it), or `optimised`
-    #[arg(long, value_name = "STAGE", requires = "emit", default_value = stage::OPTIMISED)]
+    #[arg(long, value_name = "STAGE", requires = "emit", conflicts_with_all = ["explain_cost", "check", "out"], default_value = stage::OPTIMISED)]
     stage: String,
     /// The program to show
-    #[arg(long, value_enum, requires = "emit", default_value_t = Which::Control)]
+    #[arg(long, value_enum, requires = "emit", conflicts_with_all = ["explain_cost", "check", "out"], default_value_t = Which::Control)]
     program: Which,
     /// Show the operations of each program, before and after each pass and for each equation
     #[arg(long, conflicts_with_all = ["emit", "check", "out"])]
     explain_cost: bool,
     /// How the operations are shown
-    #[arg(long, value_enum, requires = "explain_cost", default_value_t = Format::Human)]
+    #[arg(long, value_enum, requires = "explain_cost", conflicts_with_all = ["emit", "check", "out"], default_value_t = Format::Human)]
     format: Format,
 }
 
@@ -89,7 +89,8 @@ pub(super) fn run(args: &Args, specs: &[PathBuf], math: Math) -> Result<(), Fail
     }
     let [spec] = specs else {
         let message = "expected one specification to show";
-        return Err(Failure::new(Exit::Usage, message));
+        return Err(Failure::new(Exit::Usage, message)
+            .with_help("`--emit` and `--explain-cost` show one at a time"));
     };
     let model = load(spec)?;
     let programs = lower(spec, &model, Partials::Cached)?;

@@ -108,8 +108,9 @@ fn simulator(specification: &Path, header: &Header) -> Result<(Plant, Math, Prog
         "`{}` is not what the parts were flown with",
         specification.display()
     );
-    Err(Failure::new(Exit::Usage, words)
-        .with_help("the specification, nsv or the Rust compiler has changed since"))
+    Err(Failure::new(Exit::Usage, words).with_help(
+        "the specification, nsv or the Rust compiler has changed since, or `--math` was another",
+    ))
 }
 
 fn merge(
