@@ -1,4 +1,4 @@
-"""Compares the emitted code with its peers on the same law: `python3 tests/benches/run.py` (about ten minutes).
+"""Compares the emitted code with its peers on the same law: `python3 tests/benches/run.py` (about fifteen minutes).
 
 Everything that is needed besides cargo and a C compiler is installed into a virtual environment of its own; clang, g++ and Eigen are used
 if they are there. What is missing is named and skipped.
