@@ -13,7 +13,7 @@ impl Status {
     pub const CONSTRAINT_VIOLATED: Self = Self(1);
     /// Some input was limited to its range.
     pub const SATURATED: Self = Self(1 << 1);
-    /// A measurement or a state was NaN or infinite; the output is the safe one and the states are as they were.
+    /// A measurement, a state or the control was NaN or infinite; the output is the safe one and the states do not advance.
     pub const NON_FINITE_INPUT: Self = Self(1 << 2);
 
     /// Whether every event of `events` is in the set.
