@@ -44,6 +44,8 @@ pub struct Model {
     pub blocks: Vec<Block>,
     /// Control inputs; as many as each block has channels.
     pub inputs: Vec<Input>,
+    /// What is flown where it is more than the blocks.
+    pub truth: Option<Truth>,
     /// Reference signal y_r(t), a vector of the block width that depends on time, constants and parameters only.
     pub reference: ExprId,
     /// Choices for the controller as a whole.
@@ -181,6 +183,18 @@ pub struct State {
     pub dimension: Dimension,
     /// Unit to show it in, as written (`deg`), and the factor from that unit to SI.
     pub display: (String, f64),
+}
+
+/// The flown plant where it is more than the blocks that the controller is designed on. A block state without a rate of its own here
+/// moves as the block says, with the plant's parameters; disturbances and noise of the blocks act in either case.
+#[derive(Clone, Debug)]
+pub struct Truth {
+    /// Further states.
+    pub states: Vec<State>,
+    /// Rate of each further state, a scalar expression of all states, inputs and time.
+    pub rates: Vec<ExprId>,
+    /// By block and channel, the rate that replaces F_i + G_i x_{i+1}.
+    pub replaced: Vec<Vec<Option<ExprId>>>,
 }
 
 /// Disturbance d_i of a block.

@@ -80,6 +80,8 @@ pub struct Spec {
     pub blocks: Vec<Named<PlantBlock>>,
     /// `plant.inputs`
     pub inputs: Vec<Named<Input>>,
+    /// `plant.truth`
+    pub truth: Option<Located<Truth>>,
     /// `reference`, with the place of its key
     pub reference: Located<Vec<Named<Formula>>>,
     /// `controller`
@@ -157,6 +159,15 @@ pub struct State {
     pub initial: Code,
     /// `unit`
     pub unit: Option<Word>,
+}
+
+/// What is flown beyond the design.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Truth {
+    /// `states`
+    pub states: Vec<Named<State>>,
+    /// `rates`
+    pub rates: Vec<Named<Formula>>,
 }
 
 /// A disturbance.

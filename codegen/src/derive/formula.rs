@@ -9,6 +9,7 @@ use nsv_spec::expr::arena::{ConstantId, ExprId, Node, ParameterId};
 
 use super::law::Law;
 use super::symbol::{Side, Symbol, Term, name};
+use super::truth::TRUTH;
 use crate::ir::{Input, Op, Program, Shape, ValueId};
 use crate::lower::{Context, Lowering};
 
@@ -156,6 +157,8 @@ impl Law<'_> {
             }
             match self.model.exprs.node(expr) {
                 Node::State { block, .. } => names.push(format!("x{}", block + 1)),
+                Node::Truth(_) => names.push(TRUTH.into()),
+                Node::Input(_) => names.push("u_sat".into()),
                 Node::Time => names.push("t".into()),
                 Node::Definition(id) => pending.push(self.model.definitions[id.0 as usize].expr),
                 node => pending.extend(crate::lower::operands(node)),

@@ -22,7 +22,7 @@ mod observer;
 mod plant;
 mod rates;
 mod shape;
-mod truth;
+pub(crate) mod truth;
 
 use nsv_spec::model::Model;
 

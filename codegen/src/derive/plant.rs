@@ -4,6 +4,7 @@ use nsv_spec::model::Disturbance;
 
 use super::law::Law;
 use super::symbol::{Side, Symbol, Term};
+use super::truth::TRUTH;
 use crate::ir::Shape;
 
 impl Law<'_> {
@@ -11,6 +12,9 @@ impl Law<'_> {
     pub(super) fn declare_leaves(&mut self) {
         let width = self.width();
         self.leaves.insert("t".into(), Shape::Scalar);
+        if self.truth_states() > 0 {
+            (self.leaves).insert(TRUTH.into(), Shape::Vector(self.truth_states()));
+        }
         for (i, block) in (1..).zip(&self.model.blocks) {
             self.leaves.insert(format!("x{i}"), Shape::Vector(width));
             if let Disturbance::Exosystem(channels) = &block.disturbance {

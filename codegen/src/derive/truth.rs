@@ -7,23 +7,36 @@ use super::observer::assemble;
 use super::symbol::{Side, Symbol, Term, matrix, name};
 use crate::ir::Shape;
 
+/// The further states of the flown plant, a leaf.
+pub(crate) const TRUTH: &str = "truth";
+
 impl Law<'_> {
     /// `x<i>_flow`, `w<i>_flow`, `d<i>`, `HSigma<i>` of every block, and their packed forms `drift` and `diffusion`.
     pub(super) fn define_truth(&mut self) {
         for i in 1..=self.order() {
             self.define_true_block(i);
         }
+        let further = self.define_flown();
         let blocks = || 1..=self.order();
         let exosystems = || blocks().filter(|i| self.leaves.contains_key(&format!("w{i}")));
+        let flown = |i| match &self.model.truth {
+            Some(_) => name(format!("x{i}_flown")),
+            None => name(format!("x{i}_flow")),
+        };
         let flows = blocks()
-            .map(|i| name(format!("x{i}_flow")))
+            .map(flown)
+            .chain(further.clone())
             .chain(exosystems().map(|i| name(format!("w{i}_flow"))));
         let flows = flows.collect();
         let diffusion = |quantity: String| self.contains(&quantity).then(|| name(quantity));
         let own = blocks().map(|i| (self.width(), diffusion(format!("HSigma{i}"))));
+        let own = own.chain(further.map(|_| (self.truth_states(), None)));
         let excited = exosystems().map(|i| (self.exosystem_states(i), diffusion(format!("N{i}"))));
         let diffusion: Vec<_> = own.chain(excited).collect();
-        self.group("packed plant state: x_1 .. x_n, then the exosystems");
+        self.group(match self.truth_states() {
+            0 => "packed plant state: x_1 .. x_n, then the exosystems",
+            _ => "packed plant state: x_1 .. x_n, further states, then the exosystems",
+        });
         self.define("drift", "dx/dt without noise", Term::Stack(flows).into());
         if diffusion.iter().any(|(_, block)| block.is_some()) {
             self.define(
@@ -32,6 +45,44 @@ impl Law<'_> {
                 Term::BlockDiagonal(diffusion).into(),
             );
         }
+    }
+
+    /// `x<i>_flown`: x_i' with the rates that replace the block's own; and `truth_flow`, if there are further states.
+    fn define_flown(&mut self) -> Option<Symbol> {
+        let truth = self.model.truth.as_ref()?;
+        self.group("flown plant, beyond the blocks");
+        let rate = |expr| Symbol::from(Term::Model(expr, Side::Plant));
+        for (i, replaced) in (1..).zip(&truth.replaced) {
+            let disturbed = self.contains(&format!("d{i}"));
+            let flown = replaced.iter().enumerate().map(|(at, replaced)| {
+                let Some(own) = replaced else {
+                    return Term::Slice(name(format!("x{i}_flow")), at, 1).into();
+                };
+                let own = Symbol::from(Term::Stack(vec![rate(*own)]));
+                if disturbed {
+                    own + Term::Slice(name(format!("d{i}")), at, 1).into()
+                } else {
+                    own
+                }
+            });
+            let flown = Term::Stack(flown.collect()).into();
+            self.define(
+                format!("x{i}_flown"),
+                format!("x_{i}' of the flown plant: its own rates + d_{i}"),
+                flown,
+            );
+        }
+        if truth.states.is_empty() {
+            return None;
+        }
+        let rates = truth.rates.iter().map(|&expr| rate(expr)).collect();
+        let text = "rates of the further states";
+        Some(self.define("truth_flow", text, Term::Stack(rates).into()))
+    }
+
+    /// Number of further states of the flown plant.
+    pub(crate) fn truth_states(&self) -> usize {
+        (self.model.truth.as_ref()).map_or(0, |truth| truth.states.len())
     }
 
     fn define_true_block(&mut self, i: usize) {

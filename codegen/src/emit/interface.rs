@@ -23,6 +23,8 @@ pub(crate) struct Interface {
     pub(crate) parameters: Vec<Parameter>,
     /// Blocks, outermost first.
     pub(crate) blocks: Vec<Block>,
+    /// Further states of the flown plant, `None` if that is the blocks'.
+    pub(crate) truth: Option<Vec<State>>,
     /// Control inputs.
     pub(crate) inputs: Vec<Input>,
     /// Sample time, s.
@@ -102,6 +104,7 @@ impl Interface {
             arithmetic,
             parameters: model.parameters.iter().map(parameter).collect(),
             blocks: model.blocks.iter().map(block).collect(),
+            truth: (model.truth.as_ref()).map(|truth| truth.states.iter().map(state).collect()),
             inputs: model.inputs.iter().map(input).collect(),
             sample_time: model.controller.sample_time,
             horizon: model.scenario.horizon,
@@ -116,12 +119,16 @@ impl Interface {
         }
     }
 
+    /// Further states of the flown plant.
+    pub(crate) fn further(&self) -> &[State] {
+        self.truth.as_deref().unwrap_or_default()
+    }
+
     /// Number of plant states, exosystem states included.
     pub(crate) fn plant_states(&self) -> usize {
-        self.blocks
-            .iter()
-            .map(|block| block.states.len() + block.exosystem.len())
-            .sum()
+        let blocks = self.blocks.iter();
+        let own = blocks.map(|block| block.states.len() + block.exosystem.len());
+        own.sum::<usize>() + self.further().len()
     }
 }
 
@@ -137,11 +144,6 @@ fn parameter(parameter: &nsv_spec::model::Parameter) -> Parameter {
 }
 
 fn block(block: &nsv_spec::model::Block) -> Block {
-    let state = |state: &nsv_spec::model::State| State {
-        name: state.name.clone(),
-        initial: state.initial,
-        unit: unit(state.dimension),
-    };
     let exosystem = match &block.disturbance {
         Disturbance::Exosystem(systems) => systems
             .iter()
@@ -153,6 +155,14 @@ fn block(block: &nsv_spec::model::Block) -> Block {
         name: block.name.clone(),
         states: block.states.iter().map(state).collect(),
         exosystem,
+    }
+}
+
+fn state(state: &nsv_spec::model::State) -> State {
+    State {
+        name: state.name.clone(),
+        initial: state.initial,
+        unit: unit(state.dimension),
     }
 }
 

@@ -93,7 +93,9 @@ impl Plant<'_> {
         let blocks = self.interface.blocks.iter();
         let initial: Vec<f64> = blocks
             .clone()
-            .flat_map(|block| block.states.iter().map(|state| state.initial))
+            .flat_map(|block| &block.states)
+            .chain(self.interface.further())
+            .map(|state| state.initial)
             .collect();
         let exosystems = self
             .interface
@@ -115,6 +117,7 @@ impl Plant<'_> {
     fn layout(&self) -> String {
         let states = self.interface.blocks.iter().flat_map(|block| &block.states);
         let names: Vec<String> = states
+            .chain(self.interface.further())
             .map(|state| format!("{} ({})", code(&state.name), state.unit))
             .collect();
         let exosystems = (1..)

@@ -91,6 +91,7 @@ impl Simulator<'_> {
             segments.push(segment("x", number, start, block.states.len()));
             start += block.states.len();
         }
+        start += self.interface.further().len();
         for (number, block) in (1..)
             .zip(&self.interface.blocks)
             .filter(|(_, block)| !block.exosystem.is_empty())

@@ -17,7 +17,7 @@ pub(crate) struct Column {
 }
 
 /// The columns: time, then for each block states, errors, bound, ratio, virtual control, filter, disturbance and its estimate, then
-/// reference, control and Lyapunov function.
+/// reference, control and Lyapunov function, or the further states of the flown plant in its place.
 pub(crate) fn columns(
     interface: &Interface,
     control: &Program,
@@ -72,8 +72,24 @@ pub(crate) fn columns(
     table.output(control, "y_r", &outputs, &quote!(law));
     table.output(control, "u", &inputs, &quote!(law));
     table.output(control, "u_sat", &inputs, &quote!(law));
-    table.scalar("V", quote!(lyapunov.V));
-    table.scalar("LV", quote!(lyapunov.LV));
+    match &interface.truth {
+        // The function and its generator are those of the plant that the controller is designed on.
+        None => {
+            table.scalar("V", quote!(lyapunov.V));
+            table.scalar("LV", quote!(lyapunov.LV));
+        }
+        Some(states) => {
+            let first: usize = interface
+                .blocks
+                .iter()
+                .map(|block| block.states.len())
+                .sum();
+            for (at, state) in (first..).zip(states) {
+                let at = index(at);
+                table.scalar(&format!("truth.{}", state.name), quote!(self.x[#at]));
+            }
+        }
+    }
     table.columns
 }
 

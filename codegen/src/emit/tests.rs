@@ -39,6 +39,7 @@ fn interface() -> Interface {
         dispersion,
     };
     Interface {
+        truth: None,
         name: "pitch".to_owned(),
         title: "Pitch and yaw of a small vehicle".to_owned(),
         hash: "0".repeat(64),

@@ -4,6 +4,7 @@ use nsv_spec::expr::arena::{ExprId, Node, Type as ExprType};
 
 use super::{Context, Leaf, Lowering};
 use crate::derive::symbol::Side;
+use crate::derive::truth::TRUTH;
 use crate::ir::{Op, Operator, Origin, PolynomialData, PolynomialId, Program, Type, ValueId};
 
 impl<C: Context> Lowering<'_, '_, C> {
@@ -33,6 +34,18 @@ impl<C: Context> Lowering<'_, '_, C> {
                 let value = self.program.push(Op::Element(state, *channel, 0));
                 let channel = &model.blocks[*block].states[*channel];
                 return self.named(value, &channel.name);
+            }
+            Node::Truth(at) => {
+                let states = self.quantity(TRUTH);
+                let value = self.program.push(Op::Element(states, *at, 0));
+                let states = model.truth.as_ref().map(|truth| &truth.states[*at]);
+                let state = states.expect("invariant: a further state belongs to a truth");
+                return self.named(value, &state.name);
+            }
+            Node::Input(at) => {
+                let inputs = self.quantity("u_sat");
+                let value = self.program.push(Op::Element(inputs, *at, 0));
+                return self.named(value, &model.inputs[*at].name);
             }
             Node::Time => return self.quantity("t"),
             Node::Definition(id) => {
@@ -160,6 +173,8 @@ pub(crate) fn operands(node: &Node) -> Vec<ExprId> {
         | Node::Constant(_)
         | Node::Parameter(_)
         | Node::State { .. }
+        | Node::Truth(_)
+        | Node::Input(_)
         | Node::Time
         | Node::Definition(_) => Vec::new(),
         Node::Apply(_, a)

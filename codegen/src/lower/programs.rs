@@ -3,6 +3,7 @@
 use super::{Frame, program};
 use crate::derive::law::Law;
 use crate::derive::symbol::{Symbol, Term, name};
+use crate::derive::truth::TRUTH;
 use crate::ir::{Program, Shape};
 use crate::opt::simplify;
 
@@ -133,10 +134,11 @@ fn plant(law: &Law) -> Program {
     let mut replaced = std::collections::BTreeMap::new();
     let mut first = 0;
     let blocks = (1..=law.order()).map(|i| (format!("x{i}"), law.width()));
+    let further = (law.truth_states() > 0).then(|| (TRUTH.to_string(), law.truth_states()));
     let exosystems = exosystems(law)
         .into_iter()
         .map(|(quantity, _, shape)| (quantity, crate::ir::build::size(shape)));
-    for (quantity, length) in blocks.chain(exosystems) {
+    for (quantity, length) in blocks.chain(further).chain(exosystems) {
         replaced.insert(
             quantity,
             Symbol::from(Term::Slice(name("x"), first, length)),

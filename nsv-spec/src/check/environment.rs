@@ -39,6 +39,20 @@ impl Environment for Known<'_> {
         Some(self.context.states.get(block)?.as_ref()?[channel].initial)
     }
 
+    fn truth(&self, at: usize) -> Option<f64> {
+        self.point?;
+        Some(self.context.truth_states.get(at)?.as_ref()?.initial)
+    }
+
+    fn input(&self, at: usize) -> Option<f64> {
+        self.point?;
+        self.context
+            .inputs
+            .as_ref()?
+            .get(at)
+            .map(|input| input.safe)
+    }
+
     fn time(&self) -> Option<f64> {
         Some(self.point?.time)
     }

@@ -45,7 +45,27 @@ impl Context<'_> {
                 break;
             }
         }
+        self.check_initial_truth(model);
         self.check_signal_values(model);
+    }
+
+    /// Rates of the flown plant at the initial state, with the plant's parameters and the inputs at their safe values.
+    fn check_initial_truth(&mut self, model: &Model) {
+        let spec = self.spec;
+        let (Some(truth), Some(written)) = (&model.truth, &spec.truth) else {
+            return;
+        };
+        let own = (model.blocks.iter().flat_map(|block| &block.states))
+            .zip(truth.replaced.iter().flatten())
+            .filter_map(|(state, rate)| Some((state, (*rate)?)));
+        let further = truth.states.iter().zip(truth.rates.iter().copied());
+        for (state, rate) in own.chain(further) {
+            let written = &written.value.rates;
+            let span = (written.iter().find(|rate| rate.name.value == state.name))
+                .map_or(spec.name.span, |rate| rate.value.span());
+            let what = format!("rate of `{}` at the initial state", state.name);
+            self.finite(rate, span, &what, &Point::at(0.0));
+        }
     }
 
     fn check_initial_block(&mut self, model: &Model, at: usize, point: &Point) {

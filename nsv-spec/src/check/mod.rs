@@ -25,11 +25,12 @@ mod scenario;
 mod scope;
 mod states;
 mod structure;
+mod truth;
 
 use crate::diagnostic::{Diagnostic, SourceMap, Span};
 use crate::expr::Symbol;
 use crate::expr::arena::Arena;
-use crate::model::{Block, Constant, Definition, Model, Parameter, State};
+use crate::model::{Block, Constant, Definition, Input, Model, Parameter, State};
 use crate::spec::Spec;
 use scope::{Dependence, Names};
 
@@ -71,6 +72,9 @@ struct Context<'a> {
     definitions: Vec<Definition>,
     /// States of each block.
     states: Vec<Option<Vec<State>>>,
+    /// Further states of the flown plant.
+    truth_states: Vec<Option<State>>,
+    inputs: Option<Vec<Input>>,
 }
 
 impl<'a> Context<'a> {
@@ -81,7 +85,7 @@ impl<'a> Context<'a> {
             Symbol::Time,
             Dependence {
                 time: true,
-                block: None,
+                ..Dependence::default()
             },
         );
         names.define("pi", Symbol::Pi, Dependence::default());
@@ -96,6 +100,8 @@ impl<'a> Context<'a> {
             parameters: Vec::new(),
             definitions: Vec::new(),
             states: Vec::new(),
+            truth_states: Vec::new(),
+            inputs: None,
         }
     }
 
@@ -106,6 +112,7 @@ impl<'a> Context<'a> {
         self.check_constants();
         self.check_parameters();
         self.check_states();
+        self.inputs = self.check_inputs();
         self.check_definitions();
         let sample_time = self.sample_time();
         let horizon = self.horizon();
@@ -117,7 +124,7 @@ impl<'a> Context<'a> {
         if !self.check_counts() {
             return None;
         }
-        let inputs = self.check_inputs();
+        let inputs = self.inputs.clone();
         let reference = self.check_reference();
         let mut blocks = Vec::new();
         for (at, gains) in matched.into_iter().enumerate() {
@@ -126,6 +133,7 @@ impl<'a> Context<'a> {
             blocks.push(gains.and_then(|gains| self.block(at, gains, plant, horizon)));
         }
         let blocks: Option<Vec<Block>> = blocks.into_iter().collect();
+        let truth = self.check_truth();
         Some(Model {
             name: self.spec.name.value.clone(),
             title: self.title(),
@@ -138,6 +146,7 @@ impl<'a> Context<'a> {
             definitions: self.definitions.clone(),
             blocks: blocks?,
             inputs: inputs?,
+            truth: truth?,
             reference: reference?,
             controller: controller?,
             scenario: scenario?,

@@ -103,6 +103,15 @@ impl Context<'_> {
                 Use::Emitted,
             );
         }
+        if let Some(truth) = &spec.truth {
+            self.declare(
+                &mut declared,
+                words(&truth.value.states),
+                "state",
+                Use::Emitted,
+            );
+            self.declare(&mut declared, words(&spec.inputs), "input", Use::Emitted);
+        }
         self.declare(
             &mut declared,
             words(&spec.definitions),
@@ -116,12 +125,14 @@ impl Context<'_> {
             "block",
             Use::Emitted,
         );
-        self.declare(
-            &mut BTreeMap::new(),
-            words(&spec.inputs),
-            "input",
-            Use::Label,
-        );
+        if spec.truth.is_none() {
+            self.declare(
+                &mut BTreeMap::new(),
+                words(&spec.inputs),
+                "input",
+                Use::Label,
+            );
+        }
     }
 
     fn check_module_name(&mut self, name: &Word) {

@@ -19,13 +19,23 @@ pub(super) struct Dependence {
     pub(super) time: bool,
     /// The innermost block among the states that it varies with.
     pub(super) block: Option<usize>,
+    /// A further state of the flown plant, or an input.
+    pub(super) truth: bool,
 }
 
 impl Dependence {
+    /// What only the flown plant has.
+    pub(super) const TRUTH: Self = Dependence {
+        time: false,
+        block: None,
+        truth: true,
+    };
+
     pub(super) fn join(self, other: Self) -> Self {
         Dependence {
             time: self.time || other.time,
             block: self.block.max(other.block),
+            truth: self.truth || other.truth,
         }
     }
 }

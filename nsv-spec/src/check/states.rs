@@ -26,8 +26,8 @@ impl Context<'_> {
                             &name.value,
                             symbol,
                             Dependence {
-                                time: false,
                                 block: Some(at),
+                                ..Dependence::default()
                             },
                         );
                     }
@@ -36,6 +36,19 @@ impl Context<'_> {
                 states.push(state);
             }
             self.states.push(states.into_iter().collect());
+        }
+        let truth = spec.truth.iter().flat_map(|truth| &truth.value.states);
+        for (at, Named { name, value }) in truth.enumerate() {
+            let state = self.state(name, value);
+            match &state {
+                Some(state) => self.names.define(
+                    &name.value,
+                    Symbol::Truth(at, state.dimension),
+                    Dependence::TRUTH,
+                ),
+                None => self.names.refuse(&name.value),
+            }
+            self.truth_states.push(state);
         }
     }
 
@@ -79,7 +92,24 @@ impl Context<'_> {
             .iter()
             .map(|input| self.input(&input.name, &input.value))
             .collect();
+        if spec.truth.is_some() {
+            self.name_inputs(&inputs);
+        }
         inputs.into_iter().collect()
+    }
+
+    /// Rates of the flown plant use the inputs by name.
+    fn name_inputs(&mut self, inputs: &[Option<model::Input>]) {
+        for (at, (written, input)) in self.spec.inputs.iter().zip(inputs).enumerate() {
+            let name = &written.name.value;
+            match input {
+                Some(input) => {
+                    let symbol = Symbol::Input(at, input.dimension);
+                    self.names.define(name, symbol, Dependence::TRUTH);
+                }
+                None => self.names.refuse(name),
+            }
+        }
     }
 
     fn input(&mut self, name: &Word, written: &spec::Input) -> Option<model::Input> {

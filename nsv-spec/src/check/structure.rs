@@ -9,6 +9,7 @@ impl Context<'_> {
     pub(super) fn check_feedback(&mut self, parsed: &Parsed, what: &str, block: usize) {
         let spec = self.spec;
         let own = &spec.blocks[block].name.value;
+        self.check_design(parsed, &format!("{what} of block `{own}`"));
         for (name, span) in parsed.names() {
             let dependence = self.names.dependence(name);
             if dependence.time {
@@ -28,9 +29,25 @@ impl Context<'_> {
         }
     }
 
+    /// The controller is designed on the blocks and knows nothing of the further states of the flown plant.
+    fn check_design(&mut self, parsed: &Parsed, what: &str) {
+        for (name, span) in parsed.names() {
+            if self.names.dependence(name).truth {
+                let message = format!("{what} depends on the flown plant through `{name}`");
+                self.fault(
+                    "E0710",
+                    span,
+                    message,
+                    "inputs and states of `truth` may stand in its `rates` only: the controller is designed on the blocks",
+                );
+            }
+        }
+    }
+
     /// A signal given as a function of time.
     pub(super) fn check_signal(&mut self, parsed: &Parsed, what: &str) {
         let spec = self.spec;
+        self.check_design(parsed, what);
         for (name, span) in parsed.names() {
             if let Some(block) = self.names.dependence(name).block {
                 let block = &spec.blocks[block].name.value;

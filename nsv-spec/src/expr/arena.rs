@@ -130,6 +130,10 @@ pub enum Node {
         /// Channel.
         channel: usize,
     },
+    /// Further state (0-based) of the flown plant.
+    Truth(usize),
+    /// Control input (0-based) as it reaches the flown plant.
+    Input(usize),
     /// Time since start, s.
     Time,
     /// Named definition; its expression is `Model::definitions[id].expr`.
@@ -174,6 +178,8 @@ impl Node {
             | Node::Constant(_)
             | Node::Parameter(_)
             | Node::State { .. }
+            | Node::Truth(_)
+            | Node::Input(_)
             | Node::Time
             | Node::Definition(_) => Vec::new(),
             Node::Apply(_, a)

@@ -28,6 +28,16 @@ pub trait Environment {
         None
     }
 
+    /// Value of a further state of the flown plant, 0-based.
+    fn truth(&self, _at: usize) -> Option<f64> {
+        None
+    }
+
+    /// Value of a control input, 0-based.
+    fn input(&self, _at: usize) -> Option<f64> {
+        None
+    }
+
     /// Time, s.
     fn time(&self) -> Option<f64> {
         None
@@ -130,6 +140,8 @@ impl Evaluator<'_> {
             Node::Constant(constant) => self.found(id, environment.constant(*constant))?,
             Node::Parameter(parameter) => scalar(environment.parameter(*parameter))?,
             Node::State { block, channel } => scalar(environment.state(*block, *channel))?,
+            Node::Truth(at) => scalar(environment.truth(*at))?,
+            Node::Input(at) => scalar(environment.input(*at))?,
             Node::Time => scalar(environment.time())?,
             Node::Definition(definition) => {
                 let body = self.found(id, environment.definition(*definition))?;
@@ -180,6 +192,8 @@ impl Evaluator<'_> {
             | Node::Constant(_)
             | Node::Parameter(_)
             | Node::State { .. }
+            | Node::Truth(_)
+            | Node::Input(_)
             | Node::Time
             | Node::Definition(_)
             | Node::Polynomial(..) => {

@@ -31,6 +31,10 @@ pub enum Symbol {
         /// Dimension.
         dimension: Dimension,
     },
+    /// A further state of the flown plant, 0-based.
+    Truth(usize, Dimension),
+    /// A control input, 0-based.
+    Input(usize, Dimension),
     /// Time since start.
     Time,
     /// The number pi.

@@ -35,7 +35,7 @@ impl Reader {
             value: String::new(),
             span: tree.span,
         };
-        let (blocks, inputs) = self.plant(&fields);
+        let plant = self.section(&fields, "plant");
         Spec {
             name: self.text(&fields, "name").unwrap_or(empty),
             title: self.text(&fields, "title"),
@@ -43,8 +43,9 @@ impl Reader {
             parameters: self.map(&fields, "parameters", Self::parameter),
             polynomials: self.map(&fields, "polynomials", Self::polynomial_group),
             definitions: self.map(&fields, "definitions", Self::formula_of),
-            blocks,
-            inputs,
+            blocks: self.blocks(&plant),
+            inputs: self.inputs(&plant),
+            truth: self.flown(&plant),
             reference: Located {
                 value: self.map(&fields, "reference", Self::formula_of),
                 span: fields

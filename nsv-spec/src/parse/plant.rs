@@ -1,21 +1,32 @@
 //! Reads the plant.
 
 use super::fields::{Fields, Reader};
-use crate::spec::{Disturbance, Exosystem, Input, Located, Named, Noise, PlantBlock, State};
-use crate::vocabulary::{EXOSYSTEM, INPUT, NOISE, PLANT_BLOCK, STATE};
+use crate::spec::{Disturbance, Exosystem, Input, Located, Named, Noise, PlantBlock, State, Truth};
+use crate::vocabulary::{EXOSYSTEM, INPUT, NOISE, PLANT_BLOCK, STATE, TRUTH};
 use crate::yaml::{Kind, Node};
 
 impl Reader {
-    /// Blocks and inputs.
-    pub(super) fn plant(
-        &mut self,
-        specification: &Fields<'_>,
-    ) -> (Vec<Named<PlantBlock>>, Vec<Named<Input>>) {
-        let fields = self.section(specification, "plant");
-        (
-            self.map(&fields, "blocks", Self::plant_block),
-            self.map(&fields, "inputs", Self::input),
-        )
+    /// Blocks of the plant.
+    pub(super) fn blocks(&mut self, plant: &Fields<'_>) -> Vec<Named<PlantBlock>> {
+        self.map(plant, "blocks", Self::plant_block)
+    }
+
+    /// Control inputs.
+    pub(super) fn inputs(&mut self, plant: &Fields<'_>) -> Vec<Named<Input>> {
+        self.map(plant, "inputs", Self::input)
+    }
+
+    /// What is flown beyond the blocks.
+    pub(super) fn flown(&mut self, plant: &Fields<'_>) -> Option<Located<Truth>> {
+        self.nested(plant, "truth", Self::truth)
+    }
+
+    fn truth(&mut self, node: &Node) -> Truth {
+        let fields = self.fields(node, &TRUTH);
+        Truth {
+            states: self.map(&fields, "states", Self::state),
+            rates: self.map(&fields, "rates", Self::formula_of),
+        }
     }
 
     fn plant_block(&mut self, node: &Node) -> PlantBlock {

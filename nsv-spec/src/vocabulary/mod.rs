@@ -7,7 +7,7 @@ mod plant;
 pub(crate) use controller::{CONTROLLER, CONTROLLER_BLOCK, ERROR_BOUND, NETWORK, NOISE_BOUND};
 pub(crate) use data::{CONSTANT, PARAMETER, POLYNOMIAL};
 use data::{CONSTANT_KIND, PARAMETER_KIND};
-pub(crate) use plant::{EXOSYSTEM, INPUT, NOISE, PLANT, PLANT_BLOCK, STATE};
+pub(crate) use plant::{EXOSYSTEM, INPUT, NOISE, PLANT, PLANT_BLOCK, STATE, TRUTH};
 
 /// A map with known keys.
 #[derive(Debug)]

@@ -1,6 +1,6 @@
 //! Keys of the plant.
 
-use super::{Kind, Section, optional, required};
+use super::{FORMULAS, Kind, Section, optional, required};
 
 /// The plant.
 pub static PLANT: Section = Section {
@@ -15,6 +15,28 @@ pub static PLANT: Section = Section {
             "inputs",
             Kind::Named(&INPUT_KIND),
             "control inputs with their limits, as many as each block has states",
+        ),
+        optional(
+            "truth",
+            Kind::Section(&TRUTH),
+            "what is flown, where it is more than the blocks that the controller is designed on",
+        ),
+    ],
+};
+
+/// What is flown beyond the design.
+pub static TRUTH: Section = Section {
+    noun: "a truth",
+    keys: &[
+        optional(
+            "states",
+            Kind::Named(&STATE_KIND),
+            "further states of the flown plant, unknown to the controller",
+        ),
+        required(
+            "rates",
+            FORMULAS,
+            "rate of change of each further state, and of those states of the blocks that move otherwise than by F + G x; functions of all states, the inputs and time",
         ),
     ],
 };

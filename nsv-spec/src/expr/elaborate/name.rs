@@ -18,6 +18,8 @@ impl Elaborator<'_> {
                 channel,
                 dimension,
             }) => (Node::State { block, channel }, Type::scalar(dimension)),
+            Some(Symbol::Truth(at, dimension)) => (Node::Truth(at), Type::scalar(dimension)),
+            Some(Symbol::Input(at, dimension)) => (Node::Input(at), Type::scalar(dimension)),
             Some(Symbol::Time) => (Node::Time, Type::scalar(Dimension::new(0, 0, 1, 0))),
             Some(Symbol::Pi) => (
                 Node::Number(Bits(std::f64::consts::PI.to_bits())),

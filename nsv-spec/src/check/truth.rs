@@ -1,0 +1,93 @@
+//! Guarantees that every further state of the flown plant has a rate in its unit, and that rates stand under names of states only.
+
+use super::Context;
+use super::plant::SECOND;
+use crate::diagnostic::{Diagnostic, Span};
+use crate::expr::Expected;
+use crate::expr::arena::{ExprId, Shape};
+use crate::model::{self, State};
+use crate::spec::{Located, Named, Truth};
+use crate::suggest::nearest;
+use crate::unit::Dimension;
+
+impl Context<'_> {
+    /// What is flown beyond the blocks; `Some(None)` if nothing is.
+    pub(super) fn check_truth(&mut self) -> Option<Option<model::Truth>> {
+        let spec = self.spec;
+        let Some(Located { value, span }) = &spec.truth else {
+            return Some(None);
+        };
+        self.check_rate_names(value, *span);
+        let states: Option<Vec<State>> = self.truth_states.iter().cloned().collect();
+        let further: Vec<_> = (0..value.states.len())
+            .map(|at| {
+                let dimension = self.truth_states[at].as_ref().map(|state| state.dimension);
+                self.rate(value, &value.states[at].name.value, dimension)
+            })
+            .collect();
+        let mut replaced = Vec::new();
+        for (at, block) in spec.blocks.iter().enumerate() {
+            let mut channels = Vec::new();
+            for (channel, state) in block.value.states.iter().enumerate() {
+                let known = self.states[at].as_ref();
+                let dimension = known.map(|states| states[channel].dimension);
+                channels.push(self.rate(value, &state.name.value, dimension));
+            }
+            replaced.push(channels);
+        }
+        Some(Some(model::Truth {
+            states: states?,
+            rates: further.into_iter().collect::<Option<_>>()?,
+            replaced,
+        }))
+    }
+
+    /// The rate that is given for a state, if one is and it is right.
+    fn rate(&mut self, truth: &Truth, state: &str, own: Option<Dimension>) -> Option<ExprId> {
+        let written = truth.rates.iter().find(|rate| rate.name.value == state)?;
+        let dimension = own?.checked_div(SECOND);
+        let Some(dimension) = dimension else {
+            let message = format!("unit of the rate of `{state}` has an exponent out of range");
+            self.fault("E0606", written.name.span, message, "choose simpler units");
+            return None;
+        };
+        let expected = Expected {
+            what: &format!("rate of `{state}`"),
+            shape: Shape::Scalar,
+            dimensions: &[dimension],
+        };
+        self.formula(&written.value, &expected).map(|(id, _)| id)
+    }
+
+    /// Rates of what is no state, and further states without a rate.
+    fn check_rate_names(&mut self, truth: &Truth, span: Span) {
+        let blocks = self.spec.blocks.iter();
+        let own = blocks.flat_map(|block| &block.value.states);
+        let states: Vec<&str> = (truth.states.iter().chain(own))
+            .map(|state| state.name.value.as_str())
+            .collect();
+        for Named { name, .. } in &truth.rates {
+            if states.contains(&name.value.as_str()) {
+                continue;
+            }
+            let help = match nearest(&name.value, &states) {
+                Some(meant) => format!("did you mean `{meant}`?"),
+                None => "declare it under `states` of the truth, with its initial value".into(),
+            };
+            let message = format!("rate of `{}`, which is no state", name.value);
+            self.faults
+                .push(Diagnostic::error("E0711", name.span, message).with_help(help));
+        }
+        for Named { name, .. } in &truth.states {
+            let given = truth.rates.iter().any(|rate| rate.name.value == name.value);
+            if !given {
+                let message = format!("state `{}` of the truth has no rate", name.value);
+                self.faults.push(
+                    Diagnostic::error("E0712", name.span, message)
+                        .with_related(span, "the rates are given here, under `rates`")
+                        .with_help(format!("add `{}: ..` to `rates`", name.value)),
+                );
+            }
+        }
+    }
+}
