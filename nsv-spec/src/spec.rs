@@ -72,6 +72,8 @@ pub struct Spec {
     pub constants: Vec<Named<Constant>>,
     /// `parameters`
     pub parameters: Vec<Named<Parameter>>,
+    /// `correlations`
+    pub correlations: Vec<Correlation>,
     /// `polynomials`
     pub polynomials: Vec<Named<PolynomialGroup>>,
     /// `definitions`
@@ -114,13 +116,28 @@ pub struct Parameter {
     pub source: Option<Word>,
 }
 
-/// Distribution of a parameter.
+/// Distribution of a quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Dispersion {
     /// Least and largest value.
-    Uniform(Code, Code),
+    Uniform([Code; 2]),
     /// Mean and standard deviation.
-    Normal(Code, Code),
+    Normal([Code; 2]),
+    /// Mean, standard deviation, least and largest value.
+    TruncatedNormal([Code; 4]),
+    /// Median, and standard deviation of the logarithm.
+    Lognormal([Code; 2]),
+    /// Values, each with its probability.
+    Discrete(Vec<[Code; 2]>),
+}
+
+/// Parameters that are drawn together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Correlation {
+    /// `parameters`
+    pub parameters: Vec<Word>,
+    /// `covariance`
+    pub covariance: Formula,
 }
 
 /// Coefficient and exponents of each term of a polynomial.
@@ -159,6 +176,32 @@ pub struct State {
     pub initial: Code,
     /// `unit`
     pub unit: Option<Word>,
+    /// `dispersion`
+    pub dispersion: Option<Dispersion>,
+    /// `sensor`
+    pub sensor: Option<Sensor>,
+}
+
+/// How a state is measured.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sensor {
+    /// `bias`
+    pub bias: Option<Bias>,
+    /// `noise`
+    pub noise: Option<Code>,
+    /// `quantum`
+    pub quantum: Option<Code>,
+    /// `dropout`
+    pub dropout: Option<Code>,
+}
+
+/// Constant error of a sensor.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Bias {
+    /// The same in every run.
+    Fixed(Code),
+    /// Drawn in each run.
+    Drawn(Dispersion),
 }
 
 /// What is flown beyond the design.
@@ -210,6 +253,41 @@ pub struct Input {
     pub limit: Code,
     /// `safe`
     pub safe: Option<Code>,
+    /// `actuator`
+    pub actuator: Option<Actuator>,
+}
+
+/// How a command reaches the plant.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Actuator {
+    /// `delay`
+    pub delay: Option<Code>,
+    /// `quantum`
+    pub quantum: Option<Code>,
+    /// `lag`
+    pub lag: Option<Code>,
+    /// `rate_limit`
+    pub rate_limit: Option<Code>,
+    /// `faults`
+    pub faults: Vec<Fault>,
+}
+
+/// A fault of an actuator.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fault {
+    /// `at`
+    pub at: Code,
+    /// What happens.
+    pub effect: Effect,
+}
+
+/// What a fault does.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Effect {
+    /// `effectiveness`
+    Effectiveness(Code),
+    /// `stuck`, at a value or where it stands
+    Stuck(Option<Code>),
 }
 
 /// The controller.

@@ -19,12 +19,15 @@ extern crate std;
 
 pub use nsv_math::{entries, lanes, real};
 
+pub mod actuator;
 pub mod closed_loop;
+mod hardware;
 pub mod kernel;
 pub mod linear;
 pub mod noise;
 pub mod polynomial;
 pub mod sde;
+pub mod sensor;
 pub mod status;
 
 #[cfg(feature = "std")]

@@ -1,6 +1,6 @@
 //! What the emitted module shows of the model: names, values and sizes. The only place where emission reads the [`Model`].
 
-pub(crate) use nsv_spec::model::Dispersion;
+pub(crate) use nsv_spec::model::{Actuator, Dispersion, Sensor};
 use nsv_spec::model::{Disturbance, Model, NoiseModel, Scheme};
 use nsv_spec::unit::Dimension;
 
@@ -78,6 +78,10 @@ pub(crate) struct State {
     pub(crate) initial: f64,
     /// SI unit.
     pub(crate) unit: String,
+    /// How the initial value is drawn.
+    pub(crate) dispersion: Option<Dispersion>,
+    /// How it is measured.
+    pub(crate) sensor: Option<Sensor>,
 }
 
 /// A control input.
@@ -91,6 +95,8 @@ pub(crate) struct Input {
     pub(crate) limit: f64,
     /// Output for non-finite input.
     pub(crate) safe: f64,
+    /// How the command reaches the plant.
+    pub(crate) actuator: Option<Actuator>,
 }
 
 impl Interface {
@@ -124,6 +130,12 @@ impl Interface {
         self.truth.as_deref().unwrap_or_default()
     }
 
+    /// All states without those of the exosystems, in the order of the packed plant state.
+    pub(crate) fn states(&self) -> impl Iterator<Item = &State> {
+        let own = self.blocks.iter().flat_map(|block| &block.states);
+        own.chain(self.further())
+    }
+
     /// Number of plant states, exosystem states included.
     pub(crate) fn plant_states(&self) -> usize {
         let blocks = self.blocks.iter();
@@ -139,7 +151,7 @@ fn parameter(parameter: &nsv_spec::model::Parameter) -> Parameter {
         doc: parameter.doc.clone(),
         plant: parameter.value,
         design: parameter.design_value,
-        dispersion: parameter.dispersion,
+        dispersion: parameter.dispersion.clone(),
     }
 }
 
@@ -163,6 +175,8 @@ fn state(state: &nsv_spec::model::State) -> State {
         name: state.name.clone(),
         initial: state.initial,
         unit: unit(state.dimension),
+        dispersion: state.dispersion.clone(),
+        sensor: state.sensor.clone(),
     }
 }
 
@@ -172,6 +186,7 @@ fn input(input: &nsv_spec::model::Input) -> Input {
         unit: unit(input.dimension),
         limit: input.limit,
         safe: input.safe,
+        actuator: input.actuator.clone(),
     }
 }
 

@@ -7,6 +7,7 @@
 mod basis;
 mod comment;
 mod controller;
+mod dispersion;
 mod expression;
 mod family;
 mod function;
@@ -29,7 +30,6 @@ mod source;
 mod standalone;
 mod state;
 mod statements;
-mod telemetry;
 mod types;
 
 pub use module::{Artifact, library, module};

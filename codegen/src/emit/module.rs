@@ -126,6 +126,7 @@ const IMPORTS: [(&str, &[&str]); 6] = [
     (
         "plant",
         &[
+            "nsv_runtime::noise::Noise",
             "nsv_runtime::sde::Sde",
             "super::params::Params",
             "super::polynomials",
@@ -142,12 +143,18 @@ const IMPORTS: [(&str, &[&str]); 6] = [
     (
         "simulator",
         &[
+            "nsv_runtime::actuator::Actuator",
+            "nsv_runtime::actuator::Delay",
+            "nsv_runtime::actuator::Effect",
+            "nsv_runtime::actuator::Fault",
             "nsv_runtime::closed_loop::ClosedLoop",
             "nsv_runtime::closed_loop::Options",
             "nsv_runtime::closed_loop::Runs",
             "nsv_runtime::noise::Noise",
             "nsv_runtime::sde",
             "nsv_runtime::sde::Scheme",
+            "nsv_runtime::sensor::Draws",
+            "nsv_runtime::sensor::Sensor",
             "super::controller::Clock",
             "super::controller::Controller",
             "super::controller::Output",

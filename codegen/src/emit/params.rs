@@ -1,10 +1,11 @@
 //! `params.rs`: the run-time parameters with their nominal and design values and their dispersion.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 use crate::emit::comment::{docs, prose};
-use crate::emit::interface::{Dispersion, Interface, Parameter};
+use crate::emit::dispersion::{described, draw};
+use crate::emit::interface::{Interface, Parameter};
 use crate::emit::literal::float;
 use crate::emit::names::Fields;
 use crate::emit::record::{self, Field};
@@ -39,21 +40,7 @@ pub(crate) fn items(interface: &Interface, fields: &Fields) -> Vec<TokenStream> 
 
 fn field_docs(parameter: &Parameter) -> Vec<String> {
     let number = |value: f64| format!("{value:?}");
-    let dispersion = match parameter.dispersion {
-        None => String::new(),
-        Some(Dispersion::Uniform(low, high)) => format!(
-            ", dispersed uniformly between {} and {}",
-            number(low),
-            number(high)
-        ),
-        Some(Dispersion::Normal(mean, deviation)) => {
-            format!(
-                ", dispersed normally with mean {} and standard deviation {}",
-                number(mean),
-                number(deviation)
-            )
-        }
-    };
+    let dispersion = described(parameter.dispersion.as_ref());
     let source = if parameter.doc.is_empty() {
         String::new()
     } else {
@@ -109,17 +96,7 @@ fn dispersed(interface: &Interface, fields: &[Field]) -> TokenStream {
         .zip(fields)
         .enumerate()
         .filter_map(|(channel, (parameter, field))| {
-            let channel = Literal::usize_unsuffixed(channel);
-            let value = match parameter.dispersion? {
-                Dispersion::Uniform(low, high) => {
-                    let (low, high) = (float(low), float(high));
-                    quote!(T::from_f64(#low) + T::from_f64(#high - #low) * noise.uniform(0, #channel))
-                }
-                Dispersion::Normal(mean, deviation) => {
-                    let (mean, deviation) = (float(mean), float(deviation));
-                    quote!(T::from_f64(#mean) + T::from_f64(#deviation) * noise.normal(0, #channel))
-                }
-            };
+            let value = draw(parameter.dispersion.as_ref()?, channel);
             let name = &field.name;
             Some(quote!(#name: #value))
         });

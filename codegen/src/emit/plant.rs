@@ -6,6 +6,7 @@ use quote::quote;
 use nsv_spec::model::NoiseModel;
 
 use crate::emit::comment::{Comments, code, docs};
+use crate::emit::dispersion::draw;
 use crate::emit::function::{Function, Record, Results};
 use crate::emit::interface::Interface;
 use crate::emit::literal::row;
@@ -59,6 +60,7 @@ impl Plant<'_> {
         };
         let dynamics = Split::new(&function, "dynamics");
         let mut items = self.constants();
+        items.extend(self.dispersed_state());
         items.push(self.plant_struct(&dynamics));
         let diffusion = self.diffusion_alone(&dynamics);
         let alone = diffusion.as_ref().unwrap_or(dynamics.rest());
@@ -91,17 +93,10 @@ impl Plant<'_> {
             index(noise_channels(self.plant)),
         );
         let blocks = self.interface.blocks.iter();
-        let initial: Vec<f64> = blocks
-            .clone()
-            .flat_map(|block| &block.states)
-            .chain(self.interface.further())
+        let initial: Vec<f64> = (self.interface.states())
             .map(|state| state.initial)
             .collect();
-        let exosystems = self
-            .interface
-            .blocks
-            .iter()
-            .flat_map(|block| block.exosystem.iter().copied());
+        let exosystems = blocks.flat_map(|block| block.exosystem.iter().copied());
         let initial = row(&initial.into_iter().chain(exosystems).collect::<Vec<_>>());
         let states_docs = docs(&[self.layout()]);
         let noise_docs = docs(&["Number of noise channels."]);
@@ -113,11 +108,43 @@ impl Plant<'_> {
         ]
     }
 
+    /// The initial state where some of it is drawn in each run.
+    fn dispersed_state(&self) -> Option<TokenStream> {
+        let drawn = self
+            .interface
+            .states()
+            .any(|state| state.dispersion.is_some());
+        if !drawn {
+            return None;
+        }
+        let first = self.interface.parameters.len();
+        let drawn = self
+            .interface
+            .states()
+            .enumerate()
+            .filter_map(|(at, state)| {
+                let (draw, at) = (draw(state.dispersion.as_ref()?, first + at), index(at));
+                Some(quote!(x[#at] = #draw;))
+            });
+        let drawn: Vec<TokenStream> = drawn.collect();
+        let docs = docs(&[
+            "Initial state in each lane's run, drawn from the dispersions of the specification, SI.",
+        ]);
+        Some(quote! {
+            #docs
+            #[inline(always)]
+            pub fn dispersed_state<T: Real>(noise: &Noise<T>) -> Vector<T, STATES> {
+                let mut x = Vector::from_f64(INITIAL_STATE);
+                #(#drawn)*
+                x
+            }
+        })
+    }
+
     /// The entries of the packed state in words.
     fn layout(&self) -> String {
-        let states = self.interface.blocks.iter().flat_map(|block| &block.states);
+        let states = self.interface.states();
         let names: Vec<String> = states
-            .chain(self.interface.further())
             .map(|state| format!("{} ({})", code(&state.name), state.unit))
             .collect();
         let exosystems = (1..)

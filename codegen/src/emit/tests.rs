@@ -23,12 +23,15 @@ fn interface() -> Interface {
         name: name.to_owned(),
         initial: 0.01,
         unit: unit.to_owned(),
+        dispersion: None,
+        sensor: None,
     };
     let input = |name: &str| Input {
         name: name.to_owned(),
         unit: "kg m^2 s^-2".to_owned(),
         limit: 1.0,
         safe: 0.0,
+        actuator: None,
     };
     let parameter = |name: &str, dispersion| Parameter {
         name: name.to_owned(),

@@ -3,14 +3,17 @@
 mod constants;
 mod constraint;
 mod controller;
+mod correlation;
 mod counts;
 mod cycles;
 mod definitions;
+mod dispersion;
 mod disturbance;
 mod environment;
 mod features;
 mod formula;
 mod gains;
+mod hardware;
 mod initial;
 mod linear;
 mod names;
@@ -119,6 +122,9 @@ impl<'a> Context<'a> {
         let scenario = sample_time
             .zip(horizon)
             .and_then(|(sample_time, horizon)| self.scenario(sample_time, horizon));
+        if let (Some(sample_time), Some(scenario)) = (sample_time, &scenario) {
+            self.check_delays(sample_time, scenario);
+        }
         let controller = self.controller(sample_time);
         let matched = self.match_blocks();
         if !self.check_counts() {

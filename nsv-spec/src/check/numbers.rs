@@ -89,7 +89,7 @@ impl Context<'_> {
             what,
             found,
             dimension,
-            format!("write it with its unit, as in `1 {dimension}`"),
+            written_in(dimension),
         );
         None
     }
@@ -157,5 +157,14 @@ impl Context<'_> {
             return None;
         }
         Some((numbers.values[0], numbers.dimensions[0]))
+    }
+}
+
+/// How to write a quantity of a dimension.
+pub(super) fn written_in(dimension: Dimension) -> String {
+    if dimension == Dimension::ONE {
+        "write it without a unit".into()
+    } else {
+        format!("write it with its unit, as in `5 {dimension}`")
     }
 }

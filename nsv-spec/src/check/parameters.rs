@@ -2,11 +2,12 @@
 
 use super::Context;
 use super::constants::{convert, text};
+use super::dispersion::Dispersed;
 use super::scope::Dependence;
 use crate::diagnostic::Diagnostic;
 use crate::expr::Symbol;
 use crate::expr::arena::{ParameterId, Type};
-use crate::model::{Dispersion, Parameter};
+use crate::model::Parameter;
 use crate::spec::{self, Code, Word};
 use crate::unit::{Dimension, Unit};
 
@@ -29,6 +30,7 @@ impl Context<'_> {
             }
             self.parameters.push(parameter);
         }
+        self.check_correlations();
         self.check_design_values();
     }
 
@@ -41,7 +43,12 @@ impl Context<'_> {
         let (value, dimension) = self.value_in(&declared.value, unit.as_ref(), &what)?;
         let dispersion = match &declared.dispersion {
             Some(dispersion) => {
-                Some(self.dispersion(dispersion, unit.as_ref(), dimension, &what)?)
+                let of = Dispersed {
+                    what: &what,
+                    dimension,
+                    unit: unit.as_ref(),
+                };
+                Some(self.dispersion(dispersion, &of)?)
             }
             None => None,
         };
@@ -81,65 +88,6 @@ impl Context<'_> {
             }
             _ => Some((value, dimension)),
         }
-    }
-
-    fn dispersion(
-        &mut self,
-        written: &spec::Dispersion,
-        unit: Option<&Unit>,
-        dimension: Dimension,
-        what: &str,
-    ) -> Option<Dispersion> {
-        let (spec::Dispersion::Uniform(first, second) | spec::Dispersion::Normal(first, second)) =
-            written;
-        let a = self.dispersed(first, unit, dimension, what);
-        let b = self.dispersed(second, unit, dimension, what);
-        let (a, b) = (a?, b?);
-        let help = "write `{uniform: [least, largest]}` or `{normal: [mean, deviation]}`";
-        match written {
-            spec::Dispersion::Uniform(..) if a > b => {
-                self.fault(
-                    "E0607",
-                    second.base.span,
-                    format!("dispersion of {what} ends at {b} before it starts at {a}"),
-                    help,
-                );
-                None
-            }
-            spec::Dispersion::Normal(..) if b < 0.0 => {
-                self.fault(
-                    "E0607",
-                    second.base.span,
-                    format!("standard deviation of {what} is {b}, expected at least 0"),
-                    help,
-                );
-                None
-            }
-            spec::Dispersion::Uniform(..) => Some(Dispersion::Uniform(a, b)),
-            spec::Dispersion::Normal(..) => Some(Dispersion::Normal(a, b)),
-        }
-    }
-
-    fn dispersed(
-        &mut self,
-        code: &Code,
-        unit: Option<&Unit>,
-        dimension: Dimension,
-        what: &str,
-    ) -> Option<f64> {
-        let what = format!("dispersion of {what}");
-        let (value, found) = self.value_in(code, unit, &what)?;
-        if found == dimension {
-            return Some(value);
-        }
-        self.unit_mismatch(
-            code.base.span,
-            &what,
-            found,
-            dimension,
-            format!("write it with its unit, as in `1 {dimension}`"),
-        );
-        None
     }
 
     /// Values that the controller is designed with.

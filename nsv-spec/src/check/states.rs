@@ -1,6 +1,7 @@
 //! Guarantees that every state and input has a finite value in a unit, and every limit is positive.
 
 use super::Context;
+use super::dispersion::Dispersed;
 use super::scope::Dependence;
 use crate::expr::Symbol;
 use crate::model;
@@ -59,6 +60,19 @@ impl Context<'_> {
             None => None,
         };
         let (initial, dimension) = self.value_in(&written.initial, unit.as_ref(), &what)?;
+        let of = Dispersed {
+            what: &what,
+            dimension,
+            unit: unit.as_ref(),
+        };
+        let dispersion = match &written.dispersion {
+            Some(dispersion) => Some(self.dispersion(dispersion, &of)?),
+            None => None,
+        };
+        let sensor = match &written.sensor {
+            Some(sensor) => Some(self.sensor(sensor, &name.value, dimension)?),
+            None => None,
+        };
         let display = match unit {
             Some(unit) => (unit.text, unit.scale),
             None => self.display(&written.initial, dimension),
@@ -68,6 +82,8 @@ impl Context<'_> {
             initial,
             dimension,
             display,
+            dispersion,
+            sensor,
         })
     }
 
@@ -145,7 +161,12 @@ impl Context<'_> {
             );
             return None;
         }
+        let actuator = match &written.actuator {
+            Some(actuator) => Some(self.actuator(actuator, &name.value, dimension)?),
+            None => None,
+        };
         Some(model::Input {
+            actuator,
             name: name.value.clone(),
             limit,
             safe,

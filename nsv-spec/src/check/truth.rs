@@ -78,7 +78,12 @@ impl Context<'_> {
             self.faults
                 .push(Diagnostic::error("E0711", name.span, message).with_help(help));
         }
-        for Named { name, .. } in &truth.states {
+        for Named { name, value } in &truth.states {
+            if value.sensor.is_some() {
+                let message = format!("state `{}` of the truth has a sensor", name.value);
+                let help = "the controller measures the states of the blocks only: remove `sensor`";
+                self.fault("E0714", name.span, message, help);
+            }
             let given = truth.rates.iter().any(|rate| rate.name.value == name.value);
             if !given {
                 let message = format!("state `{}` of the truth has no rate", name.value);

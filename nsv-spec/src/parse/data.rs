@@ -1,8 +1,8 @@
 //! Reads constants, parameters and polynomial data.
 
-use super::fields::{Fields, Reader, name};
+use super::fields::{Reader, name};
 use crate::diagnostic::Span;
-use crate::spec::{Code, Constant, Dispersion, Named, Parameter, PolynomialGroup, Terms};
+use crate::spec::{Constant, Named, Parameter, PolynomialGroup, Terms};
 use crate::vocabulary::{CONSTANT, PARAMETER, POLYNOMIAL};
 use crate::yaml::{Kind, Node};
 
@@ -41,45 +41,6 @@ impl Reader {
             unit: self.text(&fields, "unit"),
             dispersion: self.dispersion(&fields),
             source: self.text(&fields, "source"),
-        }
-    }
-
-    fn dispersion(&mut self, parameter: &Fields<'_>) -> Option<Dispersion> {
-        parameter.entry("dispersion")?;
-        let fields = self.section(parameter, "dispersion");
-        match (fields.entry("uniform"), fields.entry("normal")) {
-            (Some(entry), None) => self
-                .pair(&entry.value, "[least, largest]")
-                .map(|(a, b)| Dispersion::Uniform(a, b)),
-            (None, Some(entry)) => self
-                .pair(&entry.value, "[mean, deviation]")
-                .map(|(a, b)| Dispersion::Normal(a, b)),
-            _ => {
-                let help = "write `{uniform: [0.8, 1.2]}` or `{normal: [1, 0.1]}`";
-                self.fault(
-                    "E0106",
-                    fields.span,
-                    "dispersion must have one of `uniform` and `normal`",
-                    help,
-                );
-                None
-            }
-        }
-    }
-
-    fn pair(&mut self, node: &Node, expected: &str) -> Option<(Code, Code)> {
-        match &node.kind {
-            Kind::Seq(items) if items.len() == 2 => {
-                Some((self.code_of(&items[0]), self.code_of(&items[1])))
-            }
-            _ => {
-                self.kind(
-                    node,
-                    &format!("a list of two: `{expected}`"),
-                    "write two numbers in brackets",
-                );
-                None
-            }
         }
     }
 

@@ -2,7 +2,9 @@
 
 mod controller;
 mod data;
+mod dispersion;
 mod fields;
+mod hardware;
 mod plant;
 mod values;
 
@@ -41,6 +43,7 @@ impl Reader {
             title: self.text(&fields, "title"),
             constants: self.map(&fields, "constants", Self::constant),
             parameters: self.map(&fields, "parameters", Self::parameter),
+            correlations: self.correlations(&fields),
             polynomials: self.map(&fields, "polynomials", Self::polynomial_group),
             definitions: self.map(&fields, "definitions", Self::formula_of),
             blocks: self.blocks(&plant),

@@ -45,12 +45,16 @@ impl Reader {
             return State {
                 initial: self.code_of(node),
                 unit: None,
+                dispersion: None,
+                sensor: None,
             };
         }
         let fields = self.fields(node, &STATE);
         State {
             initial: self.code(&fields, "initial"),
             unit: self.text(&fields, "unit"),
+            dispersion: self.dispersion(&fields),
+            sensor: (fields.entry("sensor")).map(|entry| self.sensor(&entry.value)),
         }
     }
 
@@ -67,16 +71,7 @@ impl Reader {
                 );
                 Disturbance::Exosystem(items.iter().map(|item| self.exosystem(item)).collect())
             }
-            _ => {
-                let help = "leave `disturbance` out where there is none";
-                self.fault(
-                    "E0106",
-                    span,
-                    "disturbance must have one of `bounded` and `exosystem`",
-                    help,
-                );
-                return None;
-            }
+            _ => return self.one_of(span, "disturbance", ["bounded", "exosystem"]),
         };
         Some(Located { value, span })
     }
@@ -105,12 +100,14 @@ impl Reader {
             return Input {
                 limit: self.code_of(node),
                 safe: None,
+                actuator: None,
             };
         }
         let fields = self.fields(node, &INPUT);
         Input {
             limit: self.code(&fields, "limit"),
             safe: self.optional_code(&fields, "safe"),
+            actuator: (fields.entry("actuator")).map(|entry| self.actuator(&entry.value)),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Keys of constants, parameters and polynomial data.
 
+use super::dispersion::DISPERSION;
 use super::{Kind, Section, optional, required};
 
 /// Short or long form.
@@ -41,23 +42,6 @@ pub static PARAMETER: Section = Section {
             "how the plant's value is drawn in each run",
         ),
         optional("source", Kind::Text, "where the value comes from"),
-    ],
-};
-
-/// Distribution of a dispersed parameter.
-pub static DISPERSION: Section = Section {
-    noun: "a dispersion",
-    keys: &[
-        optional(
-            "uniform",
-            Kind::List(&Kind::Quantity),
-            "least and largest value",
-        ),
-        optional(
-            "normal",
-            Kind::List(&Kind::Quantity),
-            "mean and standard deviation",
-        ),
     ],
 };
 

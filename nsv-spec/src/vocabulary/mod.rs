@@ -2,11 +2,15 @@
 
 mod controller;
 mod data;
+mod dispersion;
+mod hardware;
 mod plant;
 
 pub(crate) use controller::{CONTROLLER, CONTROLLER_BLOCK, ERROR_BOUND, NETWORK, NOISE_BOUND};
 pub(crate) use data::{CONSTANT, PARAMETER, POLYNOMIAL};
 use data::{CONSTANT_KIND, PARAMETER_KIND};
+pub(crate) use dispersion::{CORRELATION, DISPERSION};
+pub(crate) use hardware::{ACTUATOR, FAULT, SENSOR};
 pub(crate) use plant::{EXOSYSTEM, INPUT, NOISE, PLANT, PLANT_BLOCK, STATE, TRUTH};
 
 /// A map with known keys.
@@ -109,6 +113,11 @@ pub static SPECIFICATION: Section = Section {
             "parameters",
             Kind::Named(&PARAMETER_KIND),
             "run-time parameters, fields of the emitted `Params`",
+        ),
+        optional(
+            "correlations",
+            Kind::List(&Kind::Section(&CORRELATION)),
+            "parameters that are drawn together in each run",
         ),
         optional(
             "polynomials",

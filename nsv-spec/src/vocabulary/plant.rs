@@ -1,5 +1,7 @@
 //! Keys of the plant.
 
+use super::dispersion::DISPERSION;
+use super::hardware::{ACTUATOR, SENSOR};
 use super::{FORMULAS, Kind, Section, optional, required};
 
 /// The plant.
@@ -82,6 +84,16 @@ pub static STATE: Section = Section {
             Kind::Text,
             "display unit, and unit of the initial value if that has none",
         ),
+        optional(
+            "dispersion",
+            Kind::Section(&DISPERSION),
+            "how the initial value is drawn in each run",
+        ),
+        optional(
+            "sensor",
+            Kind::Section(&SENSOR),
+            "how the controller measures it; default: exactly",
+        ),
     ],
 };
 
@@ -143,6 +155,11 @@ pub static INPUT: Section = Section {
             "safe",
             Kind::Quantity,
             "output when a measurement is not finite; default: 0",
+        ),
+        optional(
+            "actuator",
+            Kind::Section(&ACTUATOR),
+            "how the command reaches the plant; default: at once and exactly",
         ),
     ],
 };

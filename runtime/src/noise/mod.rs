@@ -15,6 +15,7 @@
 
 mod distribution;
 mod philox;
+mod quantile;
 #[cfg(test)]
 mod tests;
 
@@ -23,6 +24,7 @@ use crate::linear::Vector;
 use crate::real::{Bits, Real};
 use distribution::{BoxMuller, is_double, joined, open_unit};
 use philox::{Keys, encrypt, encrypted, round_keys};
+use quantile::normal_quantile;
 
 pub use philox::philox4x32_10;
 
@@ -42,8 +44,10 @@ pub struct Noise<T: Real = f64> {
 enum Purpose {
     /// Disturbances while the plant runs: step counts the plant's steps, channel its noise channels.
     Process = 0,
-    /// Parameters drawn before the run: step 0, channel counts the parameters.
+    /// What is drawn before the run: step 0, channel counts parameters, then initial states, then biases of sensors.
     Dispersion = 1,
+    /// Errors of sensors: step counts the controller's samples, channel the sensors.
+    Sensor = 2,
 }
 
 /// Added to the purpose of normal draws.
@@ -56,10 +60,16 @@ impl<T: Real> Noise<T> {
         Self::new(seed, Purpose::Process, first_run)
     }
 
-    /// The parameter dispersions of the runs from `first_run` on.
+    /// The dispersions of the runs from `first_run` on.
     #[inline(always)]
     pub fn dispersion(seed: u64, first_run: u64) -> Self {
         Self::new(seed, Purpose::Dispersion, first_run)
+    }
+
+    /// The sensor errors of the runs from `first_run` on.
+    #[inline(always)]
+    pub fn sensor(seed: u64, first_run: u64) -> Self {
+        Self::new(seed, Purpose::Sensor, first_run)
     }
 
     #[inline(always)]
@@ -99,6 +109,13 @@ impl<T: Real> Noise<T> {
         let block = self.words(self.purpose as u32 + NORMAL, step, pair / pairs);
         let [first, second] = Self::bits_of_pair(&[block], (pair % pairs) as usize);
         BoxMuller.of(first, second)[channel as usize % 2]
+    }
+
+    /// Standard normal between its quantiles of the probabilities `low` and `high`.
+    #[inline(always)]
+    pub fn normal_between(&self, step: u64, channel: u32, low: f64, high: f64) -> T {
+        let share = self.uniform(step, channel) * T::from_f64(high - low);
+        normal_quantile(T::from_f64(low) + share)
     }
 
     /// [`Noise::normal`] of the channels 0 to N - 1.

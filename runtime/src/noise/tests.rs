@@ -52,6 +52,27 @@ fn check_mean(found: f64, exact: f64, variance: f64) {
 }
 
 #[test]
+fn truncated_normals_have_the_mean_of_the_truncated_distribution() {
+    // Between -1 and 2: quantiles and densities of the standard normal distribution there (mpmath, 17 digits).
+    let (low, high) = (0.158_655_253_931_457_05, 0.977_249_868_051_820_8);
+    let (density_low, density_high) = (0.241_970_724_519_143_35, 0.053_990_966_513_188_05);
+    let share = high - low;
+    let exact = (density_low - density_high) / share;
+    let second = 1.0 + (-density_low - 2.0 * density_high) / share;
+    let noise = Noise::<f64>::dispersion(7, 3);
+    let draws = (0..DRAWS).map(|step| noise.normal_between(step, 5, low, high));
+    let (mut mean, mut square) = (0.0, 0.0);
+    for draw in draws {
+        assert!((-1.0 - 1e-15..=2.0 + 1e-15).contains(&draw));
+        mean += draw / DRAWS as f64;
+        square += draw * draw / DRAWS as f64;
+    }
+    check_mean(mean, exact, second - exact * exact);
+    // The variance of the square is at most a quarter of the square of its range.
+    check_mean(square, second, 4.0);
+}
+
+#[test]
 fn normals_have_the_moments_of_the_normal_distribution() {
     let powers = |x: f64| [x, x * x, x * x * x, x * x * x * x];
     let found = [means::<f64, 4>(7, powers), means::<f32, 4>(7, powers)];

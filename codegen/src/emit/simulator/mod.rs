@@ -1,5 +1,9 @@
 //! `simulator.rs`: controller and plant in closed loop, one run of a campaign.
 
+mod hardware;
+mod start;
+mod telemetry;
+
 use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
@@ -12,10 +16,11 @@ use crate::emit::literal::float;
 use crate::emit::names::ident;
 use crate::emit::pieces::{Split, call_with};
 use crate::emit::plant::noise_channels;
-use crate::emit::telemetry::{Column, columns};
 use crate::emit::types::index;
 use crate::ir::Program;
 use crate::opt::dependence::uses;
+use hardware::Hardware;
+use telemetry::{Column, columns};
 
 /// What the simulator is made of.
 pub(crate) struct Simulator<'a> {
@@ -45,6 +50,10 @@ impl Simulator<'_> {
         items
     }
 
+    fn hardware(&self) -> Hardware<'_> {
+        Hardware::new(self.interface)
+    }
+
     fn channels(&self) -> usize {
         noise_channels(self.plant.program)
     }
@@ -57,17 +66,19 @@ impl Simulator<'_> {
         let horizon_docs = docs(&["Length of a run, s."]);
         let substeps_docs = docs(&["Plant steps per sample."]);
         let step_docs = docs(&["Length of a plant step, s."]);
-        vec![
+        let own = [
             quote!(#horizon_docs pub const HORIZON: f64 = #horizon;),
             quote!(#substeps_docs pub const SUBSTEPS: u32 = #substeps;),
             quote!(#step_docs pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;),
-        ]
+        ];
+        own.into_iter().chain(self.hardware().constants()).collect()
     }
 
     fn definition(&self) -> TokenStream {
         let docs = docs(&["Runs of controller and plant, one in each lane."]);
         let noise = (self.channels() > 0).then(|| quote!(noise: Option<Noise<T>>,));
         let prepared = (self.dynamics.prepare()).map(|_| quote!(prepared: plant::Prepared<T>,));
+        let hardware = self.hardware().fields();
         quote! {
             #docs
             #[derive(Clone, Debug)]
@@ -80,6 +91,7 @@ impl Simulator<'_> {
                 output: Output<T>,
                 sample: u64,
                 #noise
+                #hardware
             }
         }
     }
@@ -89,6 +101,9 @@ impl Simulator<'_> {
         let mut segments = Vec::new();
         for (number, block) in (1..).zip(&self.interface.blocks) {
             segments.push(segment("x", number, start, block.states.len()));
+            if self.hardware().senses() {
+                segments.push(segment("y", number, start, block.states.len()));
+            }
             start += block.states.len();
         }
         start += self.interface.further().len();
@@ -123,6 +138,7 @@ impl Simulator<'_> {
                 }
             }
         });
+        let hardware = self.hardware().methods();
         quote! {
             impl<T: Real> Simulator<T> {
                 #time_docs
@@ -144,6 +160,8 @@ impl Simulator<'_> {
                 #(#segments)*
 
                 #draw
+
+                #hardware
             }
         }
     }
@@ -194,46 +212,13 @@ impl Simulator<'_> {
             .collect()
     }
 
-    fn start(&self) -> TokenStream {
-        let measured: Vec<TokenStream> = self.segments_of(&quote!(x)).collect();
-        let noisy = self.channels() > 0;
-        let process =
-            noisy.then(|| quote!(let process = Noise::process(options.seed, options.run);));
-        let noise = noisy.then(|| quote!(noise: options.noise.then_some(process),));
-        let prepared = self.dynamics.prepare().map(|prepare| {
-            let call = call_with(prepare, |_| quote!(&truth));
-            quote!(prepared: plant::#call,)
-        });
-        quote! {
-            #[inline(always)]
-            fn new(options: &Options) -> Self {
-                let truth = if options.dispersion {
-                    Params::dispersed(&Noise::dispersion(options.seed, options.run))
-                } else {
-                    Params::plant()
-                };
-                let x = Vector::from_f64(INITIAL_STATE);
-                let mut controller = Controller::new(Params::design());
-                controller.reset(T::zero(), #(#measured),*);
-                let state = *controller.state();
-                #process
-                Self { #prepared controller, truth, x, state, output: Output::zero(), sample: 0, #noise }
-            }
-        }
-    }
-
-    /// The state of each block as entries of a packed state.
-    fn segments_of(&self, x: &TokenStream) -> impl Iterator<Item = TokenStream> {
-        let mut start = 0;
-        self.interface.blocks.iter().map(move |block| {
-            let entries = (start..start + block.states.len()).map(index);
-            start += block.states.len();
-            quote!(Vector([#(#x[#entries]),*]))
-        })
-    }
-
     fn control(&self) -> TokenStream {
-        let blocks = self.blocks();
+        let senses = self.hardware().senses();
+        let letter = if senses { "y" } else { "x" };
+        let blocks: Vec<_> = (1..=self.interface.blocks.len())
+            .map(|number| format_ident!("{letter}{number}"))
+            .collect();
+        let measure = senses.then(|| quote!(self.measure();));
         // The controller's parameters are those of the design in every run, so that one clock serves all lanes.
         let shared = self.law.clock().filter(|clock| {
             let record = |name: &str| name.split('.').next() != Some("prepared");
@@ -258,6 +243,7 @@ impl Simulator<'_> {
             #[inline(always)]
             fn control(&mut self) {
                 let t = T::from_f64(self.time());
+                #measure
                 self.output = #step;
             }
         }
@@ -297,6 +283,24 @@ impl Simulator<'_> {
             (TokenStream::new(), quote!(&Vector([])))
         };
         let prepared = (self.dynamics.prepare()).map(|_| quote!(prepared: self.prepared,));
+        if self.hardware().acts() {
+            let xi = held.map(|_| quote!(let xi = self.draw(self.sample);));
+            let held = xi.as_ref().map(|_| quote!(, xi));
+            return quote! {
+                #scheme_docs
+                #[inline(always)]
+                fn advance(&mut self) {
+                    #xi
+                    for substep in 0..SUBSTEPS {
+                        let t = self.time() + f64::from(substep) * SUBSTEP;
+                        let plant = Plant { params: self.truth, #prepared u_sat: self.actuate(t) #held };
+                        #draw
+                        self.x = sde::step(Scheme::#scheme, &plant, t, &self.x, SUBSTEP, #increment);
+                    }
+                    self.sample += 1;
+                }
+            };
+        }
         quote! {
             #scheme_docs
             #[inline(always)]
@@ -376,7 +380,9 @@ impl Simulator<'_> {
             .outputs
             .iter()
             .any(|(name, _)| name == "k1");
-        let ratio = if constrained {
+        let ratio = if constrained && self.hardware().senses() {
+            quote!((self.x1() - self.output.y_r).sum_squares().sqrt() / self.output.k1)
+        } else if constrained {
             quote!(self.output.e1.sum_squares().sqrt() / self.output.k1)
         } else {
             quote!(T::from_f64(f64::NAN))
@@ -407,10 +413,10 @@ impl Simulator<'_> {
 /// A method that gives part of the packed state.
 fn segment(letter: &str, number: usize, start: usize, length: usize) -> TokenStream {
     let name = format_ident!("{letter}{number}");
-    let of = if letter == "x" {
-        "State"
-    } else {
-        "Exosystem states"
+    let (of, from) = match letter {
+        "x" => ("State", quote!(x)),
+        "y" => ("Measured state", quote!(y)),
+        _ => ("Exosystem states", quote!(x)),
     };
     let docs = docs(&[format!("{of} of block {number}.")]);
     let entries = (start..start + length).map(index);
@@ -418,6 +424,6 @@ fn segment(letter: &str, number: usize, start: usize, length: usize) -> TokenStr
     quote! {
         #docs
         #[inline(always)]
-        fn #name(&self) -> Vector<T, #length> { Vector([#(self.x[#entries]),*]) }
+        fn #name(&self) -> Vector<T, #length> { Vector([#(self.#from[#entries]),*]) }
     }
 }

@@ -3,6 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
+use super::hardware::Hardware;
 use crate::emit::interface::Interface;
 use crate::emit::names::ident;
 use crate::emit::types::index;
@@ -44,14 +45,21 @@ pub(crate) fn columns(
         let named = |letters: &str| format!("{letters}{number}");
         let x = format_ident!("x{number}");
         table.vector(&named("x"), &own, &quote!(#x));
-        table.output(control, &named("e"), &own, &quote!(law));
+        let truly = number == 1 && Hardware::new(interface).senses();
+        if truly && has(control, "e1") {
+            table.vector("e1", &own, &quote!((x1 - law.y_r)));
+        } else {
+            table.output(control, &named("e"), &own, &quote!(law));
+        }
         table.output(control, &named("k"), &own, &quote!(law));
         if has(control, &named("k")) && has(control, &named("e")) {
             let (e, k) = (ident(&named("e")), ident(&named("k")));
-            table.scalar(
-                &named("ratio"),
-                quote!(law.#e.sum_squares().sqrt() / law.#k),
-            );
+            let e = if truly {
+                quote!((x1 - law.y_r))
+            } else {
+                quote!(law.#e)
+            };
+            table.scalar(&named("ratio"), quote!(#e.sum_squares().sqrt() / law.#k));
         }
         table.output(control, &named("alpha"), &next, &quote!(law));
         table.output(initial, &named("h"), &next, &quote!(self.state));
@@ -72,6 +80,22 @@ pub(crate) fn columns(
     table.output(control, "y_r", &outputs, &quote!(law));
     table.output(control, "u", &inputs, &quote!(law));
     table.output(control, "u_sat", &inputs, &quote!(law));
+    let mut first = 0;
+    for block in &interface.blocks {
+        for (at, state) in (first..).zip(&block.states) {
+            if state.sensor.is_some() {
+                let at = index(at);
+                table.scalar(&format!("y.{}", state.name), quote!(self.y[#at]));
+            }
+        }
+        first += block.states.len();
+    }
+    for (at, input) in interface.inputs.iter().enumerate() {
+        if input.actuator.is_some() {
+            let at = index(at);
+            table.scalar(&format!("u_act.{}", input.name), quote!(self.u_act[#at]));
+        }
+    }
     match &interface.truth {
         // The function and its generator are those of the plant that the controller is designed on.
         None => {
