@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::plant::{PlantBlock, SECOND};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Rule};
 use crate::model::{Block, Controller, Integration, Norm, VirtualDerivative};
 use crate::spec::{Code, ControllerBlock, Named};
 use crate::suggest::nearest;
@@ -72,7 +72,7 @@ impl Context<'_> {
             "barrier margin is {margin}, expected more than 0 and at most {LARGEST_MARGIN}"
         );
         self.fault(
-            "E0602",
+            Rule::E0602,
             code.base.span,
             message,
             "write a small angle such as 1e-3",
@@ -98,7 +98,7 @@ impl Context<'_> {
                     own.name.value
                 );
                 self.faults
-                    .push(Diagnostic::error("E0114", own.name.span, message).with_help(help));
+                    .push(Diagnostic::error(Rule::E0114, own.name.span, message).with_help(help));
             }
         }
         let mut matched = Vec::new();
@@ -109,7 +109,7 @@ impl Context<'_> {
                 .position(|own| own.name.value == block.name.value);
             if at.is_none() {
                 let message = format!("controller has no gains for block `{}`", block.name.value);
-                let fault = Diagnostic::error("E0114", gains.span, message)
+                let fault = Diagnostic::error(Rule::E0114, gains.span, message)
                     .with_related(block.name.span, "the block is declared here");
                 self.faults.push(fault.with_help(format!(
                     "add `{}:` with its gains under `controller.blocks`",

@@ -26,7 +26,7 @@ mod scope;
 mod states;
 mod structure;
 
-use crate::diagnostic::{Diagnostic, SourceMap, Span};
+use crate::diagnostic::{Diagnostic, Rule, SourceMap, Span};
 use crate::expr::Symbol;
 use crate::expr::arena::Arena;
 use crate::model::{Block, Constant, Definition, Model, Parameter, State};
@@ -158,13 +158,13 @@ impl<'a> Context<'a> {
 
     fn fault(
         &mut self,
-        code: &'static str,
+        rule: Rule,
         span: Span,
         message: impl Into<String>,
         help: impl Into<String>,
     ) {
         self.faults
-            .push(Diagnostic::error(code, span, message).with_help(help));
+            .push(Diagnostic::error(rule, span, message).with_help(help));
     }
 
     /// The result of another module, its faults reported here.

@@ -3,7 +3,7 @@
 use super::Context;
 use super::constants::{convert, text};
 use super::scope::Dependence;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Rule};
 use crate::expr::Symbol;
 use crate::expr::arena::{ParameterId, Type};
 use crate::model::{Dispersion, Parameter};
@@ -99,7 +99,7 @@ impl Context<'_> {
         match written {
             spec::Dispersion::Uniform(..) if a > b => {
                 self.fault(
-                    "E0607",
+                    Rule::E0607,
                     second.base.span,
                     format!("dispersion of {what} ends at {b} before it starts at {a}"),
                     help,
@@ -108,7 +108,7 @@ impl Context<'_> {
             }
             spec::Dispersion::Normal(..) if b < 0.0 => {
                 self.fault(
-                    "E0607",
+                    Rule::E0607,
                     second.base.span,
                     format!("standard deviation of {what} is {b}, expected at least 0"),
                     help,
@@ -162,7 +162,7 @@ impl Context<'_> {
                 };
                 self.faults.push(
                     Diagnostic::error(
-                        "E0116",
+                        Rule::E0116,
                         design.name.span,
                         format!("unknown parameter `{name}`"),
                     )

@@ -1,6 +1,7 @@
 //! Guarantees that every output has a reference, and nothing else has.
 
 use super::Context;
+use crate::diagnostic::Rule;
 use crate::expr::Expected;
 use crate::expr::arena::{ExprId, Shape};
 use crate::spec::{Formula, Named};
@@ -25,7 +26,7 @@ impl Context<'_> {
             else {
                 let message = format!("reference of output `{name}` is missing");
                 self.fault(
-                    "E0115",
+                    Rule::E0115,
                     spec.reference.span,
                     message,
                     format!("add `{name}: ..`, a function of `t`"),
@@ -56,7 +57,7 @@ impl Context<'_> {
                     signal.name.value, block.value
                 );
                 self.fault(
-                    "E0115",
+                    Rule::E0115,
                     signal.name.span,
                     message,
                     format!("the outputs are `{}`", names.join("`, `")),

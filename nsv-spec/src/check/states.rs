@@ -2,6 +2,7 @@
 
 use super::Context;
 use super::scope::Dependence;
+use crate::diagnostic::Rule;
 use crate::expr::Symbol;
 use crate::model;
 use crate::spec::{self, Named, Word};
@@ -108,7 +109,7 @@ impl Context<'_> {
                 name.value
             );
             self.fault(
-                "E0602",
+                Rule::E0602,
                 written.safe.as_ref().map_or(span, |code| code.base.span),
                 message,
                 "choose a value within the limit",

@@ -3,6 +3,7 @@
 
 use super::Context;
 use super::formula::Parsed;
+use crate::diagnostic::Rule;
 
 impl Context<'_> {
     /// F, G, H or a network input of a block.
@@ -13,7 +14,7 @@ impl Context<'_> {
             let dependence = self.names.dependence(name);
             if dependence.time {
                 let message = format!("{what} of block `{own}` depends on time through `{name}`");
-                self.fault("E0702", span, message, "the plant is time-invariant: put functions of time into `disturbance` or `reference`");
+                self.fault(Rule::E0702, span, message, "the plant is time-invariant: put functions of time into `disturbance` or `reference`");
             }
             if let Some(inner) = dependence.block.filter(|&inner| inner > block) {
                 let inner = &spec.blocks[inner].name.value;
@@ -23,7 +24,7 @@ impl Context<'_> {
                 let help = format!(
                     "it may depend on the states of `{own}` and of blocks before it; inner states act through `gain` only"
                 );
-                self.fault("E0701", span, message, help);
+                self.fault(Rule::E0701, span, message, help);
             }
         }
     }
@@ -37,7 +38,7 @@ impl Context<'_> {
                 let message =
                     format!("{what} depends on the states of block `{block}` through `{name}`");
                 self.fault(
-                    "E0703",
+                    Rule::E0703,
                     span,
                     message,
                     "it may depend on `t`, constants and parameters only",

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::arena::Comparison;
 use super::parser::MAX_FAULTS;
 use super::syntax::{Infix, Literal};
-use crate::diagnostic::{Base, Diagnostic, quoted};
+use crate::diagnostic::{Base, Diagnostic, Rule, quoted};
 use crate::unit::{self, Unit, UnitFault};
 
 /// A token and its bytes in the text.
@@ -133,7 +133,7 @@ impl<'a> Lexer<'a> {
                 .count();
             let message = format!("malformed number {}", quoted(&self.text[start..self.at]));
             self.report(
-                "E0202",
+                Rule::E0202,
                 start..self.at,
                 message,
                 "write numbers like `12000`, `0.5` or `1.5e-3`",
@@ -154,7 +154,7 @@ impl<'a> Lexer<'a> {
                 quoted(&self.text[start..self.at])
             );
             self.report(
-                "E0202",
+                Rule::E0202,
                 start..self.at,
                 message,
                 "magnitudes go from about 1e-308 to 1e308",
@@ -215,18 +215,18 @@ impl<'a> Lexer<'a> {
                 .to_owned(),
         };
         self.at += length;
-        self.report("E0201", range, message, help);
+        self.report(Rule::E0201, range, message, help);
     }
 
     fn report(
         &mut self,
-        code: &'static str,
+        rule: Rule,
         range: Range<usize>,
         message: String,
         help: impl Into<String>,
     ) {
         self.faults
-            .push(Diagnostic::error(code, self.base.span_of(range), message).with_help(help));
+            .push(Diagnostic::error(rule, self.base.span_of(range), message).with_help(help));
     }
 }
 

@@ -1,7 +1,7 @@
 //! Reads constants, parameters and polynomial data.
 
 use super::fields::{Fields, Reader, name};
-use crate::diagnostic::Span;
+use crate::diagnostic::{Rule, Span};
 use crate::spec::{Code, Constant, Dispersion, Named, Parameter, PolynomialGroup, Terms};
 use crate::vocabulary::{CONSTANT, PARAMETER, POLYNOMIAL};
 use crate::yaml::{Kind, Node};
@@ -57,7 +57,7 @@ impl Reader {
             _ => {
                 let help = "write `{uniform: [0.8, 1.2]}` or `{normal: [1, 0.1]}`";
                 self.fault(
-                    "E0106",
+                    Rule::E0106,
                     fields.span,
                     "dispersion must have one of `uniform` and `normal`",
                     help,
@@ -132,7 +132,7 @@ impl Reader {
                 "found a term of {}, expected a coefficient and {arguments} exponents",
                 items.len()
             );
-            self.fault("E0107", node.span, message, help);
+            self.fault(Rule::E0107, node.span, message, help);
             return None;
         }
         let coefficient = self.coefficient(&items[0]);
@@ -175,7 +175,7 @@ impl Reader {
 
     fn refuse<T>(&mut self, span: Span, message: String) -> Option<T> {
         self.fault(
-            "E0107",
+            Rule::E0107,
             span,
             message,
             "polynomial data are plain numbers; units belong into the arguments",

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::spec::{Located, Named, Word};
 use crate::suggest::nearest;
 use crate::vocabulary::{Key, Kind as Expects, Section};
@@ -42,13 +42,13 @@ pub(super) struct Reader {
 impl Reader {
     pub(super) fn fault(
         &mut self,
-        code: &'static str,
+        rule: Rule,
         span: Span,
         message: impl Into<String>,
         help: impl Into<String>,
     ) {
         self.faults
-            .push(Diagnostic::error(code, span, message).with_help(help));
+            .push(Diagnostic::error(rule, span, message).with_help(help));
     }
 
     /// The keys of a map: none unknown, none twice, all required ones there.
@@ -66,7 +66,7 @@ impl Reader {
                 section.noun
             );
             self.fault(
-                "E0103",
+                Rule::E0103,
                 node.span,
                 message,
                 format!("its keys are {}", list(&keys)),
@@ -87,7 +87,7 @@ impl Reader {
             let span = entries.first().map_or(node.span, |first| first.key.span);
             let message = format!("key `{}` is missing in {}", key.name, section.noun);
             self.fault(
-                "E0104",
+                Rule::E0104,
                 span,
                 message,
                 format!("add `{}`: {}", key.name, key.doc),
@@ -125,7 +125,7 @@ impl Reader {
             None => format!("{} has the keys {}", section.noun, list(&names)),
         };
         self.fault(
-            "E0101",
+            Rule::E0101,
             entry.key.span,
             format!(
                 "unknown key `{}` in {}",
@@ -210,7 +210,7 @@ impl Reader {
     /// Reports a value of a wrong kind.
     pub(super) fn kind(&mut self, node: &Node, expected: &str, help: &str) {
         self.fault(
-            "E0103",
+            Rule::E0103,
             node.span,
             format!("found {}, expected {expected}", node.describe()),
             help,
@@ -238,7 +238,7 @@ fn unique<'a>(faults: &mut Vec<Diagnostic>, entries: &'a [Entry]) -> Vec<&'a Ent
             }
             Some(earlier) => faults.push(
                 Diagnostic::error(
-                    "E0102",
+                    Rule::E0102,
                     entry.key.span,
                     format!("key `{}` is given twice", excerpt(&entry.key.text)),
                 )

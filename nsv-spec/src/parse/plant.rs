@@ -1,6 +1,7 @@
 //! Reads the plant.
 
 use super::fields::{Fields, Reader};
+use crate::diagnostic::Rule;
 use crate::spec::{Disturbance, Exosystem, Input, Located, Named, Noise, PlantBlock, State};
 use crate::vocabulary::{EXOSYSTEM, INPUT, NOISE, PLANT_BLOCK, STATE};
 use crate::yaml::{Kind, Node};
@@ -59,7 +60,7 @@ impl Reader {
             _ => {
                 let help = "leave `disturbance` out where there is none";
                 self.fault(
-                    "E0106",
+                    Rule::E0106,
                     span,
                     "disturbance must have one of `bounded` and `exosystem`",
                     help,

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::diagnostic::{Base, Diagnostic, quoted};
+use crate::diagnostic::{Base, Diagnostic, Rule, quoted};
 
 /// What is wrong with a unit expression, and where in its text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -47,7 +47,7 @@ impl UnitError {
         match &self.fault {
             UnitFault::Unknown { name, suggestion } => {
                 let fault =
-                    Diagnostic::error("E0401", span, format!("unknown unit {}", quoted(name)));
+                    Diagnostic::error(Rule::E0401, span, format!("unknown unit {}", quoted(name)));
                 match suggestion {
                     Some(unit) => fault.with_help(format!("did you mean `{unit}`?")),
                     None => fault.with_help(
@@ -57,11 +57,11 @@ impl UnitError {
             }
             UnitFault::Malformed { expected, found } => {
                 let message = format!("malformed unit: found {found}, expected {expected}");
-                Diagnostic::error("E0402", span, message)
+                Diagnostic::error(Rule::E0402, span, message)
                     .with_help("write units like `kN*m`, `rad/s`, `1/s` or `m/s^2`")
             }
             UnitFault::Range => Diagnostic::error(
-                "E0402",
+                Rule::E0402,
                 span,
                 "unit with a factor or an exponent out of range",
             )

@@ -1,7 +1,7 @@
 //! Names in place of values.
 
 use super::{Bits, Dimension, Elaborator, ExprId, Fault, Node, Span, Type};
-use crate::diagnostic::quoted;
+use crate::diagnostic::{Rule, quoted};
 use crate::expr::builtin;
 use crate::expr::scope::Symbol;
 use crate::suggest::nearest;
@@ -32,7 +32,7 @@ impl Elaborator<'_> {
                 return self.report(
                     span,
                     Fault::new(
-                        "E0304",
+                        Rule::E0304,
                         format!("`{name}` is polynomial data, expected a value"),
                         help,
                     ),
@@ -49,7 +49,7 @@ impl Elaborator<'_> {
     pub(super) fn unavailable(&mut self, span: Span, name: &str, why: String) -> Option<ExprId> {
         self.report(
             span,
-            Fault::new("E0303", format!("`{name}` cannot be used here"), why),
+            Fault::new(Rule::E0303, format!("`{name}` cannot be used here"), why),
             &[],
         )
     }
@@ -60,7 +60,7 @@ impl Elaborator<'_> {
         }
         if builtin::names().any(|function| function == name) {
             let fault = Fault::new(
-                "E0304",
+                Rule::E0304,
                 format!("`{name}` is a function, expected a value"),
                 format!("apply it: `{name}(..)`"),
             );
@@ -75,7 +75,7 @@ impl Elaborator<'_> {
         };
         self.report(
             span,
-            Fault::new("E0301", format!("unknown name {}", quoted(name)), help),
+            Fault::new(Rule::E0301, format!("unknown name {}", quoted(name)), help),
             &[],
         )
     }

@@ -1,8 +1,12 @@
 //! Faults of a specification as data: a code, a place, a message and its remedy. Rendering is the command line's business.
 
+mod rule;
+
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
+
+pub use rule::Rule;
 
 /// Index of a file in a [`SourceMap`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -98,8 +102,8 @@ pub struct Related {
 /// One fault: what is wrong, where, and how to mend it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// Stable code, such as `E0102`.
-    pub code: &'static str,
+    /// What kind of fault.
+    pub rule: Rule,
     /// Error or warning.
     pub severity: Severity,
     /// The place; `None` only when no file could be read.
@@ -114,9 +118,9 @@ pub struct Diagnostic {
 
 impl Diagnostic {
     /// An error at a place.
-    pub fn error(code: &'static str, span: Span, message: impl Into<String>) -> Self {
+    pub fn error(rule: Rule, span: Span, message: impl Into<String>) -> Self {
         Self {
-            code,
+            rule,
             severity: Severity::Error,
             span: Some(span),
             message: message.into(),
@@ -126,10 +130,10 @@ impl Diagnostic {
     }
 
     /// A warning at a place.
-    pub fn warning(code: &'static str, span: Span, message: impl Into<String>) -> Self {
+    pub fn warning(rule: Rule, span: Span, message: impl Into<String>) -> Self {
         Self {
             severity: Severity::Warning,
-            ..Self::error(code, span, message)
+            ..Self::error(rule, span, message)
         }
     }
 
@@ -220,7 +224,7 @@ impl Diagnostics {
             let at = item.span.map(place).unwrap_or_default();
             text.push_str(&format!(
                 "{at}{}[{}]: {}\n",
-                item.severity, item.code, item.message
+                item.severity, item.rule, item.message
             ));
             for related in &item.related {
                 text.push_str(&format!(
