@@ -7,8 +7,7 @@ use super::cycles::order;
 use super::formula::Parsed;
 use super::numbers::Numbers;
 use super::scope::Dependence;
-use crate::diagnostic::Base;
-use crate::diagnostic::{Diagnostic, Rule};
+use crate::diagnostic::{Base, Diagnostic, Rule};
 use crate::expr::Symbol;
 use crate::expr::arena::{ConstantId, Shape, Type};
 use crate::model::Constant;
@@ -137,10 +136,11 @@ impl Context<'_> {
             Ok(unit) => Some(unit),
             Err(error) => {
                 let exact = unit.value.len() == (unit.span.end - unit.span.start) as usize;
-                self.faults.push(error.diagnostic(&Base {
-                    span: unit.span,
-                    exact,
-                }));
+                let base = match exact {
+                    true => Base::verbatim(unit.span),
+                    false => Base::whole(unit.span),
+                };
+                self.faults.push(error.diagnostic(&base));
                 None
             }
         }

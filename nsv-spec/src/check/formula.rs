@@ -54,7 +54,7 @@ impl Context<'_> {
             );
             return None;
         }
-        let parsed = expr::parse(&code.text, code.base);
+        let parsed = expr::parse(&code.text, code.base.clone());
         self.accept(parsed).map(Parsed::Expr)
     }
 

@@ -18,6 +18,7 @@ mod network;
 mod noise;
 mod numbers;
 mod observer;
+mod pairing;
 mod parameters;
 mod plant;
 mod reference;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Context;
-use crate::diagnostic::{Diagnostic, Rule, Span};
+use crate::diagnostic::{Applicability, Diagnostic, Rule, Span};
 use crate::expr::is_reserved;
 use crate::spec::{Named, Word};
 use crate::yaml::excerpt;
@@ -133,12 +133,11 @@ impl Context<'_> {
                 "name `{}` has capital letters, expected snake case",
                 name.value
             );
-            self.fault(
-                Rule::E0110,
-                name.span,
-                message,
-                format!("write `{}`", name.value.to_ascii_lowercase()),
-            );
+            let lower = name.value.to_ascii_lowercase();
+            let fault = Diagnostic::error(Rule::E0110, name.span, message)
+                .with_help(format!("write `{lower}`"));
+            self.faults
+                .push(fault.with_suggestion(name.span, lower, Applicability::Certain));
         } else if MODULES.contains(&name.value.as_str()) {
             let message = format!("name `{}` clashes with a Rust crate or module", name.value);
             self.fault(

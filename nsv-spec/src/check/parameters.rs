@@ -8,6 +8,7 @@ use crate::expr::Symbol;
 use crate::expr::arena::{ParameterId, Type};
 use crate::model::{Dispersion, Parameter};
 use crate::spec::{self, Code, Word};
+use crate::suggest::nearest;
 use crate::unit::{Dimension, Unit};
 
 impl Context<'_> {
@@ -156,18 +157,13 @@ impl Context<'_> {
                     .parameters
                     .iter()
                     .map(|parameter| &parameter.name.value);
-                let help = match crate::suggest::nearest(name, known) {
-                    Some(meant) => format!("did you mean `{meant}`?"),
-                    None => "declare it under `parameters`".into(),
-                };
-                self.faults.push(
-                    Diagnostic::error(
-                        Rule::E0116,
-                        design.name.span,
-                        format!("unknown parameter `{name}`"),
-                    )
-                    .with_help(help),
-                );
+                let message = format!("unknown parameter `{name}`");
+                let fault = Diagnostic::error(Rule::E0116, design.name.span, message);
+                let meant = nearest(name, known);
+                self.faults
+                    .push(fault.did_you_mean(design.name.span, name, meant, || {
+                        "declare it under `parameters`".into()
+                    }));
                 continue;
             };
             let Some(dimension) = self.parameters[at]

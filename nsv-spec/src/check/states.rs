@@ -61,7 +61,7 @@ impl Context<'_> {
 
     /// The unit in which a quantity is written, or SI.
     fn display(&mut self, code: &spec::Code, dimension: Dimension) -> (String, f64) {
-        let parsed = crate::expr::parse(&code.text, code.base).ok();
+        let parsed = crate::expr::parse(&code.text, code.base.clone()).ok();
         let unit = parsed
             .as_ref()
             .and_then(|expr| expr.as_literal())

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::lexer::{Token, TokenKind, tokens};
 use super::syntax::{Expr, Infix, Kind, Name, Node, NodeId};
-use crate::diagnostic::{Base, Diagnostic, Rule, quoted};
+use crate::diagnostic::{Applicability, Base, Diagnostic, Rule, quoted};
 
 /// Longest text of one expression, bytes.
 pub const MAX_TEXT: usize = 64 * 1024;
@@ -200,13 +200,22 @@ impl<'a> Parser<'a> {
             self.quoted(&operand.range),
             self.quoted(&next.range)
         );
-        let range = operand.range.start..next.range.end;
-        Err(self.fault(
+        let between = operand.range.end..next.range.start;
+        let fault = self.fault(
             Rule::E0208,
-            range,
+            operand.range.start..next.range.end,
             message,
             "write `*` to multiply; a unit follows its number after at most one blank",
-        ))
+        );
+        if !self.base.holds(between.clone()) {
+            return Err(fault);
+        }
+        let span = self.base.span_of(between);
+        Err(Box::new(fault.with_suggestion(
+            span,
+            "*",
+            Applicability::Possible,
+        )))
     }
 
     /// `name(..)`, the name just read.
@@ -321,11 +330,20 @@ impl<'a> Parser<'a> {
             TokenKind::Comma => "write a vector in square brackets: `[a, b]`",
             _ => "every bracket that opens must close",
         };
-        let fault = self.fault(Rule::E0204, token.range.clone(), message, help);
-        Err(Box::new(fault.with_related(
-            self.base.span_of(open..open + 1),
-            "the bracket opens here",
-        )))
+        let fault = self
+            .fault(Rule::E0204, token.range.clone(), message, help)
+            .with_related(self.base.span_of(open..open + 1), "the bracket opens here");
+        let missing = match closing {
+            TokenKind::Close => ")",
+            _ => "]",
+        };
+        let end = self.text.trim_end().len();
+        if token.kind == TokenKind::End && self.base.holds(end..end) {
+            let span = self.base.span_of(end..end);
+            let fault = fault.with_suggestion(span, missing, Applicability::Possible);
+            return Err(Box::new(fault));
+        }
+        Err(Box::new(fault))
     }
 
     fn push(&mut self, range: Range<usize>, kind: Kind) -> Parsed<Operand> {
@@ -368,7 +386,25 @@ impl<'a> Parser<'a> {
             TokenKind::End => "the expression stops too early",
             _ => "an expression is made of operands with operators between them",
         };
-        self.fault(Rule::E0203, token.range.clone(), message, help)
+        let fault = self.fault(Rule::E0203, token.range.clone(), message, help);
+        match &token.kind {
+            TokenKind::Infix(Infix::Add) => self.with_change(fault, token.range.clone(), ""),
+            _ => fault,
+        }
+    }
+
+    /// The fault with a change that certainly mends it.
+    fn with_change(
+        &self,
+        fault: Box<Diagnostic>,
+        range: Range<usize>,
+        replacement: &str,
+    ) -> Box<Diagnostic> {
+        if !self.base.holds(range.clone()) {
+            return fault;
+        }
+        let span = self.base.span_of(range);
+        Box::new(fault.with_suggestion(span, replacement, Applicability::Certain))
     }
 
     fn fault(

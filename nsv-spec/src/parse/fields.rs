@@ -73,11 +73,15 @@ impl Reader {
             );
             return fields;
         };
+        let mut unknown = Vec::new();
         for entry in unique(&mut self.faults, entries) {
             match fields.key(&entry.key.text) {
                 Some(key) => drop(fields.entries.insert(key.name, entry)),
-                None => self.unknown(entry, section),
+                None => unknown.push(entry),
             }
+        }
+        for entry in unknown {
+            self.unknown(entry, &mut fields);
         }
         for key in section
             .keys
@@ -118,22 +122,28 @@ impl Reader {
         }
     }
 
-    fn unknown(&mut self, entry: &Entry, section: &'static Section) {
+    /// Reports an unknown key. If it is meant for one that is not given, its value is read as that key's, so that the missing
+    /// key is no second fault.
+    fn unknown<'a>(&mut self, entry: &'a Entry, fields: &mut Fields<'a>) {
+        let (section, text) = (fields.section, &entry.key.text);
+        let open = section
+            .keys
+            .iter()
+            .filter(|key| !fields.entries.contains_key(key.name));
+        let mut meant = nearest(text, open.map(|key| key.name));
+        if let Some(meant) = &mut meant
+            && let Some(key) = fields.key(&meant.name)
+        {
+            fields.entries.insert(key.name, entry);
+            meant.sure |= key.required;
+        }
+        let message = format!("unknown key `{}` in {}", excerpt(text), section.noun);
+        let fault = Diagnostic::error(Rule::E0101, entry.key.span, message);
         let names: Vec<&str> = section.keys.iter().map(|key| key.name).collect();
-        let help = match nearest(&entry.key.text, &names) {
-            Some(meant) => format!("did you mean `{meant}`?"),
-            None => format!("{} has the keys {}", section.noun, list(&names)),
-        };
-        self.fault(
-            Rule::E0101,
-            entry.key.span,
-            format!(
-                "unknown key `{}` in {}",
-                excerpt(&entry.key.text),
-                section.noun
-            ),
-            help,
-        );
+        self.faults
+            .push(fault.did_you_mean(entry.key.span, text, meant, || {
+                format!("{} has the keys {}", section.noun, list(&names))
+            }));
     }
 
     /// The entries of a map with names chosen by the user.

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::diagnostic::{Diagnostic, FileId, Rule, Span};
+use crate::diagnostic::{Applicability, Diagnostic, FileId, Rule, Span};
 
 /// Largest file that is read, bytes. The flagship plant with all its aerodynamic data is 30 kB.
 pub const MAX_BYTES: usize = 1 << 20;
+
 /// The bytes of a file as text, or why they are none.
 pub fn text(bytes: &[u8], file: FileId) -> Result<Arc<str>, Diagnostic> {
     let start = Span {
@@ -33,7 +34,8 @@ pub fn text(bytes: &[u8], file: FileId) -> Result<Arc<str>, Diagnostic> {
             start,
             "file starts with a byte order mark, expected plain UTF-8",
         )
-        .with_help("save the file as UTF-8 without byte order mark"));
+        .with_help("save the file as UTF-8 without byte order mark")
+        .with_suggestion(Span { end: 3, ..start }, "", Applicability::Certain));
     }
     match std::str::from_utf8(bytes) {
         Ok(text) => Ok(text.into()),

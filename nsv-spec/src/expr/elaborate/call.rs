@@ -35,15 +35,14 @@ impl Elaborator<'_> {
         let index = names.iter().position(|name| *name == argument.text);
         let count = self.count(span, &polynomial.text, names.len(), at.len());
         let Some(index) = index else {
-            let help = match nearest(&argument.text, &names) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("its arguments are {}", names.join(", ")),
-            };
             let message = format!(
                 "polynomial data `{}` has no argument `{}`",
                 polynomial.text, argument.text
             );
-            return self.report(argument.span, Fault::new(Rule::E0306, message, help), &[]);
+            let meant = nearest(&argument.text, &names);
+            let otherwise = || format!("its arguments are {}", names.join(", "));
+            let fault = Fault::unknown(Rule::E0306, message, argument, meant, otherwise);
+            return self.report(argument.span, fault, &[]);
         };
         count?;
         let derivative = self.scope.derivative(id, index);
@@ -75,18 +74,13 @@ impl Elaborator<'_> {
                 let data = data.filter(|known| {
                     matches!(self.scope.resolve(known), Some(Symbol::Polynomial(..)))
                 });
-                let help = match nearest(text, builtin::names().map(str::to_owned).chain(data)) {
-                    Some(meant) => format!("did you mean `{meant}`?"),
-                    None => format!(
-                        "functions are {}",
-                        builtin::names().collect::<Vec<_>>().join(", ")
-                    ),
-                };
-                Fault::new(
-                    Rule::E0302,
-                    format!("unknown function {}", quoted(text)),
-                    help,
-                )
+                let known = builtin::names().map(str::to_owned).chain(data);
+                let meant = builtin::elsewhere(text).or_else(|| nearest(text, known));
+                let message = format!("unknown function {}", quoted(text));
+                Fault::unknown(Rule::E0302, message, name, meant, || {
+                    let names: Vec<&str> = builtin::names().collect();
+                    format!("functions are {}", names.join(", "))
+                })
             }
         };
         self.report(name.span, fault, &[])

@@ -249,11 +249,15 @@ impl Elaborator<'_> {
             rule,
             message,
             mut help,
+            suggestion,
         } = fault;
         if rule.family() == "E04" {
             help.extend(self.misread_unit(span));
         }
-        let mut diagnostic = Diagnostic::error(rule, span, message).with_help(help);
+        let mut diagnostic = Diagnostic {
+            suggestion,
+            ..Diagnostic::error(rule, span, message).with_help(help)
+        };
         for &operand in operands {
             let place = self.span_of(operand);
             let ty = self.values[operand.0 as usize].map(|id| self.arena.ty(id));

@@ -4,6 +4,7 @@ use super::{Bits, Dimension, Elaborator, ExprId, Fault, Node, Span, Type};
 use crate::diagnostic::{Rule, quoted};
 use crate::expr::builtin;
 use crate::expr::scope::Symbol;
+use crate::expr::syntax::Name;
 use crate::suggest::nearest;
 use crate::unit::parse_unit;
 
@@ -66,17 +67,22 @@ impl Elaborator<'_> {
             );
             return self.report(span, fault, &[]);
         }
-        let help = match nearest(name, self.scope.names()) {
-            Some(meant) => format!("did you mean `{meant}`?"),
-            None if parse_unit(name).is_ok() => {
-                format!("a unit follows its number directly: `1 {name}`")
-            }
-            None => "declare it under `constants`, `parameters` or `definitions`".to_owned(),
-        };
-        self.report(
+        let written = Name {
+            text: name.to_owned(),
             span,
-            Fault::new(Rule::E0301, format!("unknown name {}", quoted(name)), help),
-            &[],
-        )
+        };
+        let meant = nearest(name, self.scope.names());
+        let message = format!("unknown name {}", quoted(name));
+        let fault = Fault::unknown(
+            Rule::E0301,
+            message,
+            &written,
+            meant,
+            || match parse_unit(name).is_ok() {
+                true => format!("a unit follows its number directly: `1 {name}`"),
+                false => "declare it under `constants`, `parameters` or `definitions`".to_owned(),
+            },
+        );
+        self.report(span, fault, &[])
     }
 }

@@ -3,7 +3,9 @@
 mod linear;
 
 use super::arena::{Function, Shape, Type};
-use crate::diagnostic::Rule;
+use super::syntax::Name;
+use crate::diagnostic::{Diagnostic, Rule, Suggestion};
+use crate::suggest::Meant;
 use crate::unit::Dimension;
 pub(super) use linear::{cross, dot, matrix_product, transpose};
 
@@ -13,6 +15,8 @@ pub(super) struct Fault {
     pub(super) rule: Rule,
     pub(super) message: String,
     pub(super) help: String,
+    /// A change of the text that mends it.
+    pub(super) suggestion: Option<Suggestion>,
 }
 
 impl Fault {
@@ -21,6 +25,25 @@ impl Fault {
             rule,
             message: message.into(),
             help: help.into(),
+            suggestion: None,
+        }
+    }
+
+    /// The fault of a name that nothing has, written at a place.
+    pub(super) fn unknown(
+        rule: Rule,
+        message: String,
+        name: &Name,
+        meant: Option<Meant>,
+        otherwise: impl FnOnce() -> String,
+    ) -> Self {
+        let fault = Diagnostic::error(rule, name.span, message);
+        let fault = fault.did_you_mean(name.span, &name.text, meant, otherwise);
+        Self {
+            rule,
+            message: fault.message,
+            help: fault.help.unwrap_or_default(),
+            suggestion: fault.suggestion,
         }
     }
 }
