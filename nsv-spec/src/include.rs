@@ -8,7 +8,7 @@ use std::fs;
 use std::io::Read;
 use std::path::{Component, Path, PathBuf};
 
-use crate::diagnostic::{Diagnostic, FileId, SourceMap, Span};
+use crate::diagnostic::{Diagnostic, FileId, Rule, SourceMap, Span};
 use crate::yaml::{self, Entry, Kind, MAX_BYTES, Node, excerpt};
 
 /// Most files of one specification, itself included.
@@ -26,7 +26,7 @@ pub fn read_file(path: &Path, sources: &mut SourceMap) -> Result<Node, Vec<Diagn
         vec![Diagnostic {
             span: None,
             ..Diagnostic::error(
-                "E0011",
+                Rule::E0011,
                 Span {
                     file: FileId(0),
                     start: 0,
@@ -173,7 +173,7 @@ impl Joiner<'_> {
             Kind::Null => Vec::new(),
             Kind::Map(_) => {
                 self.fault(
-                    "E0020",
+                    Rule::E0020,
                     node.span,
                     "found a map, expected a list of files",
                     "write `include: [models/plant.yaml]`",
@@ -186,7 +186,7 @@ impl Joiner<'_> {
             match item.kind {
                 Kind::Scalar(scalar) => names.push((scalar.text, item.span)),
                 _ => self.fault(
-                    "E0020",
+                    Rule::E0020,
                     item.span,
                     format!("found {}, expected a file name", item.describe()),
                     "write `include: [models/plant.yaml]`",
@@ -201,7 +201,7 @@ impl Joiner<'_> {
         const STAY: &str = "included files are named relative to the file that includes them and lie below the specification's directory";
         let Some(root) = self.root.clone() else {
             self.fault(
-                "E0020",
+                Rule::E0020,
                 span,
                 "found an include in a specification that is not in a file",
                 "save the specification to a file",
@@ -214,7 +214,7 @@ impl Joiner<'_> {
             .all(|part| matches!(part, Component::Normal(_)));
         if !plain || name.is_empty() || name.contains(['\\', '\0', ':']) {
             self.fault(
-                "E0020",
+                Rule::E0020,
                 span,
                 format!("path `{shown}` is not allowed: expected a relative path without `..`"),
                 STAY,
@@ -227,7 +227,7 @@ impl Joiner<'_> {
             Ok(found) => found,
             Err(error) => {
                 self.fault(
-                    "E0021",
+                    Rule::E0021,
                     span,
                     format!("cannot read `{shown}`: {}", reason(&error)),
                     STAY,
@@ -237,7 +237,7 @@ impl Joiner<'_> {
         };
         if !path.starts_with(&root) {
             self.fault(
-                "E0020",
+                Rule::E0020,
                 span,
                 format!("path `{shown}` leads out of the specification's directory through a link"),
                 STAY,
@@ -252,7 +252,7 @@ impl Joiner<'_> {
         let shown = excerpt(name);
         if self.open.iter().any(|open| open == path) {
             self.fault(
-                "E0022",
+                Rule::E0022,
                 span,
                 format!("file `{shown}` includes itself"),
                 "remove one of the includes of the circle",
@@ -260,9 +260,12 @@ impl Joiner<'_> {
             return None;
         }
         if let Some((_, first)) = self.read.iter().find(|(read, _)| read == path) {
-            let fault =
-                Diagnostic::error("E0022", span, format!("file `{shown}` is included twice"))
-                    .with_help("remove one of the includes");
+            let fault = Diagnostic::error(
+                Rule::E0022,
+                span,
+                format!("file `{shown}` is included twice"),
+            )
+            .with_help("remove one of the includes");
             self.faults.push(match first {
                 Some(first) => fault.with_related(*first, "first included here"),
                 None => fault,
@@ -271,7 +274,7 @@ impl Joiner<'_> {
         }
         if self.read.len() >= MAX_FILES {
             self.fault(
-                "E0023",
+                Rule::E0023,
                 span,
                 format!("specification has more than {MAX_FILES} files"),
                 "join some of the included files",
@@ -280,7 +283,7 @@ impl Joiner<'_> {
         }
         if self.open.len() > MAX_DEPTH {
             self.fault(
-                "E0023",
+                Rule::E0023,
                 span,
                 format!("includes are nested deeper than {MAX_DEPTH} files"),
                 "include the file from the specification itself",
@@ -292,7 +295,7 @@ impl Joiner<'_> {
             Ok(bytes) => bytes,
             Err(error) => {
                 self.fault(
-                    "E0021",
+                    Rule::E0021,
                     span,
                     format!("cannot read `{shown}`: {}", reason(&error)),
                     "check the name and the permissions of the file",
@@ -326,7 +329,7 @@ impl Joiner<'_> {
                         "found `{}` in an included file, expected it in the specification only",
                         entry.key.text
                     );
-                    let fault = Diagnostic::error("E0024", entry.key.span, message)
+                    let fault = Diagnostic::error(Rule::E0024, entry.key.span, message)
                         .with_related(span, "included here");
                     self.faults
                         .push(fault.with_help("move it to the specification"));
@@ -336,7 +339,7 @@ impl Joiner<'_> {
             }
             _ => {
                 let message = format!("found {}, expected a map of sections", tree.describe());
-                let fault = Diagnostic::error("E0024", tree.span, message)
+                let fault = Diagnostic::error(Rule::E0024, tree.span, message)
                     .with_related(span, "included here");
                 self.faults.push(
                     fault.with_help("write sections such as `constants:` and `definitions:`"),
@@ -376,15 +379,15 @@ impl Joiner<'_> {
         }
     }
 
-    fn fault(&mut self, code: &'static str, span: Span, message: impl Into<String>, help: &str) {
+    fn fault(&mut self, rule: Rule, span: Span, message: impl Into<String>, help: &str) {
         self.faults
-            .push(Diagnostic::error(code, span, message).with_help(help));
+            .push(Diagnostic::error(rule, span, message).with_help(help));
     }
 }
 
 fn twice(name: &str, new: &Entry, old: &Entry) -> Diagnostic {
     Diagnostic::error(
-        "E0025",
+        Rule::E0025,
         new.key.span,
         format!("`{name}` is given in two files"),
     )

@@ -1,24 +1,97 @@
 //! "Did you mean": the known name nearest to a mistyped one.
 
+use crate::diagnostic::{Applicability, Diagnostic, Span};
+
+/// A known name in place of a mistyped one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Meant {
+    /// The known name.
+    pub(crate) name: String,
+    /// Whether nothing else can have been meant: there is no second candidate as near, one slip (two in long names) is all that
+    /// is different, and no digit is, for `x1` and `x2` are two things.
+    pub(crate) sure: bool,
+}
+
+impl Meant {
+    /// How far to trust it.
+    pub(crate) fn applicability(&self) -> Applicability {
+        match self.sure {
+            true => Applicability::Certain,
+            false => Applicability::Possible,
+        }
+    }
+}
+
 /// The candidate with the smallest edit distance to `name`, ignoring case, if it is near enough to be meant: one slip in
-/// three characters. The first of equals.
+/// three characters, or one character too many or too few at the end. The first of equals.
 pub(crate) fn nearest<S: AsRef<str>>(
     name: &str,
     candidates: impl IntoIterator<Item = S>,
-) -> Option<String> {
+) -> Option<Meant> {
     let mut best: Option<(usize, String)> = None;
+    let mut unique = true;
+    let lower = name.to_ascii_lowercase();
     for candidate in candidates {
         let candidate = candidate.as_ref();
         let longer = name.len().max(candidate.len());
-        if name == candidate || longer > 64 || name.len().abs_diff(candidate.len()) * 3 > longer {
+        let shorter = name.len().min(candidate.len());
+        if name == candidate || longer > 64 || (longer - shorter) * 3 > longer.max(3) {
             continue;
         }
-        let distance = distance(&name.to_ascii_lowercase(), &candidate.to_ascii_lowercase());
-        if distance * 3 <= longer && best.as_ref().is_none_or(|(least, _)| distance < *least) {
-            best = Some((distance, candidate.to_owned()));
+        let distance = distance(&lower, &candidate.to_ascii_lowercase());
+        let letter_more = longer > shorter && shorter > 0 && {
+            let other = candidate.to_ascii_lowercase();
+            distance == 1 && (lower.starts_with(&other) || other.starts_with(&lower))
+        };
+        if distance * 3 > longer && !letter_more {
+            continue;
+        }
+        match &best {
+            Some((least, _)) if distance > *least => {}
+            Some((least, _)) if distance == *least => unique = false,
+            _ => {
+                best = Some((distance, candidate.to_owned()));
+                unique = true;
+            }
         }
     }
-    best.map(|(_, candidate)| candidate)
+    best.map(|(distance, candidate)| Meant {
+        sure: unique && slip(name, &candidate, distance),
+        name: candidate,
+    })
+}
+
+/// Whether a distance is a slip of the finger.
+fn slip(name: &str, candidate: &str, distance: usize) -> bool {
+    let digits = |text: &str| -> Vec<char> { text.chars().filter(char::is_ascii_digit).collect() };
+    let length = name.len().min(candidate.len());
+    let allowed = match length {
+        0..4 => 0,
+        4..8 => 1,
+        _ => 2,
+    };
+    distance <= allowed && digits(name) == digits(candidate)
+}
+
+impl Diagnostic {
+    /// The same with `did you mean ..?` for the name written at `span`, or else with another help.
+    pub(crate) fn did_you_mean(
+        self,
+        span: Span,
+        name: &str,
+        meant: Option<Meant>,
+        otherwise: impl FnOnce() -> String,
+    ) -> Self {
+        let Some(meant) = meant else {
+            return self.with_help(otherwise());
+        };
+        let fault = self.with_help(format!("did you mean `{}`?", meant.name));
+        // A name in quotes or with escapes is not at its span letter by letter.
+        match (span.end - span.start) as usize == name.len() {
+            true => fault.with_suggestion(span, meant.name.clone(), meant.applicability()),
+            false => fault,
+        }
+    }
 }
 
 /// Fewest insertions, deletions, substitutions and swaps of neighbours that turn one text into the other.
@@ -47,14 +120,28 @@ mod tests {
 
     #[test]
     fn one_slip_in_three_characters_is_forgiven() {
-        let names = ["alpha", "beta", "CL.alpha", "q_bar", "V"];
-        let meant = |name| nearest(name, names);
+        let names = ["alpha", "beta", "CL.alpha", "q_bar", "V", "K", "kbar"];
+        let meant = |name| nearest(name, names).map(|meant| meant.name);
         assert_eq!(meant("alhpa").as_deref(), Some("alpha"));
         assert_eq!(meant("Cl.alpha").as_deref(), Some("CL.alpha"));
         assert_eq!(meant("q_baar").as_deref(), Some("q_bar"));
         assert_eq!(meant("v").as_deref(), Some("V"));
+        assert_eq!(meant("Kp").as_deref(), Some("K"));
         assert_eq!(meant("W"), None);
         assert_eq!(meant("gamma"), None);
+    }
+
+    #[test]
+    fn only_a_slip_in_a_name_that_is_like_no_other_is_sure() {
+        let sure = |name: &str, known: &[&str]| nearest(name, known).unwrap().sure;
+        assert!(sure("lenght", &["length", "mass"]));
+        assert!(sure("Length", &["length"]));
+        assert!(sure("v", &["V"]));
+        assert!(!sure("rate", &["rate_1", "rate_x"]));
+        assert!(!sure("speed1", &["speed2"]));
+        assert!(!sure("Kp", &["K"]));
+        assert!(!sure("mas", &["mass"]));
+        assert!(!sure("substeps", &["substep", "substepz"]));
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use nsv_spec::diagnostic::{Diagnostics, Severity};
+use nsv_spec::diagnostic::{Diagnostics, Rule, Severity};
 use nsv_spec::{load, load_bytes};
 
 /// Longest time to refuse anything.
@@ -34,7 +34,7 @@ fn check(name: &str, faults: &Diagnostics, elapsed: Duration, expected: &[&str])
 }
 
 fn codes(faults: &Diagnostics) -> Vec<&str> {
-    faults.items.iter().map(|item| item.code).collect()
+    faults.items.iter().map(|item| item.rule.name()).collect()
 }
 
 fn gallery() -> Vec<PathBuf> {
@@ -190,7 +190,7 @@ fn a_link_out_of_the_directory_is_refused() {
     let path = inside.join("spec.yaml");
     fs::write(&path, text).unwrap();
     let faults = load(&path).unwrap_err();
-    assert_eq!(faults.items[0].code, "E0020");
+    assert_eq!(faults.items[0].rule, Rule::E0020);
     assert_eq!(
         faults.items[0].message,
         "path `link.yaml` leads out of the specification's directory through a link"

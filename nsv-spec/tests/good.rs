@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use nsv_spec::diagnostic::Severity;
+use nsv_spec::diagnostic::{Rule, Severity};
 use nsv_spec::model::{Dispersion, Disturbance, Model};
 use nsv_spec::{load, load_str};
 
@@ -152,8 +152,8 @@ fn a_kbar_below_its_bound_is_a_warning() {
         .map_err(|faults| faults.short())
         .unwrap();
     assert_eq!(
-        (warnings.len(), warnings[0].code, warnings[0].severity),
-        (1, "E0709", Severity::Warning)
+        (warnings.len(), warnings[0].rule, warnings[0].severity),
+        (1, Rule::W0001, Severity::Warning)
     );
     assert_eq!(
         warnings[0].message,

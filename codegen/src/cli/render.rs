@@ -24,7 +24,9 @@ fn group<'a>(sources: &'a SourceMap, item: &'a Diagnostic) -> Group<'a> {
         Severity::Error => Level::ERROR,
         Severity::Warning => Level::WARNING,
     };
-    let title = level.primary_title(item.message.as_str()).id(item.code);
+    let title = level
+        .primary_title(item.message.as_str())
+        .id(item.rule.name());
     let mut group = Group::with_title(title);
     for (file, places) in by_file(item) {
         let source = sources.source(file);
@@ -112,7 +114,7 @@ pub(crate) fn records<'a>(diagnostics: &'a Diagnostics) -> Vec<Record<'a>> {
     let place = |span| place(&diagnostics.sources, span);
     let record = |item: &'a Diagnostic| {
         let Diagnostic {
-            code,
+            rule,
             severity,
             span,
             message,
@@ -124,7 +126,7 @@ pub(crate) fn records<'a>(diagnostics: &'a Diagnostics) -> Vec<Record<'a>> {
             place: place(other.span),
         });
         Record {
-            code,
+            code: rule.name(),
             severity: severity.to_string(),
             message,
             help: help.as_deref(),
@@ -159,6 +161,8 @@ fn position(text: &str, byte: usize) -> Position {
 
 #[cfg(test)]
 mod tests {
+    use nsv_spec::diagnostic::Rule;
+
     use super::*;
 
     fn diagnostics() -> Diagnostics {
@@ -170,21 +174,21 @@ mod tests {
         let mass = u32::try_from(text.find("mass").unwrap()).unwrap();
         let title = u32::try_from(text.find("title").unwrap()).unwrap();
         let twice = Diagnostic::error(
-            "E0102",
+            Rule::E0102,
             at(spec, mass, mass + 4),
             "`mass` is declared twice",
         )
         .with_related(at(model, 0, 4), "first declared here")
         .with_help("remove one of them");
         let odd = Diagnostic::warning(
-            "W0001",
+            Rule::W0001,
             at(spec, title + 7, title + 20),
             "title is not plain",
         );
         let lost = Diagnostic {
             span: None,
             ..Diagnostic::error(
-                "E0001",
+                Rule::E0001,
                 at(spec, 0, 0),
                 "cannot read `x.yaml`: no such file",
             )

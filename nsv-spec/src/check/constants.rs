@@ -7,8 +7,7 @@ use super::cycles::order;
 use super::formula::Parsed;
 use super::numbers::Numbers;
 use super::scope::Dependence;
-use crate::diagnostic::Base;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Base, Diagnostic, Rule};
 use crate::expr::Symbol;
 use crate::expr::arena::{ConstantId, Shape, Type};
 use crate::model::Constant;
@@ -67,7 +66,7 @@ impl Context<'_> {
         if numbers.dimensions.iter().any(|other| *other != dimension) {
             let help = "declare one constant for each unit";
             self.fault(
-                "E0606",
+                Rule::E0606,
                 numbers.span,
                 format!("constant `{}` has entries of different units", name.value),
                 help,
@@ -100,7 +99,12 @@ impl Context<'_> {
                 "value has a unit of its own ({found}) beside `unit: {}`",
                 unit.value
             );
-            self.fault("E0606", numbers.span, message, "give the unit in one place");
+            self.fault(
+                Rule::E0606,
+                numbers.span,
+                message,
+                "give the unit in one place",
+            );
             return None;
         }
         let mut codes = Vec::new();
@@ -112,7 +116,7 @@ impl Context<'_> {
         let values: Vec<f64> = numbers.values.iter().enumerate().map(convert).collect();
         if values.iter().any(|value| !value.is_finite()) {
             self.fault(
-                "E0603",
+                Rule::E0603,
                 numbers.span,
                 "value is not finite in SI",
                 "look for a wrong exponent",
@@ -132,10 +136,11 @@ impl Context<'_> {
             Ok(unit) => Some(unit),
             Err(error) => {
                 let exact = unit.value.len() == (unit.span.end - unit.span.start) as usize;
-                self.faults.push(error.diagnostic(&Base {
-                    span: unit.span,
-                    exact,
-                }));
+                let base = match exact {
+                    true => Base::verbatim(unit.span),
+                    false => Base::whole(unit.span),
+                };
+                self.faults.push(error.diagnostic(&base));
                 None
             }
         }
@@ -179,7 +184,7 @@ impl Context<'_> {
                 names[0],
                 names.join(" -> ")
             );
-            let mut fault = Diagnostic::error("E0117", declared[circle[0]].name.span, message);
+            let mut fault = Diagnostic::error(Rule::E0117, declared[circle[0]].name.span, message);
             for &at in &circle[1..] {
                 fault = fault.with_related(
                     declared[at].name.span,

@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::initial::Point;
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::expr::Expected;
 use crate::expr::arena::{ExprId, Shape};
 use crate::spec::{AutoCode, Formula};
@@ -56,7 +56,7 @@ impl Context<'_> {
                     "constraint of block `{block}` is {k} at t = {t} s, expected a positive number"
                 );
                 self.fault(
-                    "E0708",
+                    Rule::E0708,
                     span,
                     message,
                     "choose a bound that stays positive over the whole horizon",
@@ -106,7 +106,7 @@ impl Context<'_> {
             let message = format!(
                 "`kbar` of block `{block}` is {kbar}, below sup sqrt((k'/k)^2 + 1e-6) = {bound:.4}"
             );
-            let warning = Diagnostic::warning("E0709", code.base.span, message);
+            let warning = Diagnostic::warning(Rule::W0001, code.base.span, message);
             self.warnings.push(warning.with_help(
                 "the theorem does not hold; write `kbar: auto` for the least value that it allows",
             ));

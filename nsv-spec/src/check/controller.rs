@@ -1,11 +1,11 @@
 //! Guarantees that every plant block has its part of the controller, and joins the two.
 
 use super::Context;
+use super::pairing::{Pairing, pair};
 use super::plant::{PlantBlock, SECOND};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Rule};
 use crate::model::{Block, Controller, Integration, Norm, VirtualDerivative};
-use crate::spec::{Code, ControllerBlock, Named};
-use crate::suggest::nearest;
+use crate::spec::{Code, ControllerBlock, Named, Word};
 use crate::unit::Dimension;
 
 const PER_SECOND: Dimension = Dimension::new(0, 0, -1, 0);
@@ -72,7 +72,7 @@ impl Context<'_> {
             "barrier margin is {margin}, expected more than 0 and at most {LARGEST_MARGIN}"
         );
         self.fault(
-            "E0602",
+            Rule::E0602,
             code.base.span,
             message,
             "write a small angle such as 1e-3",
@@ -83,42 +83,33 @@ impl Context<'_> {
     /// The gains of each plant block, in the plant's order.
     pub(super) fn match_blocks(&mut self) -> Vec<Option<usize>> {
         let (plant, gains) = (&self.spec.blocks, &self.spec.controller.blocks);
-        for own in &gains.value {
-            if !plant.iter().any(|block| block.name.value == own.name.value) {
-                let names: Vec<&str> = plant
-                    .iter()
-                    .map(|block| block.name.value.as_str())
-                    .collect();
-                let help = match nearest(&own.name.value, &names) {
-                    Some(meant) => format!("did you mean `{meant}`?"),
-                    None => format!("the plant's blocks are `{}`", names.join("`, `")),
-                };
-                let message = format!(
-                    "controller block `{}` is no block of the plant",
-                    own.name.value
-                );
-                self.faults
-                    .push(Diagnostic::error("E0114", own.name.span, message).with_help(help));
-            }
+        let wanted: Vec<&str> = texts(plant);
+        let Pairing { matched, strangers } = pair(&wanted, &texts(&gains.value));
+        for (at, meant) in strangers {
+            let own = &gains.value[at].name;
+            let message = format!("controller block `{}` is no block of the plant", own.value);
+            let fault = Diagnostic::error(Rule::E0114, own.span, message);
+            let otherwise = || format!("the plant's blocks are `{}`", wanted.join("`, `"));
+            self.faults
+                .push(fault.did_you_mean(own.span, &own.value, meant, otherwise));
         }
-        let mut matched = Vec::new();
-        for block in plant {
-            let at = gains
-                .value
-                .iter()
-                .position(|own| own.name.value == block.name.value);
-            if at.is_none() {
-                let message = format!("controller has no gains for block `{}`", block.name.value);
-                let fault = Diagnostic::error("E0114", gains.span, message)
-                    .with_related(block.name.span, "the block is declared here");
-                self.faults.push(fault.with_help(format!(
-                    "add `{}:` with its gains under `controller.blocks`",
-                    block.name.value
-                )));
+        for (block, matched) in plant.iter().zip(&matched) {
+            if matched.is_none() {
+                self.report_missing_gains(&block.name);
             }
-            matched.push(at);
         }
         matched
+    }
+
+    fn report_missing_gains(&mut self, block: &Word) {
+        let message = format!("controller has no gains for block `{}`", block.value);
+        let fault = Diagnostic::error(Rule::E0114, self.spec.controller.blocks.span, message)
+            .with_related(block.span, "the block is declared here");
+        let help = format!(
+            "add `{}:` with its gains under `controller.blocks`",
+            block.value
+        );
+        self.faults.push(fault.with_help(help));
     }
 
     /// Checks the gains of a block and joins them with its plant.
@@ -213,4 +204,8 @@ fn given<T>(written: Option<Option<T>>) -> Option<Option<T>> {
         Some(value) => value.map(Some),
         None => Some(None),
     }
+}
+
+fn texts<T>(all: &[Named<T>]) -> Vec<&str> {
+    all.iter().map(|one| one.name.value.as_str()).collect()
 }

@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::numbers::{Numbers, written_in};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Rule};
 use crate::expr::arena::Shape;
 use crate::model::Dispersion;
 use crate::spec::{Correlation, Word};
@@ -46,7 +46,7 @@ impl Context<'_> {
             if taken || members.contains(&at) {
                 let message = format!("parameter `{}` is dispersed twice", name.value);
                 let first = self.spec.parameters[at].name.span;
-                let fault = Diagnostic::error("E0611", name.span, message)
+                let fault = Diagnostic::error(Rule::E0611, name.span, message)
                     .with_related(first, "the parameter is declared here")
                     .with_help("give it a dispersion of its own, or list it in one correlation");
                 self.faults.push(fault);
@@ -61,12 +61,12 @@ impl Context<'_> {
         let known = || self.spec.parameters.iter().map(|one| &one.name.value);
         let found = known().position(|known| *known == name.value);
         if found.is_none() {
-            let help = match nearest(&name.value, known()) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => "declare it under `parameters`".into(),
-            };
             let message = format!("unknown parameter `{}`", name.value);
-            self.fault("E0116", name.span, message, help);
+            let fault = Diagnostic::error(Rule::E0116, name.span, message);
+            let meant = nearest(&name.value, known());
+            let otherwise = || "declare it under `parameters`".into();
+            self.faults
+                .push(fault.did_you_mean(name.span, &name.value, meant, otherwise));
         }
         found
     }
@@ -80,7 +80,7 @@ impl Context<'_> {
                 covariance.shape,
                 Shape::Matrix(n, n)
             );
-            self.fault("E0605", span, message, "write `[[a, b], [b, c]]`");
+            self.fault(Rule::E0605, span, message, "write `[[a, b], [b, c]]`");
             return None;
         }
         let dimensions: Option<Vec<Dimension>> = members
@@ -107,7 +107,7 @@ impl Context<'_> {
         if factor.is_none() {
             let message = "covariance is not symmetric and positive semidefinite";
             let help = "variances stand on the diagonal, and no covariance exceeds the product of two standard deviations";
-            self.fault("E0612", span, message, help);
+            self.fault(Rule::E0612, span, message, help);
         }
         factor
     }

@@ -1,6 +1,7 @@
 //! Guarantees that the plant is a chain of blocks of equal width with as many inputs.
 
 use super::Context;
+use crate::diagnostic::Rule;
 
 /// Most blocks.
 const MAX_BLOCKS: usize = 16;
@@ -22,7 +23,7 @@ impl Context<'_> {
         let before = self.faults.len();
         let Some(first) = spec.blocks.first() else {
             self.fault(
-                "E0602",
+                Rule::E0602,
                 spec.reference.span,
                 "plant has no blocks, expected at least one",
                 "declare the output's block under `plant.blocks`",
@@ -35,7 +36,7 @@ impl Context<'_> {
                 spec.blocks.len()
             );
             self.fault(
-                "E0602",
+                Rule::E0602,
                 spec.blocks[MAX_BLOCKS].name.span,
                 message,
                 "control the inner dynamics separately",
@@ -48,7 +49,7 @@ impl Context<'_> {
                 first.name.value
             );
             self.fault(
-                "E0602",
+                Rule::E0602,
                 first.name.span,
                 message,
                 "declare its states under `states`",
@@ -66,7 +67,7 @@ impl Context<'_> {
                 first.name.value
             );
             self.fault(
-                "E0503",
+                Rule::E0503,
                 block.name.span,
                 message,
                 "all blocks of the chain have the same number of states",
@@ -81,7 +82,12 @@ impl Context<'_> {
                 "plant has {} inputs, expected {width}, one for each state of a block",
                 spec.inputs.len()
             );
-            self.fault("E0503", span, message, "G of the last block must be square");
+            self.fault(
+                Rule::E0503,
+                span,
+                message,
+                "G of the last block must be square",
+            );
         }
         self.faults.len() == before
     }

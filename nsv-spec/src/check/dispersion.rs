@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::numbers::written_in;
-use crate::diagnostic::Span;
+use crate::diagnostic::{Rule, Span};
 use crate::model::{Dispersion, Truncated};
 use crate::spec::{self, Code};
 use crate::unit::{Dimension, Unit};
@@ -59,7 +59,7 @@ impl Context<'_> {
                 of.what
             );
             let help = "nothing is left to draw from: move the mean or the ends";
-            self.fault("E0607", written[2].base.span, message, help);
+            self.fault(Rule::E0607, written[2].base.span, message, help);
             return None;
         }
         // Of a standard normal distribution.
@@ -107,7 +107,7 @@ impl Context<'_> {
         let last = &written.last()?[1];
         if (total - 1.0).abs() > ROUNDING {
             let message = format!("probabilities of {} add up to {total}, expected 1", of.what);
-            self.fault("E0607", last.base.span, message, "change one of them");
+            self.fault(Rule::E0607, last.base.span, message, "change one of them");
             return None;
         }
         Some(Dispersion::Discrete(values))
@@ -149,7 +149,7 @@ impl Context<'_> {
             return Some(value);
         }
         let message = format!("{what} is {value}, expected 0 to 1");
-        self.fault("E0607", code.base.span, message, "write a share of 1");
+        self.fault(Rule::E0602, code.base.span, message, "write a share of 1");
         None
     }
 
@@ -159,7 +159,7 @@ impl Context<'_> {
         }
         let message = format!("dispersion of {what} ends at {largest} before it starts at {least}");
         self.fault(
-            "E0607",
+            Rule::E0607,
             end.base.span,
             message,
             "write the least value first",
@@ -177,7 +177,7 @@ impl Context<'_> {
             return Some(());
         }
         let message = format!("{what} is {value}, expected at least 0");
-        self.fault("E0607", span, message, "write a number from 0");
+        self.fault(Rule::E0602, span, message, "write a number from 0");
         None
     }
 }

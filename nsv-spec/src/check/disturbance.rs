@@ -1,6 +1,7 @@
 //! Guarantees that a disturbance is a function of time in the block's units, or one linear system for each channel.
 
 use super::Context;
+use crate::diagnostic::Rule;
 use crate::expr::Expected;
 use crate::expr::arena::Shape;
 use crate::model::{Disturbance, Exosystem, Matrix};
@@ -38,7 +39,7 @@ impl Context<'_> {
                         rates.len()
                     );
                     self.fault(
-                        "E0503",
+                        Rule::E0503,
                         span,
                         message,
                         "write `{M: [[0]], L: [1]}` for a channel with a constant disturbance",
@@ -79,7 +80,7 @@ impl Context<'_> {
                         found.rows, found.cols
                     );
                     self.fault(
-                        "E0503",
+                        Rule::E0503,
                         formula.span(),
                         message,
                         "M is square, N has as many rows, L one row of as many entries",
@@ -136,7 +137,7 @@ impl Context<'_> {
             .find(|&&found| found != Dimension::ONE)
         {
             self.fault(
-                "E0604",
+                Rule::E0604,
                 numbers.span,
                 format!(
                     "unit mismatch: `{what}` has an entry in {found}, expected bare numbers in SI"

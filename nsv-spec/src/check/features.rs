@@ -1,7 +1,7 @@
 //! Guarantees that a block has the gains that its features need, and no others.
 
 use super::Context;
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::model::VirtualDerivative;
 use crate::spec::{Code, Disturbance, Formula};
 
@@ -90,7 +90,7 @@ impl Context<'_> {
             .collect();
         for need in missing {
             let message = format!("`{}` is missing in block `{}`", need.key, gains.name.value);
-            let fault = Diagnostic::error("E0118", gains.name.span, message);
+            let fault = Diagnostic::error(Rule::E0118, gains.name.span, message);
             self.faults
                 .push(fault.with_help(format!("`{}` is needed {}", need.key, need.when)));
         }
@@ -98,7 +98,7 @@ impl Context<'_> {
             let Some(span) = need.given else { continue };
             let message = format!("`{}` has no use in block `{}`", need.key, gains.name.value);
             self.fault(
-                "E0119",
+                Rule::E0119,
                 span,
                 message,
                 format!("remove it; it is used {} only", need.when),

@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::scope::Place;
-use crate::diagnostic::Span;
+use crate::diagnostic::{Rule, Span};
 use crate::expr::arena::{ExprId, Node, Shape, Type};
 use crate::expr::syntax::Expr;
 use crate::expr::{self, Expected};
@@ -47,14 +47,14 @@ impl Context<'_> {
             ".nan" | ".inf"
         ) {
             self.fault(
-                "E0603",
+                Rule::E0603,
                 code.base.span,
                 format!("value is {}, expected a finite number", code.text),
                 "write a number",
             );
             return None;
         }
-        let parsed = expr::parse(&code.text, code.base);
+        let parsed = expr::parse(&code.text, code.base.clone());
         self.accept(parsed).map(Parsed::Expr)
     }
 
@@ -97,7 +97,7 @@ impl Context<'_> {
                 Some(shape) => shapes.push(shape),
                 None => {
                     self.fault(
-                        "E0502",
+                        Rule::E0502,
                         span,
                         "entry is a truth value, expected a number",
                         "choose numbers with `if(condition, a, b)`",
@@ -120,7 +120,7 @@ impl Context<'_> {
 
     fn ragged<T>(&mut self, span: Span) -> Option<T> {
         self.fault(
-            "E0504",
+            Rule::E0504,
             span,
             "rows of different lengths, expected scalars or rows of one length",
             "write `[a, b]` or `[[a, b], [c, d]]`",

@@ -3,7 +3,7 @@
 use super::Context;
 use super::linear;
 use super::numbers::Numbers;
-use crate::diagnostic::Span;
+use crate::diagnostic::{Rule, Span};
 use crate::expr::arena::Shape;
 use crate::model::{ErrorBound, Matrix, NoiseBound, PhiFloor};
 use crate::spec::{self, AutoCode, Code, Formula};
@@ -30,7 +30,7 @@ impl Context<'_> {
             return Some(());
         }
         self.fault(
-            "E0601",
+            Rule::E0601,
             span,
             format!("{what} is {value}, expected a positive number"),
             "write a number above 0",
@@ -53,7 +53,7 @@ impl Context<'_> {
             shape => {
                 let help = format!("write one number, or a list of {width}");
                 self.fault(
-                    "E0605",
+                    Rule::E0605,
                     numbers.span,
                     format!("{what} is {shape}, expected a scalar or a vector of {width}"),
                     help,
@@ -85,7 +85,7 @@ impl Context<'_> {
             shape => {
                 let help =
                     format!("write one number, a diagonal of {width}, or {width} rows of {width}");
-                self.fault("E0605", numbers.span, format!("{what} is {shape}, expected a scalar, a vector of {width} or a {width} x {width} matrix"), help);
+                self.fault(Rule::E0605, numbers.span, format!("{what} is {shape}, expected a scalar, a vector of {width} or a {width} x {width} matrix"), help);
                 return None;
             }
         };
@@ -125,7 +125,7 @@ impl Context<'_> {
                     "{what} is not positive definite: its symmetric part has the eigenvalue {least:.4}"
                 );
                 self.fault(
-                    "E0608",
+                    Rule::E0608,
                     formula.span(),
                     message,
                     "choose positive diagonal entries that dominate the others",
@@ -134,7 +134,7 @@ impl Context<'_> {
             }
             None => {
                 self.fault(
-                    "E0608",
+                    Rule::E0608,
                     formula.span(),
                     format!("{what} has no eigenvalues that can be computed"),
                     "scale its entries",

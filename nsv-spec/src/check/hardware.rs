@@ -3,7 +3,7 @@
 use super::Context;
 use super::dispersion::Dispersed;
 use super::plant::SECOND;
-use crate::diagnostic::Span;
+use crate::diagnostic::{Rule, Span};
 use crate::model::{Actuator, Effect, Fault, Scenario, Sensor};
 use crate::spec::{self, Bias, Code};
 use crate::unit::Dimension;
@@ -69,7 +69,7 @@ impl Context<'_> {
             if at < last {
                 let message = format!("{what} is {at} s, expected at least {last} s");
                 self.fault(
-                    "E0607",
+                    Rule::E0602,
                     fault.at.base.span,
                     message,
                     "write faults in order of time",
@@ -152,7 +152,7 @@ impl Context<'_> {
                 );
                 let help =
                     format!("a plant step takes {step} s: the sample time divided by `substeps`");
-                self.fault("E0613", span, message, help);
+                self.fault(Rule::E0613, span, message, help);
             }
         }
     }

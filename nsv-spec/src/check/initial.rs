@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::linear::reciprocal_condition;
-use crate::diagnostic::Span;
+use crate::diagnostic::{Rule, Span};
 use crate::expr::arena::ExprId;
 use crate::model::{Matrix, Model};
 
@@ -107,7 +107,7 @@ impl Context<'_> {
                 "gain of block `{name}` is singular at the initial state (reciprocal condition {condition:.1e})"
             );
             self.fault(
-                "E0704",
+                Rule::E0704,
                 span,
                 message,
                 "every channel of the next block or input must act, each in its own direction",
@@ -128,7 +128,7 @@ impl Context<'_> {
         };
         let message = format!("{entry}{what} is {}, expected a finite number", values[at]);
         self.fault(
-            "E0706",
+            Rule::E0706,
             span,
             message,
             "look for a division by zero, or a root or logarithm of a negative number",
@@ -177,7 +177,7 @@ impl Context<'_> {
                 bound / factor
             );
             self.fault(
-                "E0705",
+                Rule::E0705,
                 span,
                 message,
                 "start nearer to the reference, or widen the constraint",

@@ -21,6 +21,7 @@ mod network;
 mod noise;
 mod numbers;
 mod observer;
+mod pairing;
 mod parameters;
 mod plant;
 mod reference;
@@ -30,7 +31,7 @@ mod states;
 mod structure;
 mod truth;
 
-use crate::diagnostic::{Diagnostic, SourceMap, Span};
+use crate::diagnostic::{Diagnostic, Rule, SourceMap, Span};
 use crate::expr::Symbol;
 use crate::expr::arena::Arena;
 use crate::model::{Block, Constant, Definition, Input, Model, Parameter, State};
@@ -173,13 +174,13 @@ impl<'a> Context<'a> {
 
     fn fault(
         &mut self,
-        code: &'static str,
+        rule: Rule,
         span: Span,
         message: impl Into<String>,
         help: impl Into<String>,
     ) {
         self.faults
-            .push(Diagnostic::error(code, span, message).with_help(help));
+            .push(Diagnostic::error(rule, span, message).with_help(help));
     }
 
     /// The result of another module, its faults reported here.

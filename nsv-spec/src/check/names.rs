@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Context;
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Applicability, Diagnostic, Rule, Span};
 use crate::expr::is_reserved;
 use crate::spec::{Named, Word};
 use crate::yaml::excerpt;
@@ -144,16 +144,15 @@ impl Context<'_> {
                 "name `{}` has capital letters, expected snake case",
                 name.value
             );
-            self.fault(
-                "E0110",
-                name.span,
-                message,
-                format!("write `{}`", name.value.to_ascii_lowercase()),
-            );
+            let lower = name.value.to_ascii_lowercase();
+            let fault = Diagnostic::error(Rule::E0110, name.span, message)
+                .with_help(format!("write `{lower}`"));
+            self.faults
+                .push(fault.with_suggestion(name.span, lower, Applicability::Certain));
         } else if MODULES.contains(&name.value.as_str()) {
             let message = format!("name `{}` clashes with a Rust crate or module", name.value);
             self.fault(
-                "E0111",
+                Rule::E0111,
                 name.span,
                 message,
                 format!("write `{}_plant`", name.value),
@@ -173,7 +172,7 @@ impl Context<'_> {
             self.check_identifier(name, noun, usage);
             if let Some((first, earlier)) = declared.get(&name.value) {
                 let fault = Diagnostic::error(
-                    "E0113",
+                    Rule::E0113,
                     name.span,
                     format!("{noun} `{}` has the name of a {earlier}", name.value),
                 )
@@ -199,7 +198,7 @@ impl Context<'_> {
                 "a name is a letter followed by letters, digits and `_`, at most {MAX_LENGTH} in all"
             );
             self.fault(
-                "E0110",
+                Rule::E0110,
                 name.span,
                 format!("{noun} `{shown}` is not an identifier"),
                 help,
@@ -208,18 +207,18 @@ impl Context<'_> {
             let message =
                 format!("{noun} `{shown}` is a word of Rust, in which the code is emitted");
             self.fault(
-                "E0111",
+                Rule::E0111,
                 name.span,
                 message,
                 format!("write `{shown}_`, or better a longer name"),
             );
         } else if is_reserved(text) {
             let message = format!("{noun} `{shown}` shadows a word of the expression language");
-            self.fault("E0111", name.span, message, "choose another name");
+            self.fault(Rule::E0111, name.span, message, "choose another name");
         } else if usage == Use::Emitted && reserved(text) {
             let message = format!("{noun} `{shown}` is the name of a quantity of the control law");
             self.fault(
-                "E0112",
+                Rule::E0112,
                 name.span,
                 message,
                 format!("choose another name, such as `{shown}_value`"),
@@ -254,7 +253,7 @@ impl Context<'_> {
                         "polynomial `{}.{}` is emitted as `{name}`, which is taken",
                         group.name.value, part.name.value
                     );
-                    let fault = Diagnostic::error("E0113", part.name.span, message)
+                    let fault = Diagnostic::error(Rule::E0113, part.name.span, message)
                         .with_related(taken, "the name is declared here");
                     self.faults.push(fault.with_help("rename one of them"));
                 }

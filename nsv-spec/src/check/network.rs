@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::scope::Place;
-use crate::diagnostic::Span;
+use crate::diagnostic::{Rule, Span};
 use crate::expr::Expected;
 use crate::expr::arena::{ExprId, Node, Shape};
 use crate::model::{Basis, Network};
@@ -91,7 +91,7 @@ impl Context<'_> {
         let order = network.order;
         if network.inputs.is_empty() {
             self.fault(
-                "E0609",
+                Rule::E0609,
                 span,
                 "network has no inputs, expected at least one",
                 "list states of this and outer blocks",
@@ -100,7 +100,7 @@ impl Context<'_> {
         }
         if order.value == 0 {
             self.fault(
-                "E0609",
+                Rule::E0609,
                 order.span,
                 "order of the network is 0, expected at least 1",
                 "a network of order 0 knows a constant only, which the observer estimates",
@@ -115,7 +115,7 @@ impl Context<'_> {
                 network.inputs.len()
             );
             self.fault(
-                "E0609",
+                Rule::E0609,
                 order.span,
                 message,
                 "lower the order or drop inputs",
@@ -175,7 +175,7 @@ impl Context<'_> {
                     inputs.len()
                 );
                 self.fault(
-                    "E0605",
+                    Rule::E0605,
                     numbers.span,
                     message,
                     "write one number for each input",

@@ -3,6 +3,7 @@
 use super::Context;
 use super::plant::SECOND;
 use super::scope::Place;
+use crate::diagnostic::Rule;
 use crate::expr::Expected;
 use crate::expr::arena::Shape;
 use crate::model::Noise;
@@ -31,7 +32,7 @@ impl Context<'_> {
         let channels = sigma.values.len();
         if let Some(value) = sigma.values.iter().find(|value| **value < 0.0) {
             self.fault(
-                "E0601",
+                Rule::E0601,
                 sigma.span,
                 format!(
                     "noise intensity of block `{}` is {value}, expected at least 0",

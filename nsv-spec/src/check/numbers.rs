@@ -3,7 +3,7 @@
 use super::Context;
 use super::formula::Parsed;
 use super::scope::Place;
-use crate::diagnostic::Span;
+use crate::diagnostic::{Rule, Span};
 use crate::expr::arena::{Shape, Type};
 use crate::model::Matrix;
 use crate::spec::{Code, Formula};
@@ -47,7 +47,7 @@ impl Context<'_> {
         let span = parsed.span();
         let Type::Real { shape, dimensions } = self.arena.ty(id).clone() else {
             self.fault(
-                "E0502",
+                Rule::E0502,
                 span,
                 "value is a truth value, expected a number",
                 "choose numbers with `if(condition, a, b)`",
@@ -57,7 +57,7 @@ impl Context<'_> {
         let values = self.evaluate_constant(id);
         if let Some(value) = values.iter().find(|value| !value.is_finite()) {
             self.fault(
-                "E0603",
+                Rule::E0603,
                 span,
                 format!("value is {value}, expected a finite number"),
                 "look for a division by zero or a root of a negative number",
@@ -141,7 +141,7 @@ impl Context<'_> {
             pure(expected, expected.to_string()),
         );
         let message = format!("unit mismatch: {what} is {found}, expected {expected}");
-        self.fault("E0604", span, message, help);
+        self.fault(Rule::E0604, span, message, help);
     }
 
     /// A constant scalar with its dimension.
@@ -149,7 +149,7 @@ impl Context<'_> {
         let numbers = self.numbers(&Formula::Code(code.clone()))?;
         if numbers.shape != Shape::Scalar {
             self.fault(
-                "E0605",
+                Rule::E0605,
                 numbers.span,
                 format!("{what} is {}, expected a scalar", numbers.shape),
                 "write one number",

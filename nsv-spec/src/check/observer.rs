@@ -3,6 +3,7 @@
 use super::Context;
 use super::linear::{minus_product, rightmost_eigenvalue};
 use super::numbers::Numbers;
+use crate::diagnostic::Rule;
 use crate::expr::arena::Shape;
 use crate::model::{Disturbance, Exosystem, Matrix};
 use crate::spec::Formula;
@@ -51,7 +52,7 @@ impl Context<'_> {
                 let message =
                     format!("{what} does not converge: {name} has the eigenvalue {eigenvalue}");
                 self.fault(
-                    "E0707",
+                    Rule::E0707,
                     formula.span(),
                     message,
                     format!("choose S so that every eigenvalue of {name} has a negative real part"),
@@ -60,7 +61,7 @@ impl Context<'_> {
             }
             None => {
                 self.fault(
-                    "E0707",
+                    Rule::E0707,
                     formula.span(),
                     format!("eigenvalues of {name} of the {what} cannot be computed"),
                     "scale its entries",
@@ -88,7 +89,7 @@ impl Context<'_> {
         if shape.size() != (rows, cols) {
             let message = format!("{what} is {shape}, expected a {rows} x {cols} matrix");
             self.fault(
-                "E0605",
+                Rule::E0605,
                 span,
                 message,
                 "S has a row for each exosystem state and a column for each channel",
@@ -97,7 +98,7 @@ impl Context<'_> {
         }
         if let Some(found) = dimensions.iter().find(|&&found| found != Dimension::ONE) {
             self.fault(
-                "E0604",
+                Rule::E0604,
                 span,
                 format!(
                     "unit mismatch: {what} has an entry in {found}, expected bare numbers in SI"

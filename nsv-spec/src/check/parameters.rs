@@ -4,11 +4,12 @@ use super::Context;
 use super::constants::{convert, text};
 use super::dispersion::Dispersed;
 use super::scope::Dependence;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Rule};
 use crate::expr::Symbol;
 use crate::expr::arena::{ParameterId, Type};
 use crate::model::Parameter;
 use crate::spec::{self, Code, Word};
+use crate::suggest::nearest;
 use crate::unit::{Dimension, Unit};
 
 impl Context<'_> {
@@ -104,18 +105,13 @@ impl Context<'_> {
                     .parameters
                     .iter()
                     .map(|parameter| &parameter.name.value);
-                let help = match crate::suggest::nearest(name, known) {
-                    Some(meant) => format!("did you mean `{meant}`?"),
-                    None => "declare it under `parameters`".into(),
-                };
-                self.faults.push(
-                    Diagnostic::error(
-                        "E0116",
-                        design.name.span,
-                        format!("unknown parameter `{name}`"),
-                    )
-                    .with_help(help),
-                );
+                let message = format!("unknown parameter `{name}`");
+                let fault = Diagnostic::error(Rule::E0116, design.name.span, message);
+                let meant = nearest(name, known);
+                self.faults
+                    .push(fault.did_you_mean(design.name.span, name, meant, || {
+                        "declare it under `parameters`".into()
+                    }));
                 continue;
             };
             let Some(dimension) = self.parameters[at]

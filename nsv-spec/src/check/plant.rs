@@ -2,7 +2,7 @@
 //! unit of the next state or input.
 
 use super::Context;
-use crate::diagnostic::Span;
+use crate::diagnostic::{Rule, Span};
 use crate::expr::Expected;
 use crate::expr::arena::{ExprId, Shape};
 use crate::model::{self, Disturbance, Noise};
@@ -107,7 +107,7 @@ impl Context<'_> {
             .collect();
         if ratios.is_none() {
             self.fault(
-                "E0606",
+                Rule::E0606,
                 span,
                 "unit of a state has an exponent out of range",
                 "choose simpler units",

@@ -1,6 +1,8 @@
 //! Guarantees that every output has a reference, and nothing else has.
 
 use super::Context;
+use super::pairing::{Pairing, pair};
+use crate::diagnostic::{Diagnostic, Rule};
 use crate::expr::Expected;
 use crate::expr::arena::{ExprId, Shape};
 use crate::spec::{Formula, Named};
@@ -14,22 +16,28 @@ impl Context<'_> {
             name: block,
             value: output,
         } = &spec.blocks[0];
+        let signals = &spec.reference.value;
+        let given: Vec<&str> = signals
+            .iter()
+            .map(|signal| signal.name.value.as_str())
+            .collect();
+        let outputs: Vec<&str> = output
+            .states
+            .iter()
+            .map(|state| state.name.value.as_str())
+            .collect();
+        let Pairing { matched, strangers } = pair(&outputs, &given);
         let mut entries: Vec<Option<ExprId>> = Vec::new();
-        for (channel, state) in output.states.iter().enumerate() {
-            let name = &state.name.value;
-            let Some(signal) = spec
-                .reference
-                .value
-                .iter()
-                .find(|signal| signal.name.value == *name)
-            else {
+        for (channel, name) in outputs.iter().enumerate() {
+            let Some(signal) = matched[channel].map(|at| &signals[at]) else {
                 let message = format!("reference of output `{name}` is missing");
-                self.fault(
-                    "E0115",
-                    spec.reference.span,
-                    message,
-                    format!("add `{name}: ..`, a function of `t`"),
-                );
+                let fault = Diagnostic::error(Rule::E0115, spec.reference.span, message)
+                    .with_related(
+                        output.states[channel].name.span,
+                        "the output is declared here",
+                    );
+                self.faults
+                    .push(fault.with_help(format!("add `{name}: ..`, a function of `t`")));
                 entries.push(None);
                 continue;
             };
@@ -40,28 +48,17 @@ impl Context<'_> {
                 dimension.and_then(|dimension| self.reference_of(name, &signal.value, dimension)),
             );
         }
-        for signal in &spec.reference.value {
-            if !output
-                .states
-                .iter()
-                .any(|state| state.name.value == signal.name.value)
-            {
-                let names: Vec<&str> = output
-                    .states
-                    .iter()
-                    .map(|state| state.name.value.as_str())
-                    .collect();
-                let message = format!(
-                    "reference of `{}`, which is no state of the output block `{}`",
-                    signal.name.value, block.value
-                );
-                self.fault(
-                    "E0115",
-                    signal.name.span,
-                    message,
-                    format!("the outputs are `{}`", names.join("`, `")),
-                );
-            }
+        for (at, meant) in strangers {
+            let name = &signals[at].name;
+            let message = format!(
+                "reference of `{}`, which is no state of the output block `{}`",
+                name.value, block.value
+            );
+            let fault = Diagnostic::error(Rule::E0115, name.span, message)
+                .with_related(block.span, "the output block is the first one");
+            let otherwise = || format!("the outputs are `{}`", outputs.join("`, `"));
+            self.faults
+                .push(fault.did_you_mean(name.span, &name.value, meant, otherwise));
         }
         let entries: Option<Vec<ExprId>> = entries.into_iter().collect();
         entries.map(|entries| self.array(entries, Shape::Vector(output.states.len())))

@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::plant::SECOND;
-use crate::diagnostic::Span;
+use crate::diagnostic::{Rule, Span};
 use crate::model::{MAX_STEPS, NoiseModel, Scenario, Scheme};
 use crate::spec::{self, Located};
 
@@ -21,7 +21,7 @@ impl Context<'_> {
             return Some(value);
         }
         self.fault(
-            "E0602",
+            Rule::E0602,
             code.base.span,
             format!("sample time is {value} s, expected {least} s to {largest} s"),
             "write it with its unit, as in `2 ms`",
@@ -65,7 +65,7 @@ impl Context<'_> {
         let steps = horizon / sample_time * substeps as f64;
         if horizon < sample_time {
             self.fault(
-                "E0602",
+                Rule::E0602,
                 span,
                 format!("horizon {horizon} s is shorter than the sample time {sample_time} s"),
                 "simulate at least one sample",
@@ -74,7 +74,7 @@ impl Context<'_> {
         }
         if steps > MAX_STEPS {
             self.fault(
-                "E0602",
+                Rule::E0602,
                 span,
                 format!("a run has {steps:.1e} steps, expected at most {MAX_STEPS:.0e}"),
                 "shorten the horizon or lengthen the sample time",
@@ -101,7 +101,7 @@ impl Context<'_> {
         let message =
             format!("settle is {value} s, expected 0 s up to less than the horizon {horizon} s");
         self.fault(
-            "E0602",
+            Rule::E0602,
             code.base.span,
             message,
             "it is the start of the window for rms values",
@@ -145,7 +145,7 @@ impl Context<'_> {
         {
             let help = "write `scheme: euler_maruyama` or `platen`, or `noise: sampled`";
             self.fault(
-                "E0610",
+                Rule::E0610,
                 span,
                 "scheme rk4 cannot integrate wiener noise",
                 help,
@@ -182,7 +182,7 @@ impl Context<'_> {
             return Some(value);
         }
         self.fault(
-            "E0602",
+            Rule::E0602,
             span,
             format!("{key} is {value}, expected {least} to {largest}"),
             "choose a number in this range",

@@ -3,6 +3,7 @@
 use super::Context;
 use super::dispersion::Dispersed;
 use super::scope::Dependence;
+use crate::diagnostic::Rule;
 use crate::expr::Symbol;
 use crate::model;
 use crate::spec::{self, Named, Word};
@@ -89,7 +90,7 @@ impl Context<'_> {
 
     /// The unit in which a quantity is written, or SI.
     fn display(&mut self, code: &spec::Code, dimension: Dimension) -> (String, f64) {
-        let parsed = crate::expr::parse(&code.text, code.base).ok();
+        let parsed = crate::expr::parse(&code.text, code.base.clone()).ok();
         let unit = parsed
             .as_ref()
             .and_then(|expr| expr.as_literal())
@@ -154,7 +155,7 @@ impl Context<'_> {
                 name.value
             );
             self.fault(
-                "E0602",
+                Rule::E0602,
                 written.safe.as_ref().map_or(span, |code| code.base.span),
                 message,
                 "choose a value within the limit",

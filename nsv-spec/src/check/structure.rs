@@ -3,6 +3,7 @@
 
 use super::Context;
 use super::formula::Parsed;
+use crate::diagnostic::Rule;
 
 impl Context<'_> {
     /// F, G, H or a network input of a block.
@@ -14,7 +15,7 @@ impl Context<'_> {
             let dependence = self.names.dependence(name);
             if dependence.time {
                 let message = format!("{what} of block `{own}` depends on time through `{name}`");
-                self.fault("E0702", span, message, "the plant is time-invariant: put functions of time into `disturbance` or `reference`");
+                self.fault(Rule::E0702, span, message, "the plant is time-invariant: put functions of time into `disturbance` or `reference`");
             }
             if let Some(inner) = dependence.block.filter(|&inner| inner > block) {
                 let inner = &spec.blocks[inner].name.value;
@@ -24,7 +25,7 @@ impl Context<'_> {
                 let help = format!(
                     "it may depend on the states of `{own}` and of blocks before it; inner states act through `gain` only"
                 );
-                self.fault("E0701", span, message, help);
+                self.fault(Rule::E0701, span, message, help);
             }
         }
     }
@@ -35,7 +36,7 @@ impl Context<'_> {
             if self.names.dependence(name).truth {
                 let message = format!("{what} depends on the flown plant through `{name}`");
                 self.fault(
-                    "E0710",
+                    Rule::E0710,
                     span,
                     message,
                     "inputs and states of `truth` may stand in its `rates` only: the controller is designed on the blocks",
@@ -54,7 +55,7 @@ impl Context<'_> {
                 let message =
                     format!("{what} depends on the states of block `{block}` through `{name}`");
                 self.fault(
-                    "E0703",
+                    Rule::E0703,
                     span,
                     message,
                     "it may depend on `t`, constants and parameters only",

@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::plant::SECOND;
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::expr::Expected;
 use crate::expr::arena::{ExprId, Shape};
 use crate::model::{self, State};
@@ -48,7 +48,12 @@ impl Context<'_> {
         let dimension = own?.checked_div(SECOND);
         let Some(dimension) = dimension else {
             let message = format!("unit of the rate of `{state}` has an exponent out of range");
-            self.fault("E0606", written.name.span, message, "choose simpler units");
+            self.fault(
+                Rule::E0606,
+                written.name.span,
+                message,
+                "choose simpler units",
+            );
             return None;
         };
         let expected = Expected {
@@ -70,25 +75,25 @@ impl Context<'_> {
             if states.contains(&name.value.as_str()) {
                 continue;
             }
-            let help = match nearest(&name.value, &states) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => "declare it under `states` of the truth, with its initial value".into(),
-            };
             let message = format!("rate of `{}`, which is no state", name.value);
+            let fault = Diagnostic::error(Rule::E0711, name.span, message);
+            let meant = nearest(&name.value, &states);
+            let otherwise =
+                || "declare it under `states` of the truth, with its initial value".into();
             self.faults
-                .push(Diagnostic::error("E0711", name.span, message).with_help(help));
+                .push(fault.did_you_mean(name.span, &name.value, meant, otherwise));
         }
         for Named { name, value } in &truth.states {
             if value.sensor.is_some() {
                 let message = format!("state `{}` of the truth has a sensor", name.value);
                 let help = "the controller measures the states of the blocks only: remove `sensor`";
-                self.fault("E0714", name.span, message, help);
+                self.fault(Rule::E0713, name.span, message, help);
             }
             let given = truth.rates.iter().any(|rate| rate.name.value == name.value);
             if !given {
                 let message = format!("state `{}` of the truth has no rate", name.value);
                 self.faults.push(
-                    Diagnostic::error("E0712", name.span, message)
+                    Diagnostic::error(Rule::E0712, name.span, message)
                         .with_related(span, "the rates are given here, under `rates`")
                         .with_help(format!("add `{}: ..` to `rates`", name.value)),
                 );

@@ -1,6 +1,7 @@
 //! The functions of the language.
 
 use super::arena::{Function, Operator};
+use crate::suggest::Meant;
 
 /// What a function name stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,4 +73,26 @@ pub fn is_reserved(name: &str) -> bool {
 /// Names of all functions.
 pub(super) fn names() -> impl Iterator<Item = &'static str> {
     TABLE.iter().map(|(name, _)| *name).chain(["partial"])
+}
+
+/// What other languages call the functions of this one.
+const ELSEWHERE: &[(&str, &str)] = &[
+    ("arcsin", "asin"),
+    ("arccos", "acos"),
+    ("arctan", "atan"),
+    ("arctan2", "atan2"),
+    ("fabs", "abs"),
+    ("log", "ln"),
+    ("power", "pow"),
+    ("signum", "sign"),
+    ("sgn", "sign"),
+];
+
+/// The function that goes by another name elsewhere.
+pub(super) fn elsewhere(name: &str) -> Option<Meant> {
+    let (_, native) = ELSEWHERE.iter().find(|(foreign, _)| *foreign == name)?;
+    Some(Meant {
+        name: (*native).to_owned(),
+        sure: true,
+    })
 }

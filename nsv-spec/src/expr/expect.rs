@@ -2,7 +2,7 @@
 
 use super::arena::{Arena, ExprId, Shape, Type};
 use super::typing::{in_entry, shown};
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::unit::Dimension;
 
 /// What a place in the specification asks of its expression.
@@ -27,7 +27,7 @@ pub fn expect(
     let Type::Real { shape, dimensions } = arena.ty(id) else {
         let message = format!("{what} is a truth value, expected {}", expected.shape);
         return Err(vec![
-            Diagnostic::error("E0502", span, message)
+            Diagnostic::error(Rule::E0502, span, message)
                 .with_help("choose numbers with `if(condition, a, b)`"),
         ]);
     };
@@ -37,7 +37,7 @@ pub fn expect(
             expected.shape
         );
         return Err(vec![
-            Diagnostic::error("E0504", span, message).with_help(shape_help(expected.shape)),
+            Diagnostic::error(Rule::E0504, span, message).with_help(shape_help(expected.shape)),
         ]);
     }
     let wanted = expected.dimensions.iter().cycle();
@@ -53,7 +53,7 @@ pub fn expect(
                 shown(found),
                 shown(wanted)
             );
-            Diagnostic::error("E0407", span, message).with_help(dimension_help(found, wanted))
+            Diagnostic::error(Rule::E0407, span, message).with_help(dimension_help(found, wanted))
         })
         .collect();
     if faults.is_empty() {

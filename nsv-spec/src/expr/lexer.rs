@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::arena::Comparison;
 use super::parser::MAX_FAULTS;
 use super::syntax::{Infix, Literal};
-use crate::diagnostic::{Base, Diagnostic, quoted};
+use crate::diagnostic::{Applicability, Base, Diagnostic, Rule, quoted};
 use crate::unit::{self, Unit, UnitFault};
 
 /// A token and its bytes in the text.
@@ -132,12 +132,17 @@ impl<'a> Lexer<'a> {
                 .take_while(|&c| c == '.' || c == '_' || c.is_ascii_digit())
                 .count();
             let message = format!("malformed number {}", quoted(&self.text[start..self.at]));
+            let range = start..self.at;
+            let plain = self.text[range.clone()].replace('_', "");
             self.report(
-                "E0202",
-                start..self.at,
+                Rule::E0202,
+                range.clone(),
                 message,
                 "write numbers like `12000`, `0.5` or `1.5e-3`",
             );
+            if decimal(&plain).len() == plain.len() {
+                self.suggest(range, &plain, Applicability::Certain);
+            }
             return None;
         }
         let unit = self.unit()?;
@@ -154,7 +159,7 @@ impl<'a> Lexer<'a> {
                 quoted(&self.text[start..self.at])
             );
             self.report(
-                "E0202",
+                Rule::E0202,
                 start..self.at,
                 message,
                 "magnitudes go from about 1e-308 to 1e308",
@@ -215,18 +220,54 @@ impl<'a> Lexer<'a> {
                 .to_owned(),
         };
         self.at += length;
-        self.report("E0201", range, message, help);
+        self.report(Rule::E0201, range.clone(), message, help);
+        if let Some((foreign, native)) = found {
+            // `=` may be a slip for `==` or a thought from another language, a bracket has a partner, and `2` before a pi needs a `*`.
+            let sure = !matches!(*foreign, "=" | "{" | "}" | ";" | "\u{3c0}");
+            let native = self.spaced(&range, native);
+            let applicability = match sure {
+                true => Applicability::Certain,
+                false => Applicability::Possible,
+            };
+            self.suggest(range, &native, applicability);
+        }
+    }
+
+    /// What replaces a symbol, with blanks where a word would touch what stands beside it.
+    fn spaced(&self, range: &Range<usize>, native: &str) -> String {
+        let gap = |beside: Option<char>| match beside.is_some_and(|c| !c.is_whitespace()) {
+            true => " ",
+            false => "",
+        };
+        let before = gap(self.text[..range.start].chars().next_back());
+        let after = gap(self.text[range.end..].chars().next());
+        match native {
+            "and" | "or" | "not" => format!("{before}{native}{after}"),
+            "deg" => format!("{before}{native}"),
+            _ => native.to_owned(),
+        }
+    }
+
+    /// A change that mends the fault reported last.
+    fn suggest(&mut self, range: Range<usize>, replacement: &str, applicability: Applicability) {
+        if self.base.holds(range.clone())
+            && let Some(fault) = self.faults.pop()
+        {
+            let span = self.base.span_of(range);
+            self.faults
+                .push(fault.with_suggestion(span, replacement, applicability));
+        }
     }
 
     fn report(
         &mut self,
-        code: &'static str,
+        rule: Rule,
         range: Range<usize>,
         message: String,
         help: impl Into<String>,
     ) {
         self.faults
-            .push(Diagnostic::error(code, self.base.span_of(range), message).with_help(help));
+            .push(Diagnostic::error(rule, self.base.span_of(range), message).with_help(help));
     }
 }
 
@@ -306,7 +347,7 @@ const FOREIGN: &[(&str, &str)] = &[
     ("\u{2264}", "<="),
     ("\u{2265}", ">="),
     ("\u{2260}", "!="),
-    ("\u{b0}", " deg"),
+    ("\u{b0}", "deg"),
     ("\u{3c0}", "pi"),
     ("\u{b2}", "^2"),
     ("\u{b3}", "^3"),

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::lexer::{Token, TokenKind, tokens};
 use super::syntax::{Expr, Infix, Kind, Name, Node, NodeId};
-use crate::diagnostic::{Base, Diagnostic, quoted};
+use crate::diagnostic::{Applicability, Base, Diagnostic, Rule, quoted};
 
 /// Longest text of one expression, bytes.
 pub const MAX_TEXT: usize = 64 * 1024;
@@ -46,7 +46,7 @@ pub fn parse(text: &str, base: Base) -> Result<Expr, Vec<Diagnostic>> {
             "expression of {} bytes, expected at most {MAX_TEXT}",
             text.len()
         );
-        let fault = Diagnostic::error("E0207", base.span_of(0..text.len()), message);
+        let fault = Diagnostic::error(Rule::E0207, base.span_of(0..text.len()), message);
         return Err(vec![fault.with_help("split it into named definitions")]);
     }
     let tokens = tokens(text, &base)?;
@@ -99,7 +99,7 @@ impl<'a> Parser<'a> {
         if self.depth == MAX_DEPTH {
             let message = format!("expression nested more than {MAX_DEPTH} deep");
             return Err(self.fault(
-                "E0206",
+                Rule::E0206,
                 self.peek().range.clone(),
                 message,
                 "name its parts in `definitions`",
@@ -132,7 +132,7 @@ impl<'a> Parser<'a> {
                     self.shown(next)
                 );
                 Err(self.fault(
-                    "E0205",
+                    Rule::E0205,
                     next.range.clone(),
                     message,
                     "join two comparisons: `a < b and b < c`",
@@ -200,13 +200,22 @@ impl<'a> Parser<'a> {
             self.quoted(&operand.range),
             self.quoted(&next.range)
         );
-        let range = operand.range.start..next.range.end;
-        Err(self.fault(
-            "E0208",
-            range,
+        let between = operand.range.end..next.range.start;
+        let fault = self.fault(
+            Rule::E0208,
+            operand.range.start..next.range.end,
             message,
             "write `*` to multiply; a unit follows its number after at most one blank",
-        ))
+        );
+        if !self.base.holds(between.clone()) {
+            return Err(fault);
+        }
+        let span = self.base.span_of(between);
+        Err(Box::new(fault.with_suggestion(
+            span,
+            "*",
+            Applicability::Possible,
+        )))
     }
 
     /// `name(..)`, the name just read.
@@ -265,7 +274,7 @@ impl<'a> Parser<'a> {
         let token = self.peek();
         let message = format!("found {}, expected {expected}", self.named(token));
         let help = "write `partial(polynomial, argument, values..)` with one value per argument";
-        self.fault("E0203", token.range.clone(), message, help)
+        self.fault(Rule::E0203, token.range.clone(), message, help)
     }
 
     /// One or more expressions up to the closing bracket, and the byte after that.
@@ -297,7 +306,7 @@ impl<'a> Parser<'a> {
                 _ => {
                     let message = format!("found {}, expected an index", self.named(token));
                     let help = "indices are whole numbers from 1, known when the specification is read: `v[1]`, `M[1, 2]`";
-                    return Err(self.fault("E0209", token.range.clone(), message, help));
+                    return Err(self.fault(Rule::E0209, token.range.clone(), message, help));
                 }
             }
             if self.peek().kind != TokenKind::Comma {
@@ -321,17 +330,31 @@ impl<'a> Parser<'a> {
             TokenKind::Comma => "write a vector in square brackets: `[a, b]`",
             _ => "every bracket that opens must close",
         };
-        let fault = self.fault("E0204", token.range.clone(), message, help);
-        Err(Box::new(fault.with_related(
-            self.base.span_of(open..open + 1),
-            "the bracket opens here",
-        )))
+        let fault = self
+            .fault(Rule::E0204, token.range.clone(), message, help)
+            .with_related(self.base.span_of(open..open + 1), "the bracket opens here");
+        let missing = match closing {
+            TokenKind::Close => ")",
+            _ => "]",
+        };
+        let end = self.text.trim_end().len();
+        if token.kind == TokenKind::End && self.base.holds(end..end) {
+            let span = self.base.span_of(end..end);
+            let fault = fault.with_suggestion(span, missing, Applicability::Possible);
+            return Err(Box::new(fault));
+        }
+        Err(Box::new(fault))
     }
 
     fn push(&mut self, range: Range<usize>, kind: Kind) -> Parsed<Operand> {
         if self.nodes.len() == MAX_NODES {
             let message = format!("expression of more than {MAX_NODES} terms");
-            return Err(self.fault("E0207", range, message, "split it into named definitions"));
+            return Err(self.fault(
+                Rule::E0207,
+                range,
+                message,
+                "split it into named definitions",
+            ));
         }
         let id = NodeId(u32::try_from(self.nodes.len()).expect("invariant: MAX_NODES fits u32"));
         self.nodes.push(Node {
@@ -363,17 +386,35 @@ impl<'a> Parser<'a> {
             TokenKind::End => "the expression stops too early",
             _ => "an expression is made of operands with operators between them",
         };
-        self.fault("E0203", token.range.clone(), message, help)
+        let fault = self.fault(Rule::E0203, token.range.clone(), message, help);
+        match &token.kind {
+            TokenKind::Infix(Infix::Add) => self.with_change(fault, token.range.clone(), ""),
+            _ => fault,
+        }
+    }
+
+    /// The fault with a change that certainly mends it.
+    fn with_change(
+        &self,
+        fault: Box<Diagnostic>,
+        range: Range<usize>,
+        replacement: &str,
+    ) -> Box<Diagnostic> {
+        if !self.base.holds(range.clone()) {
+            return fault;
+        }
+        let span = self.base.span_of(range);
+        Box::new(fault.with_suggestion(span, replacement, Applicability::Certain))
     }
 
     fn fault(
         &self,
-        code: &'static str,
+        rule: Rule,
         range: Range<usize>,
         message: String,
         help: impl Into<String>,
     ) -> Box<Diagnostic> {
-        Box::new(Diagnostic::error(code, self.base.span_of(range), message).with_help(help))
+        Box::new(Diagnostic::error(rule, self.base.span_of(range), message).with_help(help))
     }
 
     fn named(&self, token: &Token) -> String {

@@ -1,7 +1,7 @@
 //! Reads constants, parameters and polynomial data.
 
 use super::fields::{Reader, name};
-use crate::diagnostic::Span;
+use crate::diagnostic::{Rule, Span};
 use crate::spec::{Constant, Named, Parameter, PolynomialGroup, Terms};
 use crate::vocabulary::{CONSTANT, PARAMETER, POLYNOMIAL};
 use crate::yaml::{Kind, Node};
@@ -93,7 +93,7 @@ impl Reader {
                 "found a term of {}, expected a coefficient and {arguments} exponents",
                 items.len()
             );
-            self.fault("E0107", node.span, message, help);
+            self.fault(Rule::E0107, node.span, message, help);
             return None;
         }
         let coefficient = self.coefficient(&items[0]);
@@ -136,7 +136,7 @@ impl Reader {
 
     fn refuse<T>(&mut self, span: Span, message: String) -> Option<T> {
         self.fault(
-            "E0107",
+            Rule::E0107,
             span,
             message,
             "polynomial data are plain numbers; units belong into the arguments",

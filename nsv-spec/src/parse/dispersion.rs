@@ -1,7 +1,7 @@
 //! Reads distributions.
 
 use super::fields::{Fields, Reader, list};
-use crate::diagnostic::Span;
+use crate::diagnostic::{Rule, Span};
 use crate::spec::{Code, Correlation, Dispersion};
 use crate::vocabulary::{CORRELATION, DISPERSION};
 use crate::yaml::{Entry, Kind, Node};
@@ -23,7 +23,7 @@ impl Reader {
             if self.faults.len() == before {
                 let message = format!("dispersion must have one of {}", list(&kinds));
                 let help = "write `{uniform: [0.8, 1.2]}` or `{normal: [1, 0.1]}`";
-                self.fault("E0106", fields.span, message, help);
+                self.fault(Rule::E0106, fields.span, message, help);
             }
             return None;
         };
@@ -89,7 +89,7 @@ impl Reader {
     pub(super) fn one_of<T>(&mut self, span: Span, what: &str, keys: [&str; 2]) -> Option<T> {
         let [first, second] = keys;
         let message = format!("{what} must have one of `{first}` and `{second}`");
-        self.fault("E0106", span, message, "choose one of them");
+        self.fault(Rule::E0106, span, message, "choose one of them");
         None
     }
 }

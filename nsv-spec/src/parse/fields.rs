@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::spec::{Located, Named, Word};
 use crate::suggest::nearest;
 use crate::vocabulary::{Key, Kind as Expects, Section};
@@ -42,13 +42,13 @@ pub(super) struct Reader {
 impl Reader {
     pub(super) fn fault(
         &mut self,
-        code: &'static str,
+        rule: Rule,
         span: Span,
         message: impl Into<String>,
         help: impl Into<String>,
     ) {
         self.faults
-            .push(Diagnostic::error(code, span, message).with_help(help));
+            .push(Diagnostic::error(rule, span, message).with_help(help));
     }
 
     /// The keys of a map: none unknown, none twice, all required ones there.
@@ -66,18 +66,22 @@ impl Reader {
                 section.noun
             );
             self.fault(
-                "E0103",
+                Rule::E0103,
                 node.span,
                 message,
                 format!("its keys are {}", list(&keys)),
             );
             return fields;
         };
+        let mut unknown = Vec::new();
         for entry in unique(&mut self.faults, entries) {
             match fields.key(&entry.key.text) {
                 Some(key) => drop(fields.entries.insert(key.name, entry)),
-                None => self.unknown(entry, section),
+                None => unknown.push(entry),
             }
+        }
+        for entry in unknown {
+            self.unknown(entry, &mut fields);
         }
         for key in section
             .keys
@@ -87,7 +91,7 @@ impl Reader {
             let span = entries.first().map_or(node.span, |first| first.key.span);
             let message = format!("key `{}` is missing in {}", key.name, section.noun);
             self.fault(
-                "E0104",
+                Rule::E0104,
                 span,
                 message,
                 format!("add `{}`: {}", key.name, key.doc),
@@ -118,22 +122,28 @@ impl Reader {
         }
     }
 
-    fn unknown(&mut self, entry: &Entry, section: &'static Section) {
+    /// Reports an unknown key. If it is meant for one that is not given, its value is read as that key's, so that the missing
+    /// key is no second fault.
+    fn unknown<'a>(&mut self, entry: &'a Entry, fields: &mut Fields<'a>) {
+        let (section, text) = (fields.section, &entry.key.text);
+        let open = section
+            .keys
+            .iter()
+            .filter(|key| !fields.entries.contains_key(key.name));
+        let mut meant = nearest(text, open.map(|key| key.name));
+        if let Some(meant) = &mut meant
+            && let Some(key) = fields.key(&meant.name)
+        {
+            fields.entries.insert(key.name, entry);
+            meant.sure |= key.required;
+        }
+        let message = format!("unknown key `{}` in {}", excerpt(text), section.noun);
+        let fault = Diagnostic::error(Rule::E0101, entry.key.span, message);
         let names: Vec<&str> = section.keys.iter().map(|key| key.name).collect();
-        let help = match nearest(&entry.key.text, &names) {
-            Some(meant) => format!("did you mean `{meant}`?"),
-            None => format!("{} has the keys {}", section.noun, list(&names)),
-        };
-        self.fault(
-            "E0101",
-            entry.key.span,
-            format!(
-                "unknown key `{}` in {}",
-                excerpt(&entry.key.text),
-                section.noun
-            ),
-            help,
-        );
+        self.faults
+            .push(fault.did_you_mean(entry.key.span, text, meant, || {
+                format!("{} has the keys {}", section.noun, list(&names))
+            }));
     }
 
     /// The entries of a map with names chosen by the user.
@@ -210,7 +220,7 @@ impl Reader {
     /// Reports a value of a wrong kind.
     pub(super) fn kind(&mut self, node: &Node, expected: &str, help: &str) {
         self.fault(
-            "E0103",
+            Rule::E0103,
             node.span,
             format!("found {}, expected {expected}", node.describe()),
             help,
@@ -238,7 +248,7 @@ fn unique<'a>(faults: &mut Vec<Diagnostic>, entries: &'a [Entry]) -> Vec<&'a Ent
             }
             Some(earlier) => faults.push(
                 Diagnostic::error(
-                    "E0102",
+                    Rule::E0102,
                     entry.key.span,
                     format!("key `{}` is given twice", excerpt(&entry.key.text)),
                 )

@@ -8,7 +8,7 @@ mod hardware;
 mod plant;
 mod values;
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Rule};
 use crate::model::{NoiseModel, Scheme};
 use crate::spec::{Located, Scenario, Spec};
 use crate::vocabulary::SPECIFICATION;
@@ -70,7 +70,7 @@ impl Reader {
                 version.value
             );
             self.fault(
-                "E0105",
+                Rule::E0105,
                 version.span,
                 message,
                 format!("write `nsv: {VERSION}`"),

@@ -3,7 +3,7 @@
 //! A value with a fault is reported and replaced by an empty one; the specification is discarded once it is read to its end.
 
 use super::fields::{Fields, Reader, list};
-use crate::diagnostic::Base;
+use crate::diagnostic::{Base, Diagnostic, Rule};
 use crate::spec::{AutoCode, Code, Formula, Located, Word};
 use crate::suggest::nearest;
 use crate::vocabulary::{Key, Kind as Expects};
@@ -61,24 +61,20 @@ impl Reader {
 
     /// One expression.
     pub(super) fn code_of(&mut self, node: &Node) -> Code {
-        let text = match &node.kind {
-            Kind::Scalar(scalar) => scalar.code.clone(),
-            _ => {
-                self.kind(
-                    node,
-                    "a number or an expression",
-                    "write a number with its unit, or an expression in quotes",
-                );
-                String::new()
-            }
-        };
-        let exact = text.len() == (node.span.end - node.span.start) as usize;
+        if let Kind::Scalar(scalar) = &node.kind {
+            return Code {
+                text: scalar.code.clone(),
+                base: scalar.base.clone(),
+            };
+        }
+        self.kind(
+            node,
+            "a number or an expression",
+            "write a number with its unit, or an expression in quotes",
+        );
         Code {
-            text,
-            base: Base {
-                span: node.span,
-                exact,
-            },
+            text: String::new(),
+            base: Base::whole(node.span),
         }
     }
 
@@ -150,18 +146,20 @@ impl Reader {
             _ => None,
         };
         let Some(at) = found else {
-            let help = match &node.kind {
-                Kind::Scalar(scalar) => {
-                    nearest(&scalar.text, *words).map(|meant| format!("did you mean `{meant}`?"))
-                }
-                _ => None,
-            };
-            let expected = format!("{} for `{key}`", list(words));
-            self.kind(
-                node,
-                &expected,
-                &help.unwrap_or_else(|| "write one of these words".into()),
+            let message = format!(
+                "found {}, expected {} for `{key}`",
+                node.describe(),
+                list(words)
             );
+            let fault = Diagnostic::error(Rule::E0103, node.span, message);
+            let otherwise = || "write one of these words".into();
+            self.faults.push(match &node.kind {
+                Kind::Scalar(scalar) => {
+                    let meant = nearest(&scalar.text, *words);
+                    fault.did_you_mean(node.span, &scalar.text, meant, otherwise)
+                }
+                _ => fault.with_help(otherwise()),
+            });
             return None;
         };
         Some(Located {

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use crate::diagnostic::{Base, Diagnostic, quoted};
+use crate::diagnostic::{Base, Diagnostic, Rule, quoted};
+use crate::suggest::Meant;
 
 /// What is wrong with a unit expression, and where in its text.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -10,18 +11,18 @@ pub struct UnitError {
     /// The faulty bytes.
     pub range: Range<usize>,
     /// What is wrong there.
-    pub fault: UnitFault,
+    pub(crate) fault: UnitFault,
 }
 
 /// What is wrong with a unit expression.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum UnitFault {
+pub(crate) enum UnitFault {
     /// A name that is no unit, with the unit that was probably meant.
     Unknown {
         /// The name.
         name: String,
         /// What to write instead.
-        suggestion: Option<String>,
+        suggestion: Option<Meant>,
     },
     /// Something else than the grammar allows.
     Malformed {
@@ -47,9 +48,19 @@ impl UnitError {
         match &self.fault {
             UnitFault::Unknown { name, suggestion } => {
                 let fault =
-                    Diagnostic::error("E0401", span, format!("unknown unit {}", quoted(name)));
+                    Diagnostic::error(Rule::E0401, span, format!("unknown unit {}", quoted(name)));
                 match suggestion {
-                    Some(unit) => fault.with_help(format!("did you mean `{unit}`?")),
+                    Some(meant) => {
+                        let fault = fault.with_help(format!("did you mean `{}`?", meant.name));
+                        match base.holds(self.range.clone()) {
+                            true => fault.with_suggestion(
+                                span,
+                                meant.name.clone(),
+                                meant.applicability(),
+                            ),
+                            false => fault,
+                        }
+                    }
                     None => fault.with_help(
                         "units are SI symbols with their prefixes, joined by `*`, `/` and `^`",
                     ),
@@ -57,11 +68,11 @@ impl UnitError {
             }
             UnitFault::Malformed { expected, found } => {
                 let message = format!("malformed unit: found {found}, expected {expected}");
-                Diagnostic::error("E0402", span, message)
+                Diagnostic::error(Rule::E0402, span, message)
                     .with_help("write units like `kN*m`, `rad/s`, `1/s` or `m/s^2`")
             }
             UnitFault::Range => Diagnostic::error(
-                "E0402",
+                Rule::E0402,
                 span,
                 "unit with a factor or an exponent out of range",
             )

@@ -12,6 +12,7 @@ use super::dimension::Dimension;
 use super::double::Double;
 use super::error::{UnitError, UnitFault};
 use super::{Unit, table};
+use crate::suggest::Meant;
 
 /// Brackets in a unit.
 const MAX_DEPTH: usize = 16;
@@ -156,9 +157,7 @@ impl<'a> Scanner<'a> {
         match table::find(name).filter(|_| !is_time) {
             Some((dimension, scale)) => Ok(Size { dimension, scale }),
             None => {
-                let suggestion = (name.len() <= MAX_NAME)
-                    .then(|| table::suggest(name))
-                    .flatten();
+                let suggestion = self.suggestion(name, start);
                 let fault = UnitFault::Unknown {
                     name: name.to_owned(),
                     suggestion,
@@ -169,6 +168,17 @@ impl<'a> Scanner<'a> {
                 })
             }
         }
+    }
+
+    /// What the name just read, which starts at byte `start`, was meant for: in brackets where an operator beside it would tear a
+    /// compound unit apart.
+    fn suggestion(&self, name: &str, start: usize) -> Option<Meant> {
+        let mut meant = (name.len() <= MAX_NAME).then(|| table::suggest(name))??;
+        let torn = self.text[..start].ends_with('/') || self.peek() == Some(b'^');
+        if torn && meant.name.contains(['*', '/']) {
+            meant.name = format!("({})", meant.name);
+        }
+        Some(meant)
     }
 
     fn brackets(&mut self) -> Result<Size, UnitError> {

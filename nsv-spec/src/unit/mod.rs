@@ -8,7 +8,8 @@ mod table;
 
 pub use dimension::Dimension;
 use double::Double;
-pub use error::{UnitError, UnitFault};
+pub use error::UnitError;
+pub(crate) use error::UnitFault;
 pub(crate) use grammar::scan;
 
 /// A unit as written, with the factor that turns a number in it into SI.

@@ -2,7 +2,7 @@
 
 use super::dimension::Dimension;
 use super::double::Double;
-use crate::suggest::nearest;
+use crate::suggest::{Meant, nearest};
 
 /// A simple unit of size `numerator / denominator` SI units, times pi for angles.
 struct Entry {
@@ -222,33 +222,55 @@ pub(super) fn find(name: &str) -> Option<(Dimension, Double)> {
 }
 
 /// What was probably meant by a name that is no unit.
-pub(super) fn suggest(name: &str) -> Option<String> {
+pub(super) fn suggest(name: &str) -> Option<Meant> {
+    let meant = |name: String, sure| Some(Meant { name, sure });
     if let Some((_, symbol)) = SPOKEN.iter().find(|(spoken, _)| *spoken == name) {
-        return Some((*symbol).to_owned());
+        return meant((*symbol).to_owned(), true);
     }
     let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
     if letters.len() < name.len() && find(letters).is_some() {
-        return Some(format!("{letters}^{}", &name[letters.len()..]));
+        return meant(format!("{letters}^{}", &name[letters.len()..]), true);
     }
-    // `Nm` before `nm`: a product without its `*` is likelier than a slip.
-    let product = (1..name.len())
-        .find(|&middle| find(&name[..middle]).is_some() && find(&name[middle..]).is_some());
-    if let Some(middle) = product {
-        return Some(format!("{}*{}", &name[..middle], &name[middle..]));
+    // `Nm` before `nm`: a product without its `*` is likelier than a slip. Only `N*m` can be meant by it, but `Nms` has three parts.
+    let is_whole = |part: &str| TABLE.iter().any(|entry| entry.name == part);
+    let halves: Vec<(&str, &str)> = (1..name.len())
+        .filter_map(|middle| name.split_at_checked(middle))
+        .filter(|(left, right)| find(left).is_some() && find(right).is_some())
+        .collect();
+    if let Some((left, right)) = halves.first() {
+        return meant(
+            format!("{left}*{right}"),
+            halves.len() == 1 && is_whole(right),
+        );
     }
+    if let [only] = in_other_case(name).as_slice() {
+        return meant(only.clone(), true);
+    }
+    if let Some(slip) = nearest(name, SPOKEN.iter().map(|(spoken, _)| *spoken)) {
+        let symbol = SPOKEN.iter().find(|(spoken, _)| *spoken == slip.name);
+        return symbol.and_then(|(_, symbol)| meant((*symbol).to_owned(), false));
+    }
+    let likely = nearest(name, TABLE.iter().map(|entry| entry.name).chain(COMMON))?;
+    meant(likely.name, false)
+}
+
+/// Units with a prefix that people do write.
+const COMMON: [&str; 18] = [
+    "ms", "us", "mm", "cm", "km", "mrad", "urad", "kHz", "MHz", "kN", "MN", "kPa", "MPa", "kW",
+    "MW", "mA", "mV", "kJ",
+];
+
+/// The units that differ from a name in capital letters only.
+fn in_other_case(name: &str) -> Vec<String> {
+    let plain = TABLE.iter().map(|entry| entry.name.to_owned());
     let prefixed = PREFIXES.iter().flat_map(|(prefix, _)| {
-        TABLE
-            .iter()
-            .filter(|entry| entry.prefixed)
-            .map(move |entry| format!("{prefix}{}", entry.name))
+        let entries = TABLE.iter().filter(|entry| entry.prefixed);
+        entries.map(move |entry| format!("{prefix}{}", entry.name))
     });
-    nearest(
-        name,
-        TABLE
-            .iter()
-            .map(|entry| entry.name.to_owned())
-            .chain(prefixed),
-    )
+    plain
+        .chain(prefixed)
+        .filter(|unit| unit.eq_ignore_ascii_case(name))
+        .collect()
 }
 
 /// Every name in the table, for tests.

@@ -99,7 +99,7 @@ fn fault(text: &str) -> String {
     let span = diagnostic.span.unwrap();
     format!(
         "{} {}..{} {}; {}",
-        diagnostic.code,
+        diagnostic.rule,
         span.start,
         span.end,
         diagnostic.message,

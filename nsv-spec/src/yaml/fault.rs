@@ -4,14 +4,14 @@ use serde_saphyr::Error;
 use serde_saphyr::budget::BudgetBreach;
 
 use super::read::{MAX_DEPTH, MAX_NODES};
-use crate::diagnostic::{Diagnostic, FileId, Span};
+use crate::diagnostic::{Diagnostic, FileId, Rule, Span};
 
 /// The diagnostic for an error of the YAML library.
 pub(super) fn diagnostic(error: &Error, text: &str, file: FileId) -> Diagnostic {
     let error = error.without_snippet();
     let span = span(error, text, file);
     let fault =
-        |code, message: String, help: &str| Diagnostic::error(code, span, message).with_help(help);
+        |rule, message: String, help: &str| Diagnostic::error(rule, span, message).with_help(help);
     match error {
         Error::AliasError { error: inner, .. } => diagnostic(inner, text, file),
         Error::Budget {
@@ -23,7 +23,7 @@ pub(super) fn diagnostic(error: &Error, text: &str, file: FileId) -> Diagnostic 
             ..
         }
         | Error::MultipleDocuments { .. } => fault(
-            "E0008",
+            Rule::E0008,
             "found a second YAML document, expected one".into(),
             "remove the line `---` and what follows it",
         ),
@@ -32,34 +32,34 @@ pub(super) fn diagnostic(error: &Error, text: &str, file: FileId) -> Diagnostic 
         | Error::AliasReplayLimitExceeded { .. }
         | Error::AliasExpansionLimitExceeded { .. }
         | Error::AliasReplayStackDepthExceeded { .. } => fault(
-            "E0006",
+            Rule::E0006,
             format!(
                 "file expands to too much data, expected at most {MAX_NODES} values and few aliases"
             ),
             "write the values out instead of nesting aliases",
         ),
         Error::RecursiveReferencesRequireWeakTypes { .. } => fault(
-            "E0009",
+            Rule::E0009,
             "alias refers to a value that contains it".into(),
             "write the value out",
         ),
         Error::UnknownAnchor { .. } => fault(
-            "E0009",
+            Rule::E0009,
             "alias refers to an anchor that does not exist".into(),
             "a value that starts with `*` is an alias in YAML; quote it if it is text",
         ),
         Error::MergeKeyNotAllowed { .. } => fault(
-            "E0009",
+            Rule::E0009,
             "merge key `<<` is not supported".into(),
             "write the keys out, or move shared sections to an included file",
         ),
         Error::UnsupportedTag { tag, .. } => fault(
-            "E0007",
+            Rule::E0007,
             format!("found tag `{tag}`, expected a value without tag"),
             "remove the tag; a value that starts with `!` must be quoted",
         ),
         Error::Unexpected { .. } | Error::NullIntoString { .. } => fault(
-            "E0010",
+            Rule::E0010,
             "found a key that is not text".into(),
             "every key is a plain word",
         ),
@@ -70,7 +70,7 @@ pub(super) fn diagnostic(error: &Error, text: &str, file: FileId) -> Diagnostic 
 /// Brackets nested too deep, which the library reports in two ways.
 fn too_deep(span: Span) -> Diagnostic {
     Diagnostic::error(
-        "E0005",
+        Rule::E0005,
         span,
         format!("values are nested too deep, expected at most {MAX_DEPTH} levels"),
     )
@@ -95,7 +95,7 @@ fn syntax(error: &Error, span: Span) -> Diagnostic {
     } else {
         "quote text that contains one of `: # { } [ ] , & * ! | > % @`"
     };
-    Diagnostic::error("E0004", span, format!("not valid YAML: {message}")).with_help(help)
+    Diagnostic::error(Rule::E0004, span, format!("not valid YAML: {message}")).with_help(help)
 }
 
 fn span(error: &Error, text: &str, file: FileId) -> Span {

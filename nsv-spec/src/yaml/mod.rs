@@ -2,6 +2,7 @@
 //!
 //! All dealings with the YAML library are in `read`; the rest of the crate sees this tree only.
 
+mod escape;
 mod fault;
 mod read;
 mod text;
@@ -9,7 +10,7 @@ mod text;
 pub use read::read;
 pub use text::{MAX_BYTES, text};
 
-use crate::diagnostic::Span;
+use crate::diagnostic::{Base, Span};
 
 /// A value in a YAML file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -56,9 +57,10 @@ pub struct Key {
 pub struct Scalar {
     /// The text for people: quotes, escapes, folding and indentation removed.
     pub text: String,
-    /// The text for the expression parser: line breaks and indentation as in the file, so that byte `i` of it is byte
-    /// `span.start + i` of the file. (Only where a quoted text has escapes are the two apart.)
+    /// The text for the expression parser: line breaks and indentation as in the file, escapes decoded.
     pub code: String,
+    /// Where that text stands.
+    pub base: Base,
     /// Whether it was in quotes: text even if it looks like a number.
     pub quoted: bool,
 }

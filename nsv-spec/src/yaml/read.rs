@@ -7,9 +7,10 @@ use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
 use serde_saphyr::options::{DuplicateKeyPolicy, MergeKeyPolicy, NonFiniteFloatPolicy};
 use serde_saphyr::{Location, Options, Spanned};
 
+use super::escape;
 use super::fault;
 use super::{Entry, Key, Kind, Node, Scalar};
-use crate::diagnostic::{Diagnostic, FileId, Span};
+use crate::diagnostic::{Base, Diagnostic, FileId, Span};
 
 /// Deepest nesting; a specification needs eight levels.
 pub(super) const MAX_DEPTH: usize = 32;
@@ -125,6 +126,16 @@ impl<'de> Visitor<'de> for RawVisitor {
     }
 }
 
+/// The text of a quoted scalar that has escapes, with its place. `text` is what the library made of it: should the two differ
+/// in more than blanks, the library is right and the places are unknown.
+fn code_with_escapes(written: &str, double: bool, text: &str, span: Span) -> (String, Base) {
+    let (code, places) = escape::decode(written, double);
+    match code.split_whitespace().eq(text.split_whitespace()) {
+        true => (code, Base::escaped(span, places.into())),
+        false => (text.to_owned(), Base::whole(span)),
+    }
+}
+
 /// Turns the library's locations into spans.
 struct Placer<'a> {
     text: &'a str,
@@ -199,9 +210,18 @@ impl Placer<'_> {
             .filter(|_| quoted || code.contains('\n'))
             .unwrap_or_else(|| code.into());
         let escaped = quoted && (code.contains('\\') || code.contains("''"));
-        let code = if escaped { text.clone() } else { code.into() };
+        let (code, base) = if escaped {
+            code_with_escapes(code, written.starts_with('"'), &text, span)
+        } else {
+            (code.to_owned(), Base::verbatim(span))
+        };
         Node {
-            kind: Kind::Scalar(Scalar { text, code, quoted }),
+            kind: Kind::Scalar(Scalar {
+                text,
+                code,
+                base,
+                quoted,
+            }),
             span,
         }
     }

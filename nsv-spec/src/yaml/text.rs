@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::diagnostic::{Diagnostic, FileId, Span};
+use crate::diagnostic::{Applicability, Diagnostic, FileId, Rule, Span};
 
 /// Largest file that is read, bytes. The flagship plant with all its aerodynamic data is 30 kB.
 pub const MAX_BYTES: usize = 1 << 20;
+
 /// The bytes of a file as text, or why they are none.
 pub fn text(bytes: &[u8], file: FileId) -> Result<Arc<str>, Diagnostic> {
     let start = Span {
@@ -18,22 +19,23 @@ pub fn text(bytes: &[u8], file: FileId) -> Result<Arc<str>, Diagnostic> {
             "file has {} bytes, expected at most {MAX_BYTES}",
             bytes.len()
         );
-        return Err(Diagnostic::error("E0001", start, message)
+        return Err(Diagnostic::error(Rule::E0001, start, message)
             .with_help("move data that is not part of the model out of the specification"));
     }
     if bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff]) {
         return Err(
-            Diagnostic::error("E0002", start, "file is UTF-16, expected UTF-8")
+            Diagnostic::error(Rule::E0002, start, "file is UTF-16, expected UTF-8")
                 .with_help("save the file as UTF-8"),
         );
     }
     if bytes.starts_with(&[0xef, 0xbb, 0xbf]) {
         return Err(Diagnostic::error(
-            "E0003",
+            Rule::E0003,
             start,
             "file starts with a byte order mark, expected plain UTF-8",
         )
-        .with_help("save the file as UTF-8 without byte order mark"));
+        .with_help("save the file as UTF-8 without byte order mark")
+        .with_suggestion(Span { end: 3, ..start }, "", Applicability::Certain));
     }
     match std::str::from_utf8(bytes) {
         Ok(text) => Ok(text.into()),
@@ -45,7 +47,7 @@ pub fn text(bytes: &[u8], file: FileId) -> Result<Arc<str>, Diagnostic> {
                 start: at as u32,
                 end: at as u32,
             };
-            Err(Diagnostic::error("E0002", at, message).with_help("save the file as UTF-8"))
+            Err(Diagnostic::error(Rule::E0002, at, message).with_help("save the file as UTF-8"))
         }
     }
 }

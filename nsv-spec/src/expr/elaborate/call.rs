@@ -4,7 +4,7 @@ use super::typing;
 use super::{
     Dimension, Elaborator, ExprId, Fault, Function, Node, NodeId, Operator, Shape, Span, Type,
 };
-use crate::diagnostic::quoted;
+use crate::diagnostic::{Rule, quoted};
 use crate::expr::arena::PolynomialId;
 use crate::expr::builtin::{self, Builtin};
 use crate::expr::scope::Symbol;
@@ -35,15 +35,14 @@ impl Elaborator<'_> {
         let index = names.iter().position(|name| *name == argument.text);
         let count = self.count(span, &polynomial.text, names.len(), at.len());
         let Some(index) = index else {
-            let help = match nearest(&argument.text, &names) {
-                Some(meant) => format!("did you mean `{meant}`?"),
-                None => format!("its arguments are {}", names.join(", ")),
-            };
             let message = format!(
                 "polynomial data `{}` has no argument `{}`",
                 polynomial.text, argument.text
             );
-            return self.report(argument.span, Fault::new("E0306", message, help), &[]);
+            let meant = nearest(&argument.text, &names);
+            let otherwise = || format!("its arguments are {}", names.join(", "));
+            let fault = Fault::unknown(Rule::E0306, message, argument, meant, otherwise);
+            return self.report(argument.span, fault, &[]);
         };
         count?;
         let derivative = self.scope.derivative(id, index);
@@ -57,7 +56,7 @@ impl Elaborator<'_> {
             Some(Symbol::Polynomial(id, arguments)) => return Some((id, arguments)),
             Some(Symbol::Faulty) => return None,
             None if builtin::find(text).is_some() => Fault::new(
-                "E0304",
+                Rule::E0304,
                 format!("`{text}` is a function of the language, expected polynomial data"),
                 "`partial` differentiates polynomial data only; write other derivatives out",
             ),
@@ -66,7 +65,7 @@ impl Elaborator<'_> {
                 return None;
             }
             Some(_) => Fault::new(
-                "E0304",
+                Rule::E0304,
                 format!("`{text}` is a value, expected a function"),
                 format!("write `*` to multiply: `{text}*(..)`"),
             ),
@@ -75,14 +74,13 @@ impl Elaborator<'_> {
                 let data = data.filter(|known| {
                     matches!(self.scope.resolve(known), Some(Symbol::Polynomial(..)))
                 });
-                let help = match nearest(text, builtin::names().map(str::to_owned).chain(data)) {
-                    Some(meant) => format!("did you mean `{meant}`?"),
-                    None => format!(
-                        "functions are {}",
-                        builtin::names().collect::<Vec<_>>().join(", ")
-                    ),
-                };
-                Fault::new("E0302", format!("unknown function {}", quoted(text)), help)
+                let known = builtin::names().map(str::to_owned).chain(data);
+                let meant = builtin::elsewhere(text).or_else(|| nearest(text, known));
+                let message = format!("unknown function {}", quoted(text));
+                Fault::unknown(Rule::E0302, message, name, meant, || {
+                    let names: Vec<&str> = builtin::names().collect();
+                    format!("functions are {}", names.join(", "))
+                })
             }
         };
         self.report(name.span, fault, &[])
@@ -99,7 +97,7 @@ impl Elaborator<'_> {
             "if" => "write `if(condition, value, otherwise)`".to_owned(),
             _ => format!("give it {expected} argument{plural}, separated by commas"),
         };
-        self.report(span, Fault::new("E0305", message, help), &[])
+        self.report(span, Fault::new(Rule::E0305, message, help), &[])
     }
 
     fn apply_polynomial(
@@ -119,7 +117,11 @@ impl Elaborator<'_> {
                 Shape::Scalar => typing::dimensionless(&what, real.dimensions[0]),
                 array => {
                     let message = format!("shape mismatch: {what} is {array}, expected a scalar");
-                    Err(Fault::new("E0501", message, "take one entry of the array"))
+                    Err(Fault::new(
+                        Rule::E0501,
+                        message,
+                        "take one entry of the array",
+                    ))
                 }
             };
             match checked {
@@ -197,7 +199,7 @@ impl Elaborator<'_> {
                 "shape mismatch: the values of `if` are {} and {}",
                 x.shape, y.shape
             );
-            let fault = Fault::new("E0501", message, "both values have one shape");
+            let fault = Fault::new(Rule::E0501, message, "both values have one shape");
             return self.report(span, fault, &[yes, no]);
         }
         let ty = typing::agreeing("if", &x, &y);
@@ -217,7 +219,7 @@ impl Elaborator<'_> {
                 "shape mismatch: `norm` of {}, expected a vector",
                 real.shape
             );
-            return self.report(span, Fault::new("E0501", message, help), &[]);
+            return self.report(span, Fault::new(Rule::E0501, message, help), &[]);
         }
         let square_type = match typing::dot(&real, &real) {
             Ok(ty) => ty,

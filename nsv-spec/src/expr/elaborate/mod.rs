@@ -14,7 +14,7 @@ use super::parser::MAX_FAULTS;
 use super::scope::Scope;
 use super::syntax::{Expr, Kind, Literal, NodeId};
 use super::typing::{self, Fault, Real};
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::unit::Dimension;
 
 /// Gives an expression its meaning: resolves its names in `scope`, checks shapes and dimensions, and stores it in `arena`.
@@ -119,7 +119,7 @@ impl Elaborator<'_> {
                     "all rows of a matrix have one length",
                 )
             };
-            return self.report(span, Fault::new("E0505", message, help), &[]);
+            return self.report(span, Fault::new(Rule::E0505, message, help), &[]);
         }
         let shape = match row {
             Shape::Vector(cols) => Shape::Matrix(items.len(), cols),
@@ -162,7 +162,7 @@ impl Elaborator<'_> {
                     format!("{} indices", indices.len())
                 };
                 let message = format!("shape mismatch: {count} into {shape}");
-                return self.report(span, Fault::new("E0501", message, help), &[]);
+                return self.report(span, Fault::new(Rule::E0501, message, help), &[]);
             }
         };
         let (rows, cols) = real.shape.size();
@@ -175,7 +175,7 @@ impl Elaborator<'_> {
             let message = format!("index {place} outside {}", real.shape);
             return self.report(
                 span,
-                Fault::new("E0503", message, "indices start at 1"),
+                Fault::new(Rule::E0503, message, "indices start at 1"),
                 &[],
             );
         }
@@ -208,7 +208,7 @@ impl Elaborator<'_> {
             ));
         }
         let fault = Fault::new(
-            "E0502",
+            Rule::E0502,
             format!("{what} is a truth value, expected a number"),
             "choose numbers with `if(condition, a, b)`",
         );
@@ -222,7 +222,7 @@ impl Elaborator<'_> {
             return Some(id);
         };
         let fault = Fault::new(
-            "E0502",
+            Rule::E0502,
             format!("{what} is {shape}, expected a truth value"),
             "compare numbers, as in `x > 0`",
         );
@@ -246,14 +246,18 @@ impl Elaborator<'_> {
     /// Reports a fault at a place; `operands` are shown with what they are.
     fn report<T>(&mut self, span: Span, fault: Fault, operands: &[NodeId]) -> Option<T> {
         let Fault {
-            code,
+            rule,
             message,
             mut help,
+            suggestion,
         } = fault;
-        if code.starts_with("E04") {
+        if rule.family() == "E04" {
             help.extend(self.misread_unit(span));
         }
-        let mut diagnostic = Diagnostic::error(code, span, message).with_help(help);
+        let mut diagnostic = Diagnostic {
+            suggestion,
+            ..Diagnostic::error(rule, span, message).with_help(help)
+        };
         for &operand in operands {
             let place = self.span_of(operand);
             let ty = self.values[operand.0 as usize].map(|id| self.arena.ty(id));

@@ -1,9 +1,10 @@
 //! Names in place of values.
 
 use super::{Bits, Dimension, Elaborator, ExprId, Fault, Node, Span, Type};
-use crate::diagnostic::quoted;
+use crate::diagnostic::{Rule, quoted};
 use crate::expr::builtin;
 use crate::expr::scope::Symbol;
+use crate::expr::syntax::Name;
 use crate::suggest::nearest;
 use crate::unit::parse_unit;
 
@@ -34,7 +35,7 @@ impl Elaborator<'_> {
                 return self.report(
                     span,
                     Fault::new(
-                        "E0304",
+                        Rule::E0304,
                         format!("`{name}` is polynomial data, expected a value"),
                         help,
                     ),
@@ -51,7 +52,7 @@ impl Elaborator<'_> {
     pub(super) fn unavailable(&mut self, span: Span, name: &str, why: String) -> Option<ExprId> {
         self.report(
             span,
-            Fault::new("E0303", format!("`{name}` cannot be used here"), why),
+            Fault::new(Rule::E0303, format!("`{name}` cannot be used here"), why),
             &[],
         )
     }
@@ -62,23 +63,28 @@ impl Elaborator<'_> {
         }
         if builtin::names().any(|function| function == name) {
             let fault = Fault::new(
-                "E0304",
+                Rule::E0304,
                 format!("`{name}` is a function, expected a value"),
                 format!("apply it: `{name}(..)`"),
             );
             return self.report(span, fault, &[]);
         }
-        let help = match nearest(name, self.scope.names()) {
-            Some(meant) => format!("did you mean `{meant}`?"),
-            None if parse_unit(name).is_ok() => {
-                format!("a unit follows its number directly: `1 {name}`")
-            }
-            None => "declare it under `constants`, `parameters` or `definitions`".to_owned(),
-        };
-        self.report(
+        let written = Name {
+            text: name.to_owned(),
             span,
-            Fault::new("E0301", format!("unknown name {}", quoted(name)), help),
-            &[],
-        )
+        };
+        let meant = nearest(name, self.scope.names());
+        let message = format!("unknown name {}", quoted(name));
+        let fault = Fault::unknown(
+            Rule::E0301,
+            message,
+            &written,
+            meant,
+            || match parse_unit(name).is_ok() {
+                true => format!("a unit follows its number directly: `1 {name}`"),
+                false => "declare it under `constants`, `parameters` or `definitions`".to_owned(),
+            },
+        );
+        self.report(span, fault, &[])
     }
 }

@@ -5,6 +5,7 @@ use super::{
     Bits, Elaborator, ExprId, Fault, Function, Kind, Node, NodeId, Operator, Real, Shape, Span,
     Type,
 };
+use crate::diagnostic::Rule;
 use crate::expr::arena::Comparison;
 use crate::expr::syntax::Infix;
 use crate::unit::Dimension;
@@ -96,7 +97,7 @@ impl Elaborator<'_> {
             );
             return self.report(
                 span,
-                Fault::new("E0501", message, "compare entries or norms"),
+                Fault::new(Rule::E0501, message, "compare entries or norms"),
                 &[left, right],
             );
         }
@@ -135,7 +136,7 @@ impl Elaborator<'_> {
             (Shape::Vector(_), Shape::Matrix(..)) => {
                 let message = format!("shape mismatch: product of {} and {}", x.shape, y.shape);
                 let fault = Fault::new(
-                    "E0501",
+                    Rule::E0501,
                     message,
                     "vectors are columns: write `transpose(M)*v`",
                 );

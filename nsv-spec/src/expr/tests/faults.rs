@@ -36,7 +36,7 @@ fn characters_and_numbers() {
     let degrees = meaning("3 \u{b0}").err();
     assert_eq!(
         degrees.as_deref(),
-        Some("E0201 2..4 unexpected `\u{b0}` | write ` deg`")
+        Some("E0201 2..4 unexpected `\u{b0}` | write `deg`")
     );
 }
 

@@ -100,7 +100,7 @@ fn shown(faults: &[Diagnostic]) -> String {
         let (start, end) = (span.start - 1000, span.end - 1000);
         format!(
             "{} {start}..{end} {}{} | {help}",
-            fault.code,
+            fault.rule,
             fault.message,
             related.collect::<String>()
         )

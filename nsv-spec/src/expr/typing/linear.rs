@@ -1,6 +1,7 @@
 //! Types of the operations of linear algebra. Each entry of a product is a sum, whose terms must agree in their dimension.
 
 use super::{Dimension, Fault, Real, Shape, in_entry, out_of_range, shown};
+use crate::diagnostic::Rule;
 
 /// Matrix times matrix or vector: entrywise, all terms of a sum have one dimension.
 pub(in crate::expr) fn matrix_product(left: &Real, right: &Real) -> Result<Real, Fault> {
@@ -13,7 +14,7 @@ pub(in crate::expr) fn matrix_product(left: &Real, right: &Real) -> Result<Real,
         let help = format!(
             "the left factor has {inner} columns, the right one {height} rows; they must be equal"
         );
-        return Err(Fault::new("E0501", message, help));
+        return Err(Fault::new(Rule::E0501, message, help));
     }
     let shape = if matches!(right.shape, Shape::Vector(_)) {
         Shape::Vector(rows)
@@ -48,7 +49,7 @@ pub(in crate::expr) fn dot(left: &Real, right: &Real) -> Result<Real, Fault> {
         (a, b) => {
             let message = format!("shape mismatch: `dot` of {a} and {b}");
             Err(Fault::new(
-                "E0501",
+                Rule::E0501,
                 message,
                 "`dot` takes two vectors of one length",
             ))
@@ -65,7 +66,7 @@ pub(in crate::expr) fn cross(left: &Real, right: &Real) -> Result<Real, Fault> {
             left.shape, right.shape
         );
         return Err(Fault::new(
-            "E0501",
+            Rule::E0501,
             message,
             "`cross` takes two vectors of 3",
         ));
@@ -89,7 +90,7 @@ pub(in crate::expr) fn cross(left: &Real, right: &Real) -> Result<Real, Fault> {
 pub(in crate::expr) fn transpose(argument: &Real) -> Result<Real, Fault> {
     if argument.shape == Shape::Scalar {
         return Err(Fault::new(
-            "E0501",
+            Rule::E0501,
             "shape mismatch: `transpose` of a scalar",
             "`transpose` takes a matrix or a vector",
         ));
@@ -115,7 +116,11 @@ fn sum_of_products(
                 shown(sum),
                 shown(term)
             );
-            Fault::new("E0403", message, "all terms of a sum must have one unit")
+            Fault::new(
+                Rule::E0403,
+                message,
+                "all terms of a sum must have one unit",
+            )
         })
     })
 }

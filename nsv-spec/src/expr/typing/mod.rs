@@ -3,27 +3,47 @@
 mod linear;
 
 use super::arena::{Function, Shape, Type};
+use super::syntax::Name;
+use crate::diagnostic::{Diagnostic, Rule, Suggestion};
+use crate::suggest::Meant;
 use crate::unit::Dimension;
 pub(super) use linear::{cross, dot, matrix_product, transpose};
 
 /// Why an operation has no type; the caller knows the place.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Fault {
-    pub(super) code: &'static str,
+    pub(super) rule: Rule,
     pub(super) message: String,
     pub(super) help: String,
+    /// A change of the text that mends it.
+    pub(super) suggestion: Option<Suggestion>,
 }
 
 impl Fault {
-    pub(super) fn new(
-        code: &'static str,
-        message: impl Into<String>,
-        help: impl Into<String>,
-    ) -> Self {
+    pub(super) fn new(rule: Rule, message: impl Into<String>, help: impl Into<String>) -> Self {
         Self {
-            code,
+            rule,
             message: message.into(),
             help: help.into(),
+            suggestion: None,
+        }
+    }
+
+    /// The fault of a name that nothing has, written at a place.
+    pub(super) fn unknown(
+        rule: Rule,
+        message: String,
+        name: &Name,
+        meant: Option<Meant>,
+        otherwise: impl FnOnce() -> String,
+    ) -> Self {
+        let fault = Diagnostic::error(rule, name.span, message);
+        let fault = fault.did_you_mean(name.span, &name.text, meant, otherwise);
+        Self {
+            rule,
+            message: fault.message,
+            help: fault.help.unwrap_or_default(),
+            suggestion: fault.suggestion,
         }
     }
 }
@@ -117,7 +137,7 @@ pub(super) fn quotient(left: &Real, right: &Real) -> Result<Real, Fault> {
     elementwise("/", left, right, |at, a, b| {
         if b == Dimension::ANY {
             return Err(Fault::new(
-                "E0408",
+                Rule::E0408,
                 format!("division by the literal 0{at}"),
                 "divide by something that is not 0",
             ));
@@ -138,7 +158,7 @@ fn elementwise(
         (a, b) => {
             let message = format!("shape mismatch: `{symbol}` between {a} and {b}");
             return Err(Fault::new(
-                "E0501",
+                Rule::E0501,
                 message,
                 "operands are of one shape, or one of them is a scalar",
             ));
@@ -157,7 +177,7 @@ pub(super) fn apply(name: &str, function: Function, argument: &Real) -> Result<R
         Function::Sign => Ok(Dimension::ONE),
         Function::Sqrt => dimension.checked_sqrt().ok_or_else(|| {
             let message = format!("no square root of a quantity in {dimension}");
-            Fault::new("E0406", message, "exponents of units go in halves")
+            Fault::new(Rule::E0406, message, "exponents of units go in halves")
         }),
         _ => {
             let place = in_entry(shape, entry);
@@ -181,7 +201,7 @@ pub(super) fn dimensionless(what: &str, dimension: Dimension) -> Result<(), Faul
     }
     let message = format!("unit mismatch: {what} is {dimension}, expected a pure number");
     Err(Fault::new(
-        "E0404",
+        Rule::E0404,
         message,
         format!("divide it by a quantity in {dimension}, such as `/(1 {dimension})`"),
     ))
@@ -211,7 +231,11 @@ pub(super) fn real_power(base: &Real, exponent: &Real) -> Result<Real, Fault> {
             "shape mismatch: exponent is {}, expected a scalar",
             exponent.shape
         );
-        return Err(Fault::new("E0501", message, "take one entry of the array"));
+        return Err(Fault::new(
+            Rule::E0501,
+            message,
+            "take one entry of the array",
+        ));
     }
     dimensionless("exponent", exponent.dimensions[0])?;
     let dimension = base.dimensions[0];
@@ -221,7 +245,7 @@ pub(super) fn real_power(base: &Real, exponent: &Real) -> Result<Real, Fault> {
     let message =
         format!("unit mismatch: base is {dimension}, but its exponent is not a whole number");
     Err(Fault::new(
-        "E0405",
+        Rule::E0405,
         message,
         "write the exponent as a literal, a half with `sqrt(..)`, or divide the base by its unit",
     ))
@@ -230,7 +254,7 @@ pub(super) fn real_power(base: &Real, exponent: &Real) -> Result<Real, Fault> {
 fn power_of_array(shape: Shape) -> Fault {
     let message = format!("shape mismatch: power of {shape}, expected a scalar");
     Fault::new(
-        "E0501",
+        Rule::E0501,
         message,
         "write `v*v` for squares of entries, `M*M` for a matrix product, `dot(v, v)` for a sum of squares",
     )
@@ -253,12 +277,12 @@ fn mismatch(symbol: &str, at: &str, left: Dimension, right: Dimension) -> Fault 
         Some(missing) => format!("the sides differ by a factor in {missing}"),
         None => "both sides must have one unit".to_owned(),
     };
-    Fault::new("E0403", message, help)
+    Fault::new(Rule::E0403, message, help)
 }
 
 fn out_of_range() -> Fault {
     Fault::new(
-        "E0406",
+        Rule::E0406,
         "exponent of a unit out of range",
         "exponents go from -63 to 63",
     )

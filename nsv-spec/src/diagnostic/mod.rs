@@ -1,8 +1,15 @@
 //! Faults of a specification as data: a code, a place, a message and its remedy. Rendering is the command line's business.
 
+mod base;
+mod fix;
+mod rule;
+
 use std::fmt;
-use std::ops::Range;
 use std::sync::Arc;
+
+pub use base::Base;
+pub use fix::Fixed;
+pub use rule::Rule;
 
 /// Index of a file in a [`SourceMap`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -17,48 +24,6 @@ pub struct Span {
     pub start: u32,
     /// One past the last byte.
     pub end: u32,
-}
-
-/// Where a piece of text, such as an expression in a YAML scalar, stands in its file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Base {
-    /// The whole text.
-    pub span: Span,
-    /// Whether the file holds the text byte for byte from the start of `span`; a quoted scalar with escapes or a folded one
-    /// does not, and everything in it is then reported at the whole span.
-    pub exact: bool,
-}
-
-impl Base {
-    /// A text of `length` bytes that the file holds verbatim from byte `start`.
-    pub fn exact(file: FileId, start: u32, length: usize) -> Self {
-        let end = start.saturating_add(u32::try_from(length).unwrap_or(u32::MAX));
-        Self {
-            span: Span { file, start, end },
-            exact: true,
-        }
-    }
-
-    /// A text that the file holds in some encoded form within `span`.
-    pub fn whole(span: Span) -> Self {
-        Self { span, exact: false }
-    }
-
-    /// The place in the file of a byte range of the text.
-    pub fn span_of(&self, range: Range<usize>) -> Span {
-        if !self.exact {
-            return self.span;
-        }
-        let place = |offset: usize| {
-            let offset = u32::try_from(offset).unwrap_or(u32::MAX);
-            self.span.start.saturating_add(offset).min(self.span.end)
-        };
-        Span {
-            file: self.span.file,
-            start: place(range.start),
-            end: place(range.end),
-        }
-    }
 }
 
 /// One source file: its name as the user would type it, and its text.
@@ -98,44 +63,91 @@ pub struct Related {
 /// One fault: what is wrong, where, and how to mend it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostic {
-    /// Stable code, such as `E0102`.
-    pub code: &'static str,
+    /// What kind of fault.
+    pub rule: Rule,
     /// Error or warning.
     pub severity: Severity,
     /// The place; `None` only when no file could be read.
     pub span: Option<Span>,
+    /// What is at the place, where that says more than the message.
+    pub label: Option<String>,
     /// Lower case, no full stop, found and expected.
     pub message: String,
     /// How to mend it.
     pub help: Option<String>,
+    /// A change of the text that mends it.
+    pub suggestion: Option<Suggestion>,
     /// Other places that explain this one.
     pub related: Vec<Related>,
 }
 
+/// A change of the text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Suggestion {
+    /// What is replaced; empty for an insertion.
+    pub span: Span,
+    /// What is put there.
+    pub replacement: String,
+    /// Whether it may be applied unseen.
+    pub applicability: Applicability,
+}
+
+/// How far a suggestion can be trusted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Applicability {
+    /// There is one thing that can have been meant: `nsv check --fix` applies it.
+    Certain,
+    /// It may be what was meant; a person decides.
+    Possible,
+}
+
 impl Diagnostic {
     /// An error at a place.
-    pub fn error(code: &'static str, span: Span, message: impl Into<String>) -> Self {
+    pub fn error(rule: Rule, span: Span, message: impl Into<String>) -> Self {
         Self {
-            code,
+            rule,
             severity: Severity::Error,
             span: Some(span),
             message: message.into(),
+            label: None,
             help: None,
+            suggestion: None,
             related: Vec::new(),
         }
     }
 
     /// A warning at a place.
-    pub fn warning(code: &'static str, span: Span, message: impl Into<String>) -> Self {
+    pub fn warning(rule: Rule, span: Span, message: impl Into<String>) -> Self {
         Self {
             severity: Severity::Warning,
-            ..Self::error(code, span, message)
+            ..Self::error(rule, span, message)
         }
     }
 
     /// The same with a remedy.
     pub fn with_help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
+        self
+    }
+
+    /// The same with words at its place.
+    pub fn with_label(mut self, label: impl Into<String>) -> Self {
+        self.label = Some(label.into());
+        self
+    }
+
+    /// The same with a change that mends it; the help says what the change does.
+    pub fn with_suggestion(
+        mut self,
+        span: Span,
+        replacement: impl Into<String>,
+        applicability: Applicability,
+    ) -> Self {
+        self.suggestion = Some(Suggestion {
+            span,
+            replacement: replacement.into(),
+            applicability,
+        });
         self
     }
 
@@ -209,7 +221,7 @@ impl Diagnostics {
             .any(|item| item.severity == Severity::Error)
     }
 
-    /// Every fault as `file:line:col: error[E0102]: message`, related places and help indented below it.
+    /// Every fault as `file:line:col: error[E0102]: message`, with labels, related places, help and change indented below it.
     pub fn short(&self) -> String {
         let place = |span: Span| {
             let (line, column) = self.sources.location(span);
@@ -220,8 +232,11 @@ impl Diagnostics {
             let at = item.span.map(place).unwrap_or_default();
             text.push_str(&format!(
                 "{at}{}[{}]: {}\n",
-                item.severity, item.code, item.message
+                item.severity, item.rule, item.message
             ));
+            if let Some(label) = &item.label {
+                text.push_str(&format!("  here: {label}\n"));
+            }
             for related in &item.related {
                 text.push_str(&format!(
                     "  {}note: {}\n",
@@ -232,8 +247,35 @@ impl Diagnostics {
             if let Some(help) = &item.help {
                 text.push_str(&format!("  help: {help}\n"));
             }
+            if let Some(suggestion) = &item.suggestion {
+                text.push_str(&self.short_suggestion(suggestion));
+            }
         }
         text
+    }
+}
+
+impl Diagnostics {
+    /// ``  fix: specs/a.yaml:3:5: `substep` -> `substeps` ``, with `possible fix` where a person should decide.
+    fn short_suggestion(&self, suggestion: &Suggestion) -> String {
+        let Suggestion {
+            span, replacement, ..
+        } = suggestion;
+        let (line, column) = self.sources.location(*span);
+        let source = self.sources.source(span.file);
+        let old = source.text.get(span.start as usize..span.end as usize);
+        let noun = match suggestion.applicability {
+            Applicability::Certain => "fix",
+            Applicability::Possible => "possible fix",
+        };
+        let (name, old) = (&source.name, old.unwrap_or_default());
+        let change = match old {
+            "" => format!("insert `{replacement}`"),
+            "\u{feff}" => "remove the mark".to_owned(),
+            old if replacement.is_empty() => format!("remove `{old}`"),
+            old => format!("`{old}` -> `{replacement}`"),
+        };
+        format!("  {noun}: {name}:{line}:{column}: {change}\n")
     }
 }
 
