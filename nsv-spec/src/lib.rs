@@ -14,6 +14,7 @@ mod hash;
 mod include;
 pub mod model;
 mod parse;
+pub mod reference;
 pub mod schema;
 pub mod spec;
 mod suggest;
@@ -57,6 +58,8 @@ fn build(
         .and_then(|spec| check::check(&spec, &sources, hash::of(&sources)));
     model.map_err(|mut items| {
         items.sort_by_key(|item| item.span);
+        // A fault in the body of a function is found at each of its calls.
+        items.dedup_by(|a, b| (a.code, a.span, &a.message) == (b.code, b.span, &b.message));
         Diagnostics { sources, items }
     })
 }

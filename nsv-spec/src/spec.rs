@@ -74,6 +74,8 @@ pub struct Spec {
     pub parameters: Vec<Named<Parameter>>,
     /// `polynomials`
     pub polynomials: Vec<Named<PolynomialGroup>>,
+    /// `functions`
+    pub functions: Vec<Named<Function>>,
     /// `definitions`
     pub definitions: Vec<Named<Formula>>,
     /// `plant.blocks`
@@ -123,6 +125,15 @@ pub enum Dispersion {
 
 /// Coefficient and exponents of each term of a polynomial.
 pub type Terms = Vec<(f64, Vec<u32>)>;
+
+/// A function.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Function {
+    /// `arguments`
+    pub arguments: Vec<Word>,
+    /// `value`
+    pub value: Code,
+}
 
 /// A group of polynomial data.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,6 +10,7 @@ mod disturbance;
 mod environment;
 mod features;
 mod formula;
+mod functions;
 mod gains;
 mod initial;
 mod linear;
@@ -84,7 +85,6 @@ impl<'a> Context<'a> {
                 block: None,
             },
         );
-        names.define("pi", Symbol::Pi, Dependence::default());
         Context {
             spec,
             faults: Vec::new(),
@@ -103,6 +103,7 @@ impl<'a> Context<'a> {
     fn model(&mut self, sources: &SourceMap, hash: String) -> Option<Model> {
         self.check_names();
         self.check_polynomials();
+        self.check_functions();
         self.check_constants();
         self.check_parameters();
         self.check_states();

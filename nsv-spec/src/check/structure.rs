@@ -3,14 +3,15 @@
 
 use super::Context;
 use super::formula::Parsed;
+use crate::diagnostic::Span;
 
 impl Context<'_> {
     /// F, G, H or a network input of a block.
     pub(super) fn check_feedback(&mut self, parsed: &Parsed, what: &str, block: usize) {
         let spec = self.spec;
         let own = &spec.blocks[block].name.value;
-        for (name, span) in parsed.names() {
-            let dependence = self.names.dependence(name);
+        for (name, span) in self.used(parsed) {
+            let dependence = self.names.dependence(&name);
             if dependence.time {
                 let message = format!("{what} of block `{own}` depends on time through `{name}`");
                 self.fault("E0702", span, message, "the plant is time-invariant: put functions of time into `disturbance` or `reference`");
@@ -28,11 +29,16 @@ impl Context<'_> {
         }
     }
 
+    fn used(&self, parsed: &Parsed) -> Vec<(String, Span)> {
+        let used = self.names.used(parsed).into_iter();
+        used.map(|(name, span)| (name.to_owned(), span)).collect()
+    }
+
     /// A signal given as a function of time.
     pub(super) fn check_signal(&mut self, parsed: &Parsed, what: &str) {
         let spec = self.spec;
-        for (name, span) in parsed.names() {
-            if let Some(block) = self.names.dependence(name).block {
+        for (name, span) in self.used(parsed) {
+            if let Some(block) = self.names.dependence(&name).block {
                 let block = &spec.blocks[block].name.value;
                 let message =
                     format!("{what} depends on the states of block `{block}` through `{name}`");

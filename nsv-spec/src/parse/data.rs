@@ -2,8 +2,8 @@
 
 use super::fields::{Fields, Reader, name};
 use crate::diagnostic::Span;
-use crate::spec::{Code, Constant, Dispersion, Named, Parameter, PolynomialGroup, Terms};
-use crate::vocabulary::{CONSTANT, PARAMETER, POLYNOMIAL};
+use crate::spec::{Code, Constant, Dispersion, Function, Named, Parameter, PolynomialGroup, Terms};
+use crate::vocabulary::{CONSTANT, FUNCTION, PARAMETER, POLYNOMIAL};
 use crate::yaml::{Kind, Node};
 
 /// Largest exponent in polynomial data.
@@ -80,6 +80,17 @@ impl Reader {
                 );
                 None
             }
+        }
+    }
+
+    pub(super) fn function(&mut self, node: &Node) -> Function {
+        let fields = self.fields(node, &FUNCTION);
+        // For people who read the specification: a call leaves no trace of it in the code.
+        self.text(&fields, "source");
+        let arguments = self.items(&fields, "arguments", "a list of names");
+        Function {
+            arguments: arguments.iter().map(|item| self.word(item)).collect(),
+            value: self.code(&fields, "value"),
         }
     }
 

@@ -42,6 +42,7 @@ impl Reader {
             constants: self.map(&fields, "constants", Self::constant),
             parameters: self.map(&fields, "parameters", Self::parameter),
             polynomials: self.map(&fields, "polynomials", Self::polynomial_group),
+            functions: self.map(&fields, "functions", Self::function),
             definitions: self.map(&fields, "definitions", Self::formula_of),
             blocks,
             inputs,

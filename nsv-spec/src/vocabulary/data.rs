@@ -61,6 +61,24 @@ pub static DISPERSION: Section = Section {
     ],
 };
 
+/// A function of the specification.
+pub static FUNCTION: Section = Section {
+    noun: "a function",
+    keys: &[
+        required(
+            "arguments",
+            Kind::List(&Kind::Text),
+            "names of the arguments, in order; a call gives each its value, of any shape and unit that the expression allows",
+        ),
+        required(
+            "value",
+            Kind::Expression,
+            "what a call stands for: an expression of the arguments and of whatever else has a name",
+        ),
+        optional("source", Kind::Text, "where the function comes from"),
+    ],
+};
+
 /// A group of polynomial data.
 pub static POLYNOMIAL: Section = Section {
     noun: "a polynomial group",

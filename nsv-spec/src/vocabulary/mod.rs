@@ -5,7 +5,7 @@ mod data;
 mod plant;
 
 pub(crate) use controller::{CONTROLLER, CONTROLLER_BLOCK, ERROR_BOUND, NETWORK, NOISE_BOUND};
-pub(crate) use data::{CONSTANT, PARAMETER, POLYNOMIAL};
+pub(crate) use data::{CONSTANT, FUNCTION, PARAMETER, POLYNOMIAL};
 use data::{CONSTANT_KIND, PARAMETER_KIND};
 pub(crate) use plant::{EXOSYSTEM, INPUT, NOISE, PLANT, PLANT_BLOCK, STATE};
 
@@ -42,6 +42,8 @@ pub enum Kind {
     Choice(&'static [&'static str]),
     /// A number with its unit, or an expression of constants.
     Quantity,
+    /// One expression: text or a number.
+    Expression,
     /// An expression: text, a number, or a nested list of these.
     Formula,
     /// A list.
@@ -114,6 +116,11 @@ pub static SPECIFICATION: Section = Section {
             "polynomials",
             Kind::Named(&Kind::Section(&POLYNOMIAL)),
             "groups of polynomial data, such as aerodynamic coefficients",
+        ),
+        optional(
+            "functions",
+            Kind::Named(&Kind::Section(&FUNCTION)),
+            "functions of your own, in any order, without cycles",
         ),
         optional(
             "definitions",

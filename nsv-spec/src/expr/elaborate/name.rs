@@ -1,16 +1,15 @@
 //! Names in place of values.
 
-use super::{Bits, Dimension, Elaborator, ExprId, Fault, Node, Span, Type};
+use super::{Bits, Dimension, Elaborator, ExprId, Fault, Node, Span, Symbol, Type};
 use crate::diagnostic::quoted;
 use crate::expr::builtin;
-use crate::expr::scope::Symbol;
 use crate::suggest::nearest;
 use crate::unit::parse_unit;
 
 impl Elaborator<'_> {
     /// The value that a name stands for.
     pub(super) fn name(&mut self, span: Span, name: &str) -> Option<ExprId> {
-        let (node, ty) = match self.scope.resolve(name) {
+        let (node, ty) = match self.resolve(name) {
             Some(Symbol::Constant(id, ty)) => (Node::Constant(id), ty),
             Some(Symbol::Parameter(id, ty)) => (Node::Parameter(id), ty),
             Some(Symbol::State {
@@ -19,10 +18,12 @@ impl Elaborator<'_> {
                 dimension,
             }) => (Node::State { block, channel }, Type::scalar(dimension)),
             Some(Symbol::Time) => (Node::Time, Type::scalar(Dimension::new(0, 0, 1, 0))),
-            Some(Symbol::Pi) => (
-                Node::Number(Bits(std::f64::consts::PI.to_bits())),
-                Type::scalar(Dimension::ONE),
-            ),
+            Some(Symbol::Number(value, dimension)) => {
+                (Node::Number(Bits(value.to_bits())), Type::scalar(dimension))
+            }
+            Some(Symbol::Value(id)) => return Some(id),
+            Some(Symbol::Counter(counter)) => return Some(self.counted(counter)),
+            Some(Symbol::Function(_)) => return self.function_as_value(span, name),
             Some(Symbol::Definition(id, ty)) => (Node::Definition(id), ty),
             Some(Symbol::Polynomial(_, arguments)) => {
                 let help = format!(
@@ -54,19 +55,23 @@ impl Elaborator<'_> {
         )
     }
 
+    fn function_as_value(&mut self, span: Span, name: &str) -> Option<ExprId> {
+        let fault = Fault::new(
+            "E0304",
+            format!("`{name}` is a function, expected a value"),
+            format!("apply it: `{name}(..)`"),
+        );
+        self.report(span, fault, &[])
+    }
+
     fn unknown_name(&mut self, span: Span, name: &str) -> Option<ExprId> {
         if !self.unknown.insert(name.to_owned()) {
             return None;
         }
         if builtin::names().any(|function| function == name) {
-            let fault = Fault::new(
-                "E0304",
-                format!("`{name}` is a function, expected a value"),
-                format!("apply it: `{name}(..)`"),
-            );
-            return self.report(span, fault, &[]);
+            return self.function_as_value(span, name);
         }
-        let help = match nearest(name, self.scope.names()) {
+        let help = match nearest(name, self.known_names()) {
             Some(meant) => format!("did you mean `{meant}`?"),
             None if parse_unit(name).is_ok() => {
                 format!("a unit follows its number directly: `1 {name}`")
