@@ -1,5 +1,6 @@
 //! Faults of a specification as data: a code, a place, a message and its remedy. Rendering is the command line's business.
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -75,6 +76,8 @@ pub struct Source {
 pub struct SourceMap {
     /// The files.
     pub files: Vec<Source>,
+    /// Data files by the place that names them.
+    pub(crate) data: BTreeMap<Span, FileId>,
 }
 
 /// How bad a diagnostic is.

@@ -12,6 +12,7 @@ pub mod diagnostic;
 pub mod expr;
 mod hash;
 mod include;
+pub mod interpolation;
 pub mod model;
 mod parse;
 pub mod reference;

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::check::{MAX_AXES, MAX_POINTS, MAX_VALUES};
 use crate::expr::{
     CONSTANTS, Entry, MAX_DEPTH, MAX_INSERTED, MAX_NODES, MAX_ROUNDS, MAX_TEXT, binding, entries,
 };
@@ -66,6 +67,29 @@ place of the call may use; functions may call each other but not themselves. Arg
 is a vector. In the body `i` is a number, and may be an index with or without a number added: `v[i + 1]`.
 ";
 
+const TABLES: &str = "
+## Polynomial data and lookup tables
+
+`polynomials` and `tables` declare functions by their data; a call names them with a value for each argument, and
+`partial(data, argument, ..)` is the derivative by the argument of that name. Both are exact functions with exact derivatives to
+the compiler: CasADi sees neither coefficients nor tables, so that changing a number in them asks it for nothing.
+
+A table has one to three axes and a value at every combination of their points. It is written in lists within lists, the first axis
+outermost, or stands in a CSV file: a line of column names, then a line for each combination with the last axis changing fastest.
+Several tables may take their columns from one file; lines that start with `#` are comments.
+
+```yaml
+tables:
+  lift: {axes: {mach: \"1\", alpha: deg}, file: data/aero.csv, interpolation: cubic, extrapolation: clamp}
+```
+
+`interpolation: linear` is straight between the points: the slope is that of the interval, at a point that of the interval above it,
+and further derivatives are 0. `interpolation: cubic` is the product of cubic splines without a knot at the second and the last but one
+point of each axis, with two continuous derivatives: a table of a cubic polynomial gives that polynomial back, at the ends too.
+`extrapolation: clamp` holds the value at the nearer end of the axis, and its derivatives by that axis are 0. `extrapolation: error`
+gives no number: the controller refuses the sample and gives its safe output, and a simulated run ends as not finite.
+";
+
 /// The page in Markdown.
 pub fn language_reference() -> String {
     let mut page = INTRODUCTION.to_owned();
@@ -95,6 +119,7 @@ pub fn language_reference() -> String {
             constant.meaning
         );
     }
+    page.push_str(TABLES);
     page.push_str(OWN);
     page.push_str("\n## Functions that are defined in the language itself\n\n");
     for entry in entries() {
@@ -135,6 +160,6 @@ fn functions(page: &mut String, which: impl Fn(&Entry) -> bool) {
 fn limits(page: &mut String) {
     _ = write!(
         page,
-        "\n## Limits\n\nAn expression has at most {MAX_TEXT} bytes, {MAX_NODES} operations and a depth of {MAX_DEPTH}; an `each` at most\n{MAX_ROUNDS} rounds. Calls of functions that stand for an expression and rounds of `each` insert at most {MAX_INSERTED} operations into\none specification.\n"
+        "\n## Limits\n\nAn expression has at most {MAX_TEXT} bytes, {MAX_NODES} operations and a depth of {MAX_DEPTH}; an `each` at most\n{MAX_ROUNDS} rounds. Calls of functions that stand for an expression and rounds of `each` insert at most {MAX_INSERTED} operations into\none specification. A table has at most {MAX_AXES} axes of {MAX_POINTS} points and {MAX_VALUES} values.\n"
     );
 }

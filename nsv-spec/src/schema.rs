@@ -56,6 +56,15 @@ fn kind(kind: &'static Kind, sections: &mut Map<String, Value>) -> Value {
             });
             json!({ "$ref": "#/$defs/formula" })
         }
+        Kind::Grid => {
+            sections.entry("grid").or_insert_with(|| {
+                json!({
+                    "description": "a number, or a nested list of numbers",
+                    "anyOf": [{ "type": "number" }, { "type": "array", "minItems": 1, "items": { "$ref": "#/$defs/grid" } }],
+                })
+            });
+            json!({ "$ref": "#/$defs/grid" })
+        }
         Kind::List(item) => json!({ "type": "array", "items": self::kind(item, sections) }),
         Kind::Named(value) => json!({
             "type": "object",

@@ -26,6 +26,7 @@ pub mod noise;
 pub mod polynomial;
 pub mod sde;
 pub mod status;
+pub mod table;
 
 #[cfg(feature = "std")]
 pub mod band;

@@ -158,7 +158,7 @@ impl Law<'_> {
                 Node::State { block, .. } => names.push(format!("x{}", block + 1)),
                 Node::Time => names.push("t".into()),
                 Node::Definition(id) => pending.push(self.model.definitions[id.0 as usize].expr),
-                node => pending.extend(crate::lower::operands(node)),
+                node => pending.extend(node.operands()),
             }
         }
     }

@@ -29,6 +29,7 @@ mod source;
 mod standalone;
 mod state;
 mod statements;
+mod table;
 mod telemetry;
 mod types;
 

@@ -134,6 +134,8 @@ impl Context<'_> {
         known
             .functions
             .extend(spec.functions.iter().map(|item| item.name.value.clone()));
+        let tables = spec.tables.iter().map(|item| item.name.value.clone());
+        known.functions.extend(tables);
         for group in &spec.polynomials {
             let parts = group.value.parts.iter();
             let dotted = parts.map(|part| format!("{}.{}", group.name.value, part.name.value));

@@ -4,6 +4,7 @@ mod constants;
 mod constraint;
 mod controller;
 mod counts;
+mod csv;
 mod cycles;
 mod definitions;
 mod disturbance;
@@ -26,6 +27,7 @@ mod scenario;
 mod scope;
 mod states;
 mod structure;
+mod tables;
 
 use crate::diagnostic::{Diagnostic, SourceMap, Span};
 use crate::expr::Symbol;
@@ -33,6 +35,7 @@ use crate::expr::arena::Arena;
 use crate::model::{Block, Constant, Definition, Model, Parameter, State};
 use crate::spec::Spec;
 use scope::{Dependence, Names};
+pub(crate) use tables::{MAX_AXES, MAX_POINTS, MAX_VALUES};
 
 /// Makes the model of a specification, with warnings; or reports everything that is wrong with it.
 pub(crate) fn check(
@@ -103,6 +106,7 @@ impl<'a> Context<'a> {
     fn model(&mut self, sources: &SourceMap, hash: String) -> Option<Model> {
         self.check_names();
         self.check_polynomials();
+        self.check_tables(sources);
         self.check_functions();
         self.check_constants();
         self.check_parameters();
@@ -136,6 +140,7 @@ impl<'a> Context<'a> {
             constants: self.constants.iter().cloned().collect::<Option<_>>()?,
             parameters: self.parameters.iter().cloned().collect::<Option<_>>()?,
             polynomials: self.names.polynomials.clone(),
+            tables: self.names.tables.iter().cloned().collect::<Option<_>>()?,
             definitions: self.definitions.clone(),
             blocks: blocks?,
             inputs: inputs?,

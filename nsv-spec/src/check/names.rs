@@ -115,6 +115,15 @@ impl Context<'_> {
             "function",
             Use::Label,
         );
+        self.declare(&mut declared, words(&spec.tables), "table", Use::Label);
+        for table in &spec.tables {
+            self.declare(
+                &mut BTreeMap::new(),
+                words(&table.value.axes),
+                "axis",
+                Use::Label,
+            );
+        }
         self.check_arguments(&declared);
         self.check_polynomial_names(&declared);
         self.declare(

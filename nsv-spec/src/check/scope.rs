@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::expr::arena::PolynomialId;
 use crate::expr::{MAX_INSERTED, Scope, Symbol};
-use crate::model::Polynomial;
+use crate::model::{Polynomial, Table};
 
 /// Most names among which to look for the one that was meant, and how often to look at all: suggestions for every slip in a
 /// specification with thousands of names and slips would take minutes.
@@ -52,6 +52,8 @@ pub(super) struct Names {
     inserted: usize,
     /// Polynomial data, derivatives that expressions ask for at the end.
     pub(super) polynomials: Vec<Polynomial>,
+    /// Lookup tables; `None` after a fault.
+    pub(super) tables: Vec<Option<Table>>,
 }
 
 impl Names {
@@ -110,6 +112,7 @@ impl View<'_> {
                 Symbol::Constant(..)
                     | Symbol::Polynomial(..)
                     | Symbol::Function(_)
+                    | Symbol::Table(..)
                     | Symbol::Faulty
             )
     }

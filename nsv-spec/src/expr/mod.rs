@@ -23,7 +23,7 @@ pub use evaluate::{Environment, EvaluationError, evaluate};
 pub use expect::{Expected, expect};
 pub(crate) use parser::binding;
 pub use parser::{MAX_DEPTH, MAX_INSERTED, MAX_NODES, MAX_ROUNDS, MAX_TEXT, parse};
-pub use scope::{Defined, Scope, Symbol};
+pub use scope::{Defined, Scope, Signature, Symbol};
 
 #[cfg(test)]
 mod tests;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::arena::{ConstantId, DefinitionId, ExprId, ParameterId, PolynomialId, Type};
+use super::arena::{ConstantId, DefinitionId, ExprId, ParameterId, PolynomialId, TableId, Type};
 use super::syntax::Expr;
 use crate::unit::Dimension;
 
@@ -31,6 +31,15 @@ pub struct Defined {
     pub arguments: Vec<String>,
     /// What a call stands for.
     pub body: Expr,
+}
+
+/// What a lookup table takes and gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Signature {
+    /// Names and dimensions of the arguments.
+    pub arguments: Vec<(String, Dimension)>,
+    /// Dimension of the value.
+    pub value: Dimension,
 }
 
 /// Meaning of a name.
@@ -63,6 +72,8 @@ pub enum Symbol {
     Definition(DefinitionId, Type),
     /// Polynomial data, with the names of its arguments.
     Polynomial(PolynomialId, Vec<String>),
+    /// A lookup table.
+    Table(TableId, Arc<Signature>),
     /// A name that exists but must not be used here; the text says why and becomes the help: `the reference depends on time only`.
     Unavailable(String),
     /// A name whose declaration has a fault of its own, already reported: its uses are passed over in silence.

@@ -4,6 +4,7 @@ mod controller;
 mod data;
 mod fields;
 mod plant;
+mod table;
 mod values;
 
 use crate::diagnostic::Diagnostic;
@@ -42,6 +43,7 @@ impl Reader {
             constants: self.map(&fields, "constants", Self::constant),
             parameters: self.map(&fields, "parameters", Self::parameter),
             polynomials: self.map(&fields, "polynomials", Self::polynomial_group),
+            tables: self.map(&fields, "tables", Self::table),
             functions: self.map(&fields, "functions", Self::function),
             definitions: self.map(&fields, "definitions", Self::formula_of),
             blocks,

@@ -5,7 +5,7 @@ mod data;
 mod plant;
 
 pub(crate) use controller::{CONTROLLER, CONTROLLER_BLOCK, ERROR_BOUND, NETWORK, NOISE_BOUND};
-pub(crate) use data::{CONSTANT, FUNCTION, PARAMETER, POLYNOMIAL};
+pub(crate) use data::{AXIS, CONSTANT, FUNCTION, PARAMETER, POLYNOMIAL, TABLE};
 use data::{CONSTANT_KIND, PARAMETER_KIND};
 pub(crate) use plant::{EXOSYSTEM, INPUT, NOISE, PLANT, PLANT_BLOCK, STATE};
 
@@ -46,6 +46,8 @@ pub enum Kind {
     Expression,
     /// An expression: text, a number, or a nested list of these.
     Formula,
+    /// Plain numbers: one, or lists within lists of them.
+    Grid,
     /// A list.
     List(&'static Kind),
     /// A map with known keys.
@@ -116,6 +118,11 @@ pub static SPECIFICATION: Section = Section {
             "polynomials",
             Kind::Named(&Kind::Section(&POLYNOMIAL)),
             "groups of polynomial data, such as aerodynamic coefficients",
+        ),
+        optional(
+            "tables",
+            Kind::Named(&Kind::Section(&TABLE)),
+            "lookup tables of one to three arguments",
         ),
         optional(
             "functions",

@@ -355,7 +355,7 @@ pub(super) const FUNCTIONS: &[Entry] = &[
         arguments: &["data", "argument", "at.."],
         meaning: "derivative of polynomial data or of a table by one of its arguments, named as in its declaration",
         rule: "the data's name, the argument's name, then a value for each argument",
-        example: "partial(bend.lift, v, angle, 0.1)",
+        example: "partial(thrust, h, height)",
         builtin: Builtin::Form,
     },
 ];

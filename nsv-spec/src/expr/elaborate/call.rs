@@ -19,9 +19,7 @@ impl Elaborator<'_> {
             self.count(span, &name.text, function.arguments.len(), arguments.len())?;
             return self.insert(span, &function, arguments);
         }
-        let (polynomial, names) = self.polynomial(name)?;
-        self.count(span, &name.text, names.len(), arguments.len())?;
-        self.apply_polynomial(&name.text, polynomial, &names, arguments)
+        self.call_data(span, name, arguments)
     }
 
     pub(super) fn count(

@@ -40,6 +40,16 @@ impl Elaborator<'_> {
                     &[],
                 );
             }
+            Some(Symbol::Table(_, signature)) => {
+                let arguments = signature.arguments.iter();
+                let arguments: Vec<&str> = arguments.map(|(name, _)| name.as_str()).collect();
+                let help = format!(
+                    "apply it to its arguments: `{name}({})`",
+                    arguments.join(", ")
+                );
+                let message = format!("`{name}` is a table, expected a value");
+                return self.report(span, Fault::new("E0304", message, help), &[]);
+            }
             Some(Symbol::Unavailable(why)) => return self.unavailable(span, name, why),
             Some(Symbol::Faulty) => return None,
             None => return self.unknown_name(span, name),
