@@ -12,8 +12,10 @@ pub mod diagnostic;
 pub mod expr;
 mod hash;
 mod include;
+pub mod interpolation;
 pub mod model;
 mod parse;
+pub mod reference;
 pub mod schema;
 pub mod spec;
 mod suggest;
@@ -57,6 +59,8 @@ fn build(
         .and_then(|spec| check::check(&spec, &sources, hash::of(&sources)));
     model.map_err(|mut items| {
         items.sort_by_key(|item| item.span);
+        // A fault in the body of a function is found at each of its calls.
+        items.dedup_by(|a, b| (a.rule, a.span, &a.message) == (b.rule, b.span, &b.message));
         Diagnostics { sources, items }
     })
 }

@@ -5,6 +5,7 @@
 
 use crate::diagnostic::{SourceMap, Span};
 use crate::expr::arena::{Arena, ExprId};
+use crate::interpolation::Interpolant;
 use crate::unit::Dimension;
 
 /// A dense matrix of compile-time numbers, row-major.
@@ -38,6 +39,8 @@ pub struct Model {
     pub parameters: Vec<Parameter>,
     /// Polynomial data blocks, in order of declaration.
     pub polynomials: Vec<Polynomial>,
+    /// Lookup tables, in order of declaration.
+    pub tables: Vec<Table>,
     /// Named definitions in an order in which each uses only earlier ones.
     pub definitions: Vec<Definition>,
     /// Blocks of the strict-feedback chain, outermost (the output) first; at least one.
@@ -162,6 +165,23 @@ pub struct Polynomial {
     pub arguments: Vec<String>,
     /// Coefficient and exponents of each term, in the order of the data.
     pub terms: Vec<(f64, Vec<u32>)>,
+    /// Source, for comments.
+    pub doc: String,
+    /// Where it was declared.
+    pub span: Span,
+}
+
+/// A lookup table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// Name, an identifier.
+    pub name: String,
+    /// Names and dimensions of the arguments, in order.
+    pub arguments: Vec<(String, Dimension)>,
+    /// Dimension of the value.
+    pub dimension: Dimension,
+    /// The function, in SI.
+    pub interpolant: Interpolant,
     /// Source, for comments.
     pub doc: String,
     /// Where it was declared.

@@ -2,6 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
+use crate::expr::{Entry, entries as functions};
 use crate::vocabulary::{Kind, SPECIFICATION, Section};
 
 /// JSON Schema (draft 2020-12) of a specification.
@@ -44,15 +45,25 @@ fn kind(kind: &'static Kind, sections: &mut Map<String, Value>) -> Value {
         Kind::Text => json!({ "type": "string" }),
         Kind::Count => json!({ "type": "integer", "minimum": 0 }),
         Kind::Choice(words) => json!({ "enum": words }),
-        Kind::Quantity => json!({ "type": ["number", "string"] }),
+        Kind::Quantity | Kind::Expression => json!({ "type": ["number", "string"] }),
         Kind::Formula => {
             sections.entry("formula").or_insert_with(|| {
+                let functions: Vec<String> = functions().map(Entry::signature).collect();
                 json!({
-                    "description": "an expression: text, a number, or a nested list of these",
+                    "description": format!("an expression: text, a number, or a nested list of these; functions are {}", functions.join(", ")),
                     "anyOf": [{ "type": ["number", "string"] }, { "type": "array", "minItems": 1, "items": { "$ref": "#/$defs/formula" } }],
                 })
             });
             json!({ "$ref": "#/$defs/formula" })
+        }
+        Kind::Grid => {
+            sections.entry("grid").or_insert_with(|| {
+                json!({
+                    "description": "a number, or a nested list of numbers",
+                    "anyOf": [{ "type": "number" }, { "type": "array", "minItems": 1, "items": { "$ref": "#/$defs/grid" } }],
+                })
+            });
+            json!({ "$ref": "#/$defs/grid" })
         }
         Kind::List(item) => json!({ "type": "array", "items": self::kind(item, sections) }),
         Kind::Named(value) => json!({

@@ -1,6 +1,7 @@
 //! The specification as written: every key in its place with its span, nothing resolved or converted.
 
 use crate::diagnostic::{Base, Span};
+use crate::interpolation::{Degree, Extrapolation};
 use crate::model::{Basis, Integration, NoiseModel, Norm, Scheme, VirtualDerivative};
 
 /// A value with its place.
@@ -76,6 +77,10 @@ pub struct Spec {
     pub correlations: Vec<Correlation>,
     /// `polynomials`
     pub polynomials: Vec<Named<PolynomialGroup>>,
+    /// `tables`
+    pub tables: Vec<Named<Table>>,
+    /// `functions`
+    pub functions: Vec<Named<Function>>,
     /// `definitions`
     pub definitions: Vec<Named<Formula>>,
     /// `plant.blocks`
@@ -142,6 +147,64 @@ pub struct Correlation {
 
 /// Coefficient and exponents of each term of a polynomial.
 pub type Terms = Vec<(f64, Vec<u32>)>;
+
+/// A function.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Function {
+    /// `arguments`
+    pub arguments: Vec<Word>,
+    /// `value`
+    pub value: Code,
+}
+
+/// Plain numbers as written.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Grid {
+    /// One number.
+    Number(Word),
+    /// A list.
+    List(Vec<Grid>, Span),
+}
+
+impl Grid {
+    /// Where it is written.
+    pub fn span(&self) -> Span {
+        match self {
+            Grid::Number(word) => word.span,
+            Grid::List(_, span) => *span,
+        }
+    }
+}
+
+/// A lookup table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// `axes`
+    pub axes: Vec<Named<Axis>>,
+    /// `values`
+    pub values: Option<Grid>,
+    /// `file`
+    pub file: Option<Word>,
+    /// `column`
+    pub column: Option<Word>,
+    /// `unit`
+    pub unit: Option<Word>,
+    /// `interpolation`
+    pub interpolation: Option<Located<Degree>>,
+    /// `extrapolation`
+    pub extrapolation: Option<Located<Extrapolation>>,
+    /// `source`
+    pub source: Option<Word>,
+}
+
+/// An axis of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    /// `values`
+    pub values: Option<Grid>,
+    /// `unit`
+    pub unit: Option<Word>,
+}
 
 /// A group of polynomial data.
 #[derive(Clone, Debug, PartialEq)]

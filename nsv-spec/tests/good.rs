@@ -192,3 +192,38 @@ fn a_fragment_is_as_good_as_the_text_itself() {
     };
     assert_eq!(names(&model), names(&pendulum()));
 }
+
+#[test]
+fn tables_are_the_same_in_a_file_and_in_the_specification() {
+    let file = load(Path::new("tests/good/tables.yaml")).map_err(|faults| faults.short());
+    let (file, _) = file.expect("a good specification");
+    let inline = load(Path::new("tests/good/language.yaml")).map_err(|faults| faults.short());
+    let (inline, _) = inline.expect("a good specification");
+    assert_eq!(file.tables[0].interpolant, inline.tables[0].interpolant);
+    assert_eq!(file.tables[0].arguments, inline.tables[0].arguments);
+    let moment = &file.tables[1].interpolant;
+    assert_eq!(
+        moment.value(&[0.6, 5.0 * std::f64::consts::PI / 180.0], &[0, 0]),
+        -25.0
+    );
+    assert!(moment.value(&[0.7, 0.0], &[0, 0]).is_nan());
+    let thrust = &inline.tables[1].interpolant;
+    assert_eq!(thrust.value(&[3000.0], &[0]), 14000.0);
+}
+
+#[test]
+fn the_fingerprint_covers_data_files() {
+    let directory = tempfile::tempdir().unwrap();
+    std::fs::create_dir(directory.path().join("data")).unwrap();
+    let copy = |name: &str, change: &dyn Fn(String) -> String| {
+        let text = std::fs::read_to_string(Path::new("tests/good").join(name)).unwrap();
+        std::fs::write(directory.path().join(name), change(text)).unwrap();
+    };
+    let hash = || load(&directory.path().join("tables.yaml")).unwrap().0.hash;
+    copy("tables.yaml", &|text| text);
+    copy("data/aero.csv", &|text| text);
+    let before = hash();
+    assert_eq!(before, hash());
+    copy("data/aero.csv", &|text| text.replace("1.35", "1.36"));
+    assert_ne!(before, hash());
+}

@@ -29,6 +29,7 @@ pub mod polynomial;
 pub mod sde;
 pub mod sensor;
 pub mod status;
+pub mod table;
 
 #[cfg(feature = "std")]
 pub mod band;

@@ -9,8 +9,6 @@ use super::arithmetic;
 use super::document::{Node, Tape};
 use super::error::TapeError;
 use super::hexfloat;
-use super::job::MAX_ORDER;
-use super::polynomial::differentiate;
 use super::request::Question;
 use super::sweep::sweep;
 use crate::ir::build::size;
@@ -62,14 +60,14 @@ pub(super) enum Term {
 }
 
 pub(super) struct Decoder<'a> {
-    question: &'a Question<'a>,
+    pub(super) question: &'a Question<'a>,
     pub(super) tape: &'a Tape,
     pub(super) program: Program,
     pub(super) terms: Vec<Term>,
     scalars: BTreeMap<u64, ValueId>,
     inputs: BTreeMap<(usize, usize), ValueId>,
     /// By index in the request and orders; `None` where the derivative vanishes.
-    polynomials: BTreeMap<Vec<i64>, Option<PolynomialId>>,
+    pub(super) polynomials: BTreeMap<Vec<i64>, Option<PolynomialId>>,
 }
 
 impl Decoder<'_> {
@@ -95,9 +93,7 @@ impl Decoder<'_> {
                 .ok()
                 .and_then(|n| self.power(*a, n))
                 .ok_or_else(malformed),
-            ("polynomial", arguments, data) => {
-                self.polynomial(arguments, data).ok_or_else(malformed)
-            }
+            ("polynomial", arguments, data) => self.data(arguments, data).ok_or_else(malformed),
             ("sin_cos_over" | "tan_over", [a], [order]) => {
                 let kernel = kernel(name, *order).ok_or_else(malformed)?;
                 let a = self.real(*a);
@@ -152,42 +148,6 @@ impl Decoder<'_> {
         };
         self.inputs.insert((position, entry), id);
         Some(id)
-    }
-
-    fn polynomial(&mut self, arguments: &[usize], data: &[i64]) -> Option<Term> {
-        let (index, orders) = data.split_first()?;
-        let orders: Vec<u32> = orders
-            .iter()
-            .map(|order| u32::try_from(*order).ok())
-            .collect::<Option<_>>()?;
-        let source = self
-            .question
-            .polynomials
-            .get(usize::try_from(*index).ok()?)?;
-        let source = &self.question.formula.polynomials[source.0 as usize];
-        let fits = arguments.len() == source.arguments.len() && orders.len() == arguments.len();
-        if !fits || orders.iter().any(|order| *order > MAX_ORDER as u32) {
-            return None;
-        }
-        let known = self.polynomials.get(data).copied();
-        let id = known.unwrap_or_else(|| {
-            let derived = differentiate(source, &orders);
-            let next = PolynomialId(
-                u32::try_from(self.program.polynomials.len()).expect("invariant: few polynomials"),
-            );
-            let id = (!derived.terms.is_empty()).then_some(next);
-            self.program.polynomials.extend(id.map(|_| derived));
-            self.polynomials.insert(data.to_vec(), id);
-            id
-        });
-        let Some(id) = id else {
-            return Some(Term::Zero);
-        };
-        let arguments = arguments
-            .iter()
-            .map(|argument| self.real(*argument))
-            .collect();
-        Some(self.push(Op::Polynomial(id, arguments)))
     }
 
     fn power(&mut self, a: usize, n: u32) -> Option<Term> {

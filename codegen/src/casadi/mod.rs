@@ -12,6 +12,7 @@
 //! when the mathematics changes.
 
 mod arithmetic;
+mod data;
 mod decode;
 pub mod document;
 pub mod environment;

@@ -11,7 +11,7 @@ use super::document::{CASADI_VERSION, Node, Request, SCHEMA};
 use super::job::Job;
 use super::store::Key;
 use crate::ir::mnemonic::{COMPARISONS, FUNCTIONS, OPERATORS, word};
-use crate::ir::{Kernel, Op, PolynomialId, Program, Shape, Type, ValueId};
+use crate::ir::{Kernel, Op, PolynomialId, Program, Shape, TableId, Type, ValueId};
 
 /// A request, and what it leaves out.
 #[derive(Clone, Debug)]
@@ -20,8 +20,18 @@ pub struct Question<'a> {
     pub formula: &'a Program,
     /// The request.
     pub request: Request,
-    /// The formula's polynomial data by the index that the request gives it.
-    pub polynomials: Vec<PolynomialId>,
+    /// The formula's data by the index that the request gives it.
+    pub data: Vec<Data>,
+}
+
+/// What CasADi sees as a call of a function that it knows nothing of but the number of its arguments. A table is no other than polynomial data
+/// to it, and the derivative of either is a call again.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Data {
+    /// Polynomial data.
+    Polynomial(PolynomialId),
+    /// A derivative of a table.
+    Table(TableId, Vec<u32>),
 }
 
 impl<'a> Question<'a> {
@@ -39,7 +49,7 @@ impl<'a> Question<'a> {
             formula,
             nodes: Vec::new(),
             index: BTreeMap::new(),
-            polynomials: Vec::new(),
+            data: Vec::new(),
         };
         let mut nodes = BTreeMap::new();
         for id in needed(formula) {
@@ -65,7 +75,7 @@ impl<'a> Question<'a> {
         Self {
             formula,
             request,
-            polynomials: builder.polynomials,
+            data: builder.data,
         }
     }
 
@@ -121,7 +131,7 @@ struct Builder<'a> {
     formula: &'a Program,
     nodes: Vec<Node>,
     index: BTreeMap<Node, usize>,
-    polynomials: Vec<PolynomialId>,
+    data: Vec<Data>,
 }
 
 impl Builder<'_> {
@@ -135,7 +145,11 @@ impl Builder<'_> {
             Op::Input(position) => ("input", integers(&[*position])),
             Op::Element(_, row, column) => ("element", integers(&[*row, *column])),
             Op::PowInt(_, n) => ("powi", vec![i64::from(*n)]),
-            Op::Polynomial(polynomial, _) => ("polynomial", vec![self.polynomial(*polynomial)]),
+            Op::Polynomial(id, _) => ("polynomial", vec![self.call(Data::Polynomial(*id))]),
+            Op::Table(id, orders, _) => {
+                let data = Data::Table(*id, orders.clone());
+                ("polynomial", vec![self.call(data)])
+            }
             Op::Kernel(Kernel::TanOver, _) => ("tan_over", vec![0]),
             Op::Kernel(Kernel::SinCosOver, _) => ("sin_cos_over", vec![0]),
             Op::Kernel(Kernel::SinCosOverD1, _) => ("sin_cos_over", vec![1]),
@@ -191,15 +205,12 @@ impl Builder<'_> {
     }
 
     /// Index by first use.
-    fn polynomial(&mut self, id: PolynomialId) -> i64 {
-        let position = self
-            .polynomials
-            .iter()
-            .position(|known| *known == id)
-            .unwrap_or_else(|| {
-                self.polynomials.push(id);
-                self.polynomials.len() - 1
-            });
+    fn call(&mut self, data: Data) -> i64 {
+        let known = self.data.iter().position(|known| *known == data);
+        let position = known.unwrap_or_else(|| {
+            self.data.push(data);
+            self.data.len() - 1
+        });
         integers(&[position])[0]
     }
 

@@ -120,6 +120,7 @@ pub(crate) fn records<'a>(diagnostics: &'a Diagnostics) -> Vec<Record<'a>> {
             message,
             help,
             related,
+            ..
         } = item;
         let related = related.iter().map(|other| RelatedRecord {
             label: &other.label,

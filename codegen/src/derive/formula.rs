@@ -161,7 +161,7 @@ impl Law<'_> {
                 Node::Input(_) => names.push("u_sat".into()),
                 Node::Time => names.push("t".into()),
                 Node::Definition(id) => pending.push(self.model.definitions[id.0 as usize].expr),
-                node => pending.extend(crate::lower::operands(node)),
+                node => pending.extend(node.operands()),
             }
         }
     }

@@ -5,7 +5,7 @@
 //! What the proof does not know is taken as the simulation knows it: W* = 0, so the model error belongs to the compound disturbance;
 //! the bound of the remaining network error is 0; sigma_bar = ||Sigma||^2.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::PI;
 
 use nsv_spec::expr::arena::{ExprId, Node};
@@ -144,15 +144,18 @@ impl Law<'_> {
     }
 
     fn uses_parameters(&self, expr: ExprId) -> bool {
-        match self.model.exprs.node(expr) {
-            Node::Parameter(_) => true,
-            Node::Definition(id) => {
-                self.uses_parameters(self.model.definitions[id.0 as usize].expr)
+        let (mut seen, mut pending) = (BTreeSet::new(), vec![expr]);
+        while let Some(expr) = pending.pop() {
+            if !seen.insert(expr) {
+                continue;
             }
-            node => crate::lower::operands(node)
-                .into_iter()
-                .any(|operand| self.uses_parameters(operand)),
+            match self.model.exprs.node(expr) {
+                Node::Parameter(_) => return true,
+                Node::Definition(id) => pending.push(self.model.definitions[id.0 as usize].expr),
+                node => pending.extend(node.operands()),
+            }
         }
+        false
     }
 
     /// Columns of the diffusion: the leaf that each moves, and the quantity that is its rate.

@@ -8,6 +8,7 @@ use quote::quote;
 use crate::emit::family::FamilyNames;
 use crate::emit::methods::{comparison_name, function_name, kernel_name, operator_name};
 use crate::emit::names::ident;
+use crate::emit::table::Tables;
 use crate::emit::types::{constant, index};
 use crate::ir::{Function, Op, Operator, Program, Shape, Type, ValueId};
 
@@ -68,6 +69,8 @@ pub(crate) struct Names<'a> {
     pub(crate) packs: BTreeMap<ValueId, Vec<TokenStream>>,
     /// Function of each polynomial, by position.
     pub(crate) polynomials: Vec<TokenStream>,
+    /// Functions of the tables.
+    pub(crate) tables: &'a Tables,
     /// Each family, by position.
     pub(crate) families: Vec<Option<FamilyNames>>,
     /// Functions of each basis, by position: value, rate, second rate.
@@ -147,6 +150,12 @@ impl Names<'_> {
             Op::SingularVector(a) => self.method(*a, "singular_vector", &[]),
             Op::Polynomial(polynomial, arguments) => {
                 self.call(&self.polynomials[polynomial.0 as usize], arguments)
+            }
+            Op::Table(_, _, arguments) => {
+                let function = self
+                    .tables
+                    .path(self.program, &self.program.instruction(id).op);
+                self.call(&function, arguments)
             }
             Op::Family(_, z) => {
                 let names = self.family(id).expect("invariant: the value of a family");

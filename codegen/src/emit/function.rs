@@ -261,6 +261,7 @@ impl Function<'_> {
                 variables,
                 packs,
                 polynomials,
+                tables: &self.tables.tables,
                 families,
                 bases,
             },

@@ -117,11 +117,7 @@ impl Interface {
             substeps: model.scenario.substeps,
             scheme: model.scenario.scheme,
             noise: model.scenario.noise,
-            sources: model
-                .polynomials
-                .iter()
-                .map(|data| (data.name.clone(), data.doc.clone()))
-                .collect(),
+            sources: sources(model),
         }
     }
 
@@ -142,6 +138,15 @@ impl Interface {
         let own = blocks.map(|block| block.states.len() + block.exosystem.len());
         own.sum::<usize>() + self.further().len()
     }
+}
+
+fn sources(model: &Model) -> Vec<(String, String)> {
+    let polynomials = model.polynomials.iter();
+    let polynomials = polynomials.map(|data| (data.name.clone(), data.doc.clone()));
+    let tables = model.tables.iter();
+    polynomials
+        .chain(tables.map(|data| (data.name.clone(), data.doc.clone())))
+        .collect()
 }
 
 fn parameter(parameter: &nsv_spec::model::Parameter) -> Parameter {

@@ -30,6 +30,7 @@ mod source;
 mod standalone;
 mod state;
 mod statements;
+mod table;
 mod types;
 
 pub use module::{Artifact, library, module};

@@ -106,7 +106,7 @@ pub(crate) const FUNCTION_IMPORTS: [&str; 11] = [
 ];
 
 /// What the files may mention besides.
-const IMPORTS: [(&str, &[&str]); 6] = [
+const IMPORTS: [(&str, &[&str]); 7] = [
     ("params", &["nsv_runtime::noise::Noise"]),
     (
         "polynomials",
@@ -116,11 +116,16 @@ const IMPORTS: [(&str, &[&str]); 6] = [
         ],
     ),
     (
+        "tables",
+        &["nsv_runtime::table::Axis", "nsv_runtime::table::Table"],
+    ),
+    (
         "controller",
         &[
             "nsv_runtime::status::Status",
             "super::params::Params",
             "super::polynomials",
+            "super::tables",
         ],
     ),
     (
@@ -130,6 +135,7 @@ const IMPORTS: [(&str, &[&str]); 6] = [
             "nsv_runtime::sde::Sde",
             "super::params::Params",
             "super::polynomials",
+            "super::tables",
         ],
     ),
     (
@@ -138,6 +144,7 @@ const IMPORTS: [(&str, &[&str]); 6] = [
             "super::controller::State",
             "super::params::Params",
             "super::polynomials",
+            "super::tables",
         ],
     ),
     (
@@ -203,6 +210,15 @@ pub(crate) fn files(interface: &Interface, programs: &Programs<'_>) -> BTreeMap<
             &Comments::default(),
         );
     }
+    if !library.tables.is_empty() {
+        texts.add(
+            "tables",
+            "lookup tables",
+            &[],
+            library.tables.items(&interface.sources),
+            &Comments::default(),
+        );
+    }
     let mut comments = Comments::default();
     let controller = Controller {
         interface,
@@ -251,7 +267,7 @@ pub(crate) fn files(interface: &Interface, programs: &Programs<'_>) -> BTreeMap<
         items,
         &Comments::default(),
     );
-    texts.add_root(!library.is_empty());
+    texts.add_root();
     texts.files
 }
 
@@ -358,23 +374,12 @@ impl Texts<'_> {
             .insert(format!("{name}.rs"), source.text(comments));
     }
 
-    fn add_root(&mut self, polynomials: bool) {
-        let files: Vec<&str> = [
-            "controller",
-            "lyapunov",
-            "params",
-            "plant",
-            "polynomials",
-            "simulator",
-        ]
-        .into();
-        let modules = files
-            .into_iter()
-            .filter(|name| polynomials || *name != "polynomials")
-            .map(|name| {
-                let name = ident(name);
-                quote!(pub mod #name;)
-            });
+    fn add_root(&mut self) {
+        let modules = self.files.keys().map(|file| {
+            let name = ident(file.trim_end_matches(".rs"));
+            quote!(pub mod #name;)
+        });
+        let modules: Vec<TokenStream> = modules.collect();
         let (hash, version) = (clean(&self.interface.hash), clean(&self.interface.version));
         let (hash_docs, version_docs) = (
             docs(&["SHA-256 of the specification."]),

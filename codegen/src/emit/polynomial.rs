@@ -14,6 +14,7 @@ use crate::emit::literal;
 use crate::emit::names::{Scope, snake};
 use crate::emit::plan::live;
 use crate::emit::source::{mentions, prologue};
+use crate::emit::table::Tables;
 use crate::ir::horner::Horner;
 use crate::ir::{MonomialBasis, Op, PolynomialData, PolynomialFamily, Program};
 
@@ -23,6 +24,8 @@ pub(crate) struct Library {
     polynomials: Vec<(PolynomialData, Ident)>,
     families: Vec<(PolynomialFamily, FamilyNames)>,
     bases: Vec<(MonomialBasis, Ident)>,
+    /// Lookup tables, in a module of their own.
+    pub(crate) tables: Tables,
     /// Whether families are fused: the programs of a module are, or none of them.
     fused: bool,
     /// Functions of bases that are called: position and order of the rate.
@@ -46,6 +49,7 @@ impl Library {
                 .filter(|(_, live)| *live)
             {
                 library.add(program, &instruction.op, &mut scope, &mut types);
+                library.tables.add(program, &instruction.op);
             }
         }
         library

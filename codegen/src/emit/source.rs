@@ -7,7 +7,14 @@ use crate::emit::comment::{Comments, module_docs};
 use crate::emit::names::ident;
 
 /// Modules that emitted code calls by path; a variable may have the same name.
-const MODULES: [&str; 5] = ["kernel", "lyapunov", "plant", "polynomials", "sde"];
+const MODULES: [&str; 6] = [
+    "kernel",
+    "lyapunov",
+    "plant",
+    "polynomials",
+    "sde",
+    "tables",
+];
 
 /// Methods of masks: their trait is not named where they are called.
 const MASK_METHODS: [&str; 5] = ["and", "or", "not", "any", "all"];

@@ -34,6 +34,14 @@ pub fn standalone(program: &Program) -> String {
     if !library.is_empty() {
         items.push(polynomials(&library));
     }
+    if !library.tables.is_empty() {
+        let (tables, docs) = (library.tables.items(&[]), docs(&["Lookup tables."]));
+        items.push(quote!(#docs pub mod tables {
+            use nsv_runtime::real::Real;
+            use nsv_runtime::table::{Axis, Table};
+            #(#tables)*
+        }));
+    }
     let mut comments = Comments::default();
     let lines = [format!("The program {}.", code(&program.name))];
     let function = Function {

@@ -18,6 +18,8 @@ pub mod verify;
 
 use std::collections::BTreeMap;
 
+use nsv_spec::interpolation::Interpolant;
+
 /// A value: the instruction that makes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ValueId(pub u32);
@@ -25,6 +27,10 @@ pub struct ValueId(pub u32);
 /// Index into [`Program::polynomials`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct PolynomialId(pub u32);
+
+/// Index into [`Program::tables`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct TableId(pub u32);
 
 /// Index into [`Program::bases`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -108,6 +114,8 @@ pub enum Op {
     SingularVector(ValueId),
     /// Polynomial data of scalar arguments, by nested Horner schemes.
     Polynomial(PolynomialId, Vec<ValueId>),
+    /// Derivative of a lookup table at scalar arguments, so many times by each ([`nsv_spec::interpolation`]).
+    Table(TableId, Vec<u32>, Vec<ValueId>),
     /// All polynomials of a family at one scalar argument, each by its own Horner scheme: a vector of the family's length.
     Family(FamilyId, ValueId),
     /// Monomial basis of an input vector: a vector of the basis' length.
@@ -160,6 +168,17 @@ pub struct PolynomialData {
     pub terms: Vec<(f64, Vec<u32>)>,
 }
 
+/// A lookup table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TableData {
+    /// Name, a Rust identifier.
+    pub name: String,
+    /// Argument names.
+    pub arguments: Vec<String>,
+    /// The function.
+    pub interpolant: Interpolant,
+}
+
 /// Polynomials of one argument that are evaluated together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PolynomialFamily {
@@ -208,6 +227,8 @@ pub struct Program {
     pub outputs: Vec<(String, ValueId)>,
     /// Polynomial data used.
     pub polynomials: Vec<PolynomialData>,
+    /// Lookup tables used.
+    pub tables: Vec<TableData>,
     /// Polynomial families used.
     pub families: Vec<PolynomialFamily>,
     /// Bases used.
@@ -258,7 +279,7 @@ impl Op {
             Op::Select(a, b, c) | Op::MulAdd(a, b, c) | Op::BasisRate2(_, a, b, c) => {
                 vec![*a, *b, *c]
             }
-            Op::Array(items) | Op::Polynomial(_, items) => items.clone(),
+            Op::Array(items) | Op::Polynomial(_, items) | Op::Table(_, _, items) => items.clone(),
         }
     }
 
@@ -288,6 +309,11 @@ impl Op {
             Op::Polynomial(id, ref items) => {
                 Op::Polynomial(id, items.iter().map(|&item| f(item)).collect())
             }
+            Op::Table(id, ref orders, ref items) => Op::Table(
+                id,
+                orders.clone(),
+                items.iter().map(|&item| f(item)).collect(),
+            ),
             Op::Family(id, a) => Op::Family(id, f(a)),
             Op::Basis(id, a) => Op::Basis(id, f(a)),
             Op::BasisRate(id, a, b) => Op::BasisRate(id, f(a), f(b)),

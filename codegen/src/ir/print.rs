@@ -4,6 +4,7 @@
 //! program control
 //! input x1: vec3
 //! polynomial cl(alpha, mach) = -0.0819 [0, 0], 0.047 [0, 1]
+//! table thrust(mach) = breaks [0.0, 1.0, 2.0], linear clamp [3.0, 2.5, 1.0]
 //! family at_alpha(alpha) = cd [0.5, -0.0, 1.0], cm [0.25, 1.0]
 //! basis basis1(p, q) = [0, 0], [1, 0], [0, 1]
 //! origin "error variables" "e_1 = x_1 - y_r  (14)"
@@ -15,10 +16,12 @@
 
 use std::fmt::{self, Display, Formatter};
 
+use nsv_spec::interpolation::{Degree, Extrapolation};
+
 use super::mnemonic::{COMPARISONS, FUNCTIONS, KERNELS, OPERATORS, word};
 use super::{
     FamilyMember, Instruction, MonomialBasis, Op, Origin, PolynomialData, PolynomialFamily,
-    Program, Shape, Type, ValueId,
+    Program, Shape, TableData, Type, ValueId,
 };
 
 impl Display for Program {
@@ -32,6 +35,9 @@ impl Display for Program {
         }
         for polynomial in &self.polynomials {
             writeln!(f, "{polynomial}")?;
+        }
+        for table in &self.tables {
+            writeln!(f, "{table}")?;
         }
         for family in &self.families {
             writeln!(f, "{family}")?;
@@ -120,6 +126,12 @@ impl Program {
                     format!("polynomial {name}, {operands}")
                 }
             }
+            Op::Table(id, orders, _) => {
+                let name = self.tables.get(id.0 as usize).map(|data| &data.name);
+                let orders: Vec<String> = orders.iter().map(u32::to_string).collect();
+                let name = named(name, id.0 as usize);
+                format!("table {name} {}, {operands}", orders.join(" "))
+            }
             Op::Family(id, _) => {
                 let family = self.families.get(id.0 as usize);
                 let name = named(family.map(|family| &family.name), id.0 as usize);
@@ -182,6 +194,29 @@ impl Display for PolynomialData {
             "polynomial {}({}) = {terms}",
             self.name,
             self.arguments.join(", ")
+        )
+    }
+}
+
+impl Display for TableData {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let interpolant = &self.interpolant;
+        let axes = interpolant.breaks.iter();
+        let axes: String = axes.map(|breaks| format!("breaks {breaks:?}, ")).collect();
+        let degree = match interpolant.degree {
+            Degree::Linear => "linear",
+            Degree::Cubic => "cubic",
+        };
+        let outside = match interpolant.extrapolation {
+            Extrapolation::Clamp => "clamp",
+            Extrapolation::Error => "error",
+        };
+        write!(
+            f,
+            "table {}({}) = {axes}{degree} {outside} {:?}",
+            self.name,
+            self.arguments.join(", "),
+            interpolant.coefficients
         )
     }
 }

@@ -3,10 +3,12 @@
 use std::fmt::{self, Display, Formatter};
 use std::str::FromStr;
 
+use nsv_spec::interpolation::{Degree, Extrapolation, Interpolant};
+
 use super::mnemonic::{COMPARISONS, FUNCTIONS, KERNELS, OPERATORS, item};
 use super::{
     BasisId, FamilyId, FamilyMember, Input, Instruction, MonomialBasis, Op, Origin, PolynomialData,
-    PolynomialFamily, PolynomialId, Program, Shape, Type, ValueId,
+    PolynomialFamily, PolynomialId, Program, Shape, TableData, TableId, Type, ValueId,
 };
 
 /// A line that is not a statement of the textual form.
@@ -76,6 +78,22 @@ impl Program {
                     name,
                     arguments,
                     terms,
+                });
+            }
+            "table" => {
+                let (name, arguments, mut items) = read_table(rest)?;
+                let (kind, coefficients) = items.pop().ok_or("coefficients")?;
+                let (degree, extrapolation) = read_kind(kind)?;
+                let interpolant = Interpolant {
+                    degree,
+                    extrapolation,
+                    breaks: items.into_iter().map(|(_, breaks)| breaks).collect(),
+                    coefficients,
+                };
+                self.tables.push(TableData {
+                    name,
+                    arguments,
+                    interpolant,
                 });
             }
             "family" => {
@@ -165,6 +183,13 @@ impl Program {
             ("polynomial", [name, arguments @ ..]) => {
                 let id = position(self.polynomials.iter().map(|data| &data.name), name)?;
                 Op::Polynomial(PolynomialId(index(id)?), values(arguments)?)
+            }
+            ("table", [head, arguments @ ..]) => {
+                let mut words = head.split(' ');
+                let name = words.next().ok_or("a table")?;
+                let id = position(self.tables.iter().map(|data| &data.name), name)?;
+                let orders = words.map(number).collect::<Expected<_>>()?;
+                Op::Table(TableId(index(id)?), orders, values(arguments)?)
             }
             ("family", [name, z]) => {
                 let id = position(self.families.iter().map(|family| &family.name), name)?;
@@ -257,6 +282,17 @@ fn position<'a>(mut names: impl Iterator<Item = &'a String>, name: &str) -> Expe
             .position(|entry| entry == name)
             .ok_or("a declared name"),
     }
+}
+
+/// `cubic clamp`
+fn read_kind(text: &str) -> Expected<(Degree, Extrapolation)> {
+    Ok(match text {
+        "linear clamp" => (Degree::Linear, Extrapolation::Clamp),
+        "linear error" => (Degree::Linear, Extrapolation::Error),
+        "cubic clamp" => (Degree::Cubic, Extrapolation::Clamp),
+        "cubic error" => (Degree::Cubic, Extrapolation::Error),
+        _ => return Err("`linear` or `cubic`, and `clamp` or `error`"),
+    })
 }
 
 /// What stands before the brackets, and the numbers in them.

@@ -36,6 +36,17 @@ impl Program {
                 (arguments.len() == data.arguments.len() && self.all_scalar(arguments))
                     .then_some(SCALAR)
             }
+            Op::Table(id, ref orders, ref arguments) => {
+                let table = self.tables.get(id.0 as usize)?;
+                let degree = table.interpolant.degree.number();
+                let differentiable = orders.iter().all(|&order| order as usize <= degree);
+                let count = table.arguments.len();
+                (arguments.len() == count
+                    && orders.len() == count
+                    && differentiable
+                    && self.all_scalar(arguments))
+                .then_some(SCALAR)
+            }
             Op::Family(id, z) => {
                 let family = self.families.get(id.0 as usize)?;
                 (self.all_scalar(&[z])).then_some(Type::Real(Shape::Vector(family.members.len())))

@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter};
 
 use super::build::size;
 use super::print::is_word;
-use super::{FamilyMember, Instruction, Op, Program, Shape, Type, ValueId};
+use super::{FamilyMember, Instruction, Op, Program, Shape, TableData, Type, ValueId};
 
 /// A broken condition; instructions are meant by their value.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,7 +30,7 @@ pub enum Violation {
     NoSuchOrigin { value: ValueId },
     /// A name that is not made of letters, digits, `_`, `.` and `/`.
     NotAWord { name: String },
-    /// A name given twice among the inputs, among the values, among the outputs, or among polynomials and bases.
+    /// A name given twice among the inputs, among the values, among the outputs, among polynomials and bases, or among tables.
     DuplicateName { name: String },
     /// A value named like an input that it is not.
     ShadowsInput { value: ValueId, name: String },
@@ -38,6 +38,8 @@ pub enum Violation {
     NoSuchOutput { name: String, value: ValueId },
     /// A vector or matrix type with no entries.
     EmptyShape { name: String },
+    /// A lookup table whose breaks or coefficients do not fit its arguments.
+    BadTable { name: String },
     /// Polynomial data with a non-finite coefficient or a wrong number of exponents.
     BadPolynomial { name: String },
     /// A polynomial family that is empty, or has a member without a name of its own or with coefficients that are missing or not finite.
@@ -75,6 +77,7 @@ impl Display for Violation {
                 write!(f, "output `{name}` is {value}, which does not exist")
             }
             Violation::EmptyShape { name } => write!(f, "`{name}` has no entries"),
+            Violation::BadTable { name } => write!(f, "table `{name}` is malformed"),
             Violation::BadPolynomial { name } => write!(f, "polynomial `{name}` is malformed"),
             Violation::BadFamily { name } => write!(f, "polynomial family `{name}` is malformed"),
             Violation::BadBasis { name } => write!(f, "basis `{name}` is malformed"),
@@ -134,6 +137,12 @@ fn check_tables(program: &Program, violations: &mut Vec<Violation>) {
             });
         }
     }
+    check_names(program.tables.iter().map(|table| &table.name), violations);
+    for table in program.tables.iter().filter(|table| !is_sound(table)) {
+        violations.push(Violation::BadTable {
+            name: table.name.clone(),
+        });
+    }
     for family in &program.families {
         let names: BTreeSet<&String> = family.members.iter().map(|member| &member.name).collect();
         let sound = |member: &FamilyMember| {
@@ -159,6 +168,24 @@ fn check_tables(program: &Program, violations: &mut Vec<Violation>) {
             });
         }
     }
+}
+
+fn is_sound(table: &TableData) -> bool {
+    let interpolant = &table.interpolant;
+    let breaks = &interpolant.breaks;
+    let increasing = |breaks: &Vec<f64>| {
+        breaks.len() >= 2
+            && breaks.windows(2).all(|pair| pair[0] < pair[1])
+            && breaks.iter().all(|at| at.is_finite())
+    };
+    let counts = breaks
+        .iter()
+        .map(|breaks| breaks.len().saturating_sub(1) + interpolant.degree.number());
+    (1..=3).contains(&breaks.len())
+        && breaks.len() == table.arguments.len()
+        && breaks.iter().all(increasing)
+        && counts.product::<usize>() == interpolant.coefficients.len()
+        && interpolant.coefficients.iter().all(|c| c.is_finite())
 }
 
 fn check_instructions(program: &Program, violations: &mut Vec<Violation>) {
@@ -270,6 +297,7 @@ mod tests {
     const SOUND: &str = "program p
 input x: vec2
 polynomial f(a) = 2.0 [1]
+table k(a) = breaks [0.0, 1.0], linear clamp [2.0, 3.0]
 family h(a) = p [1.0, -0.0], q [2.0]
 basis b(a, c) = [0, 0], [1, 0]
 origin \"group\" \"y = 2 x\"
@@ -280,6 +308,7 @@ origin \"group\" \"y = 2 x\"
 %4: real = polynomial f, %3
 %5: vec2 = basis b, %0
 %6: vec2 = family h, %3
+%7: real = table k 1, %3
 output y = %2
 ";
 
@@ -301,6 +330,17 @@ output y = %2
 
     #[test]
     fn planted_faults_are_found() {
+        check("[2.0, 3.0]", "[2.0, 3.0, 4.0]", &["table `k` is malformed"]);
+        check(
+            "breaks [0.0, 1.0]",
+            "breaks [0.0, 0.0]",
+            &["table `k` is malformed"],
+        );
+        check(
+            "table k 1, %3",
+            "table k 2, %3",
+            &["%7 has operands that do not fit its operation"],
+        );
         check(
             "mul %0, %1",
             "mul %0, %2",

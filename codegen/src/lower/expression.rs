@@ -5,7 +5,9 @@ use nsv_spec::expr::arena::{ExprId, Node, Type as ExprType};
 use super::{Context, Leaf, Lowering};
 use crate::derive::symbol::Side;
 use crate::derive::truth::TRUTH;
-use crate::ir::{Op, Operator, Origin, PolynomialData, PolynomialId, Program, Type, ValueId};
+use crate::ir::{
+    Op, Operator, Origin, PolynomialData, PolynomialId, Program, TableData, TableId, Type, ValueId,
+};
 
 impl<C: Context> Lowering<'_, '_, C> {
     /// The value of an expression with the parameters of one side.
@@ -89,6 +91,21 @@ impl<C: Context> Lowering<'_, '_, C> {
                 };
                 Op::Polynomial(intern(&mut self.program, data), arguments)
             }
+            Node::Table(id, orders, arguments) => {
+                let arguments = arguments.iter().map(lower).collect();
+                let table = &model.tables[id.0 as usize];
+                let data = TableData {
+                    name: table.name.clone(),
+                    arguments: table
+                        .arguments
+                        .iter()
+                        .map(|(name, _)| name.clone())
+                        .collect(),
+                    interpolant: table.interpolant.clone(),
+                };
+                let id = intern_table(&mut self.program, &data);
+                Op::Table(id, orders.clone(), arguments)
+            }
         };
         self.program.push(op)
     }
@@ -166,30 +183,12 @@ pub(super) fn intern(program: &mut Program, data: PolynomialData) -> PolynomialI
     PolynomialId(u32::try_from(at).expect("invariant: fewer than 2^32 polynomials"))
 }
 
-/// Expressions directly below a node.
-pub(crate) fn operands(node: &Node) -> Vec<ExprId> {
-    match node {
-        Node::Number(_)
-        | Node::Constant(_)
-        | Node::Parameter(_)
-        | Node::State { .. }
-        | Node::Truth(_)
-        | Node::Input(_)
-        | Node::Time
-        | Node::Definition(_) => Vec::new(),
-        Node::Apply(_, a)
-        | Node::PowInt(a, _)
-        | Node::Not(a)
-        | Node::Element(a, _, _)
-        | Node::Transpose(a) => vec![*a],
-        Node::Binary(_, a, b)
-        | Node::Compare(_, a, b)
-        | Node::And(a, b)
-        | Node::Or(a, b)
-        | Node::MatMul(a, b)
-        | Node::Dot(a, b)
-        | Node::Cross(a, b) => vec![*a, *b],
-        Node::If(a, b, c) => vec![*a, *b, *c],
-        Node::Array(items) | Node::Polynomial(_, items) => items.clone(),
-    }
+/// Adds a table to a program unless it is there.
+pub(super) fn intern_table(program: &mut Program, data: &TableData) -> TableId {
+    let known = program.tables.iter().position(|known| known == data);
+    let at = known.unwrap_or_else(|| {
+        program.tables.push(data.clone());
+        program.tables.len() - 1
+    });
+    TableId(u32::try_from(at).expect("invariant: fewer than 2^32 tables"))
 }

@@ -15,8 +15,6 @@ use nsv_spec::expr::arena::{ConstantId, ExprId, ParameterId};
 pub use frame::{Frame, program};
 pub use programs::Programs;
 
-pub(crate) use expression::operands;
-
 use crate::derive::law::Law;
 use crate::derive::symbol::{Side, Symbol, TapeId};
 use crate::ir::{Op, Origin, Program, Shape, ValueId};

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::expression::intern;
+use super::expression::{intern, intern_table};
 use super::{Context, Lowering};
 use crate::derive::symbol::TapeId;
 use crate::ir::{Op, ValueId};
@@ -41,6 +41,17 @@ impl<C: Context> Lowering<'_, '_, C> {
                         .map(|operand| values[operand.0 as usize])
                         .collect();
                     self.program.push(Op::Polynomial(id, arguments))
+                }
+                Op::Table(id, orders, _) => {
+                    let data = &tape.program.tables[id.0 as usize];
+                    let id = intern_table(&mut self.program, data);
+                    let arguments = instruction
+                        .op
+                        .operands()
+                        .iter()
+                        .map(|operand| values[operand.0 as usize])
+                        .collect();
+                    self.program.push(Op::Table(id, orders.clone(), arguments))
                 }
                 op => self.program.push_as(
                     op.map_operands(|operand| values[operand.0 as usize]),

@@ -9,7 +9,8 @@ use crate::ir::build::size;
 use crate::ir::eval::{SWEEPS, entries};
 use crate::ir::horner::Horner;
 use crate::ir::{
-    Function, Instruction, Kernel, MonomialBasis, Op, Operator, Program, Shape, Type, ValueId,
+    Function, Instruction, Kernel, MonomialBasis, Op, Operator, Program, Shape, TableData, Type,
+    ValueId,
 };
 
 /// How many scalar operations of each kind. Sign changes, absolute values, literals and moves count nothing.
@@ -187,6 +188,7 @@ fn operation(program: &Program, op: &Op, ty: Type) -> Cost {
                 ..NOTHING
             }
         }
+        Op::Table(id, ref orders, _) => table(&program.tables[id.0 as usize], orders),
         Op::Family(id, _) => {
             let members = &program.families[id.0 as usize].members;
             members.iter().map(member).sum()
@@ -201,6 +203,20 @@ fn operation(program: &Program, op: &Op, ty: Type) -> Cost {
             products(&program.bases[id.0 as usize]) * (7 * MULTIPLICATION + 3 * ADDITION)
         }
     }
+}
+
+/// On each axis the splines by Horner's scheme and two comparisons beside the search, which is not counted; then the sums.
+fn table(data: &TableData, orders: &[u32]) -> Cost {
+    let degree = data.interpolant.degree.number() as u64;
+    let mut cost = NOTHING;
+    let mut sums = 1;
+    for &order in orders {
+        let steps = (degree + 1) * (degree - u64::from(order));
+        cost = cost + 2 * SELECTION + ADDITION + steps * (MULTIPLICATION + ADDITION);
+        cost = cost + sums * ((degree + 1) * MULTIPLICATION + degree * ADDITION);
+        sums *= degree + 1;
+    }
+    cost
 }
 
 /// One call of a function.

@@ -23,7 +23,7 @@ impl Context<'_> {
             .iter()
             .map(|constant| self.parse_formula(&constant.value.value))
             .collect();
-        let sorted = self.sort(&spec.constants, &parsed, "constant");
+        let sorted = self.sort(&spec.constants, &self.names_used(&parsed), "constant");
         self.constants = vec![None; spec.constants.len()];
         for at in sorted {
             let Named {
@@ -146,11 +146,20 @@ impl Context<'_> {
         }
     }
 
+    /// Names that each of several formulas uses.
+    pub(super) fn names_used(&self, parsed: &[Option<Parsed>]) -> Vec<Vec<String>> {
+        let names = |parsed: &Option<Parsed>| {
+            let used = parsed.iter().flat_map(|parsed| self.names.used(parsed));
+            used.map(|(name, _)| name.to_owned()).collect()
+        };
+        parsed.iter().map(names).collect()
+    }
+
     /// The order in which to compute declarations; circles are reported and left out with all that hangs on them.
     pub(super) fn sort<T>(
         &mut self,
         declared: &[Named<T>],
-        parsed: &[Option<Parsed>],
+        used: &[Vec<String>],
         noun: &str,
     ) -> Vec<usize> {
         let index: BTreeMap<&str, usize> = declared
@@ -159,15 +168,10 @@ impl Context<'_> {
             .rev()
             .map(|(at, item)| (item.name.value.as_str(), at))
             .collect();
-        let uses: Vec<BTreeSet<usize>> = parsed
+        let at = |name: &String| index.get(name.as_str()).copied();
+        let uses: Vec<BTreeSet<usize>> = used
             .iter()
-            .map(|parsed| {
-                parsed
-                    .iter()
-                    .flat_map(Parsed::names)
-                    .filter_map(|(name, _)| index.get(name).copied())
-                    .collect()
-            })
+            .map(|names| names.iter().filter_map(at).collect())
             .collect();
         let order = order(&uses);
         for &at in &order.unsorted {

@@ -51,7 +51,7 @@ impl Context<'_> {
             .iter()
             .map(|definition| self.parse_formula(&definition.value))
             .collect();
-        for at in self.sort(&spec.definitions, &parsed, "definition") {
+        for at in self.sort(&spec.definitions, &self.names_used(&parsed), "definition") {
             let name = &spec.definitions[at].name;
             let Some(parsed) = &parsed[at] else {
                 self.names.refuse(&name.value);
@@ -81,7 +81,7 @@ impl Context<'_> {
 
     /// What a formula varies with.
     pub(super) fn dependence(&self, parsed: &Parsed) -> Dependence {
-        let names = parsed.names();
+        let names = self.names.used(parsed);
         names.iter().fold(Dependence::default(), |all, (name, _)| {
             all.join(self.names.dependence(name))
         })

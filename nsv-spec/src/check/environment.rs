@@ -2,8 +2,9 @@
 
 use super::Context;
 use super::initial::Point;
-use crate::expr::arena::{ConstantId, DefinitionId, ExprId, ParameterId, PolynomialId};
+use crate::expr::arena::{ConstantId, DefinitionId, ExprId, ParameterId, PolynomialId, TableId};
 use crate::expr::{self, Environment};
+use crate::interpolation::Interpolant;
 use crate::model::Polynomial;
 
 /// What the leaves of an expression are worth; `None` for a point where only constants are known.
@@ -59,6 +60,11 @@ impl Environment for Known<'_> {
 
     fn definition(&self, id: DefinitionId) -> Option<ExprId> {
         Some(self.context.definitions[id.0 as usize].expr)
+    }
+
+    fn table(&self, id: TableId) -> Option<&Interpolant> {
+        let table = self.context.names.tables.get(id.0 as usize)?;
+        Some(&table.as_ref()?.interpolant)
     }
 
     fn polynomial(&self, id: PolynomialId) -> Option<&Polynomial> {

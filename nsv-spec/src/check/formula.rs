@@ -1,7 +1,7 @@
 //! Turns what is written into typed expressions of the model, with shapes and dimensions as expected.
 
 use super::Context;
-use super::scope::Place;
+use super::scope::{Names, Place};
 use crate::diagnostic::{Rule, Span};
 use crate::expr::arena::{ExprId, Node, Shape, Type};
 use crate::expr::syntax::Expr;
@@ -26,12 +26,27 @@ impl Parsed {
         }
     }
 
-    /// Every name that the formula uses as a value, with its place.
-    pub(super) fn names(&self) -> Vec<(&str, Span)> {
+    fn expressions<'a>(&'a self, all: &mut Vec<&'a Expr>) {
         match self {
-            Parsed::Expr(expr) => expr.free_names().collect(),
-            Parsed::List(items, _) => items.iter().flat_map(Parsed::names).collect(),
+            Parsed::Expr(expr) => all.push(expr),
+            Parsed::List(items, _) => items.iter().for_each(|item| item.expressions(all)),
         }
+    }
+}
+
+impl Names {
+    /// Every name that the formula uses as a value, with its place; what functions use is used where they are called.
+    pub(super) fn used<'a>(&'a self, parsed: &'a Parsed) -> Vec<(&'a str, Span)> {
+        let mut expressions = Vec::new();
+        parsed.expressions(&mut expressions);
+        let mut names = Vec::new();
+        for expr in expressions {
+            names.extend(expr.free_names());
+            for (function, span) in expr.called_names() {
+                names.extend(self.uses(function).map(|name| (name.as_str(), span)));
+            }
+        }
+        names
     }
 }
 

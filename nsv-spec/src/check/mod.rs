@@ -5,6 +5,7 @@ mod constraint;
 mod controller;
 mod correlation;
 mod counts;
+mod csv;
 mod cycles;
 mod definitions;
 mod dispersion;
@@ -12,6 +13,7 @@ mod disturbance;
 mod environment;
 mod features;
 mod formula;
+mod functions;
 mod gains;
 mod hardware;
 mod initial;
@@ -29,6 +31,7 @@ mod scenario;
 mod scope;
 mod states;
 mod structure;
+mod tables;
 mod truth;
 
 use crate::diagnostic::{Diagnostic, Rule, SourceMap, Span};
@@ -37,6 +40,7 @@ use crate::expr::arena::Arena;
 use crate::model::{Block, Constant, Definition, Input, Model, Parameter, State};
 use crate::spec::Spec;
 use scope::{Dependence, Names};
+pub(crate) use tables::{MAX_AXES, MAX_POINTS, MAX_VALUES};
 
 /// Makes the model of a specification, with warnings; or reports everything that is wrong with it.
 pub(crate) fn check(
@@ -92,7 +96,6 @@ impl<'a> Context<'a> {
                 ..Dependence::default()
             },
         );
-        names.define("pi", Symbol::Pi, Dependence::default());
         Context {
             spec,
             faults: Vec::new(),
@@ -113,6 +116,8 @@ impl<'a> Context<'a> {
     fn model(&mut self, sources: &SourceMap, hash: String) -> Option<Model> {
         self.check_names();
         self.check_polynomials();
+        self.check_tables(sources);
+        self.check_functions();
         self.check_constants();
         self.check_parameters();
         self.check_states();
@@ -150,6 +155,7 @@ impl<'a> Context<'a> {
             constants: self.constants.iter().cloned().collect::<Option<_>>()?,
             parameters: self.parameters.iter().cloned().collect::<Option<_>>()?,
             polynomials: self.names.polynomials.clone(),
+            tables: self.names.tables.iter().cloned().collect::<Option<_>>()?,
             definitions: self.definitions.clone(),
             blocks: blocks?,
             inputs: inputs?,

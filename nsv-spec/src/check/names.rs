@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::Context;
 use crate::diagnostic::{Applicability, Diagnostic, Rule, Span};
-use crate::expr::is_reserved;
+use crate::expr::{CONSTANTS, is_reserved};
 use crate::spec::{Named, Word};
 use crate::yaml::excerpt;
 
@@ -118,6 +118,22 @@ impl Context<'_> {
             "definition",
             Use::Emitted,
         );
+        self.declare(
+            &mut declared,
+            words(&spec.functions),
+            "function",
+            Use::Label,
+        );
+        self.declare(&mut declared, words(&spec.tables), "table", Use::Label);
+        for table in &spec.tables {
+            self.declare(
+                &mut BTreeMap::new(),
+                words(&table.value.axes),
+                "axis",
+                Use::Label,
+            );
+        }
+        self.check_arguments(&declared);
         self.check_polynomial_names(&declared);
         self.declare(
             &mut BTreeMap::new(),
@@ -174,7 +190,7 @@ impl Context<'_> {
                 let fault = Diagnostic::error(
                     Rule::E0113,
                     name.span,
-                    format!("{noun} `{}` has the name of a {earlier}", name.value),
+                    format!("{noun} `{}` has the name of {}", name.value, a(earlier)),
                 )
                 .with_related(*first, format!("the {earlier} is declared here"))
                 .with_help("give one of them another name");
@@ -214,7 +230,11 @@ impl Context<'_> {
             );
         } else if is_reserved(text) {
             let message = format!("{noun} `{shown}` shadows a word of the expression language");
-            self.fault(Rule::E0111, name.span, message, "choose another name");
+            let help = match CONSTANTS.iter().any(|constant| constant.name == text) {
+                true => "leave it out, since the language has it, or choose another name",
+                false => "choose another name",
+            };
+            self.fault(Rule::E0111, name.span, message, help);
         } else if usage == Use::Emitted && reserved(text) {
             let message = format!("{noun} `{shown}` is the name of a quantity of the control law");
             self.fault(
@@ -227,6 +247,30 @@ impl Context<'_> {
             return true;
         }
         false
+    }
+
+    /// Arguments of functions: none twice, and none that hides another name.
+    fn check_arguments(&mut self, declared: &BTreeMap<String, (Span, &str)>) {
+        let spec = self.spec;
+        for function in &spec.functions {
+            let arguments = &function.value.arguments;
+            self.declare(
+                &mut BTreeMap::new(),
+                arguments.iter(),
+                "argument",
+                Use::Label,
+            );
+            for name in arguments {
+                let Some((span, noun)) = declared.get(&name.value) else {
+                    continue;
+                };
+                let message = format!("argument `{}` has the name of {}", name.value, a(noun));
+                let fault = Diagnostic::error(Rule::E0113, name.span, message)
+                    .with_related(*span, format!("the {noun} is declared here"));
+                self.faults
+                    .push(fault.with_help("give the argument another name"));
+            }
+        }
     }
 
     /// Groups, parts and arguments of polynomial data; `CL.alpha` is emitted as `CL_alpha`.
@@ -272,6 +316,12 @@ fn reserved(name: &str) -> bool {
     let numbered =
         stem.len() < name.strip_suffix("_dot").unwrap_or(name).len() && NUMBERED.contains(&stem);
     numbered || EMITTED.contains(&name)
+}
+
+/// A noun with its article.
+fn a(noun: &str) -> String {
+    let vowel = noun.starts_with(['a', 'e', 'i', 'o']);
+    format!("{} {noun}", if vowel { "an" } else { "a" })
 }
 
 fn words<T>(all: &[Named<T>]) -> impl Iterator<Item = &Word> {

@@ -4,8 +4,8 @@ use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::expr::arena::PolynomialId;
-use crate::expr::{Scope, Symbol};
-use crate::model::Polynomial;
+use crate::expr::{MAX_INSERTED, Scope, Symbol};
+use crate::model::{Polynomial, Table};
 
 /// Most names among which to look for the one that was meant, and how often to look at all: suggestions for every slip in a
 /// specification with thousands of names and slips would take minutes.
@@ -56,8 +56,14 @@ pub(super) struct Names {
     refused: BTreeSet<String>,
     /// How many suggestions have been asked for.
     asked: Cell<usize>,
+    /// What each function uses beside its arguments, in the functions that it calls too.
+    uses: BTreeMap<String, BTreeSet<String>>,
+    /// How much calls and loops have inserted.
+    inserted: usize,
     /// Polynomial data, derivatives that expressions ask for at the end.
     pub(super) polynomials: Vec<Polynomial>,
+    /// Lookup tables; `None` after a fault.
+    pub(super) tables: Vec<Option<Table>>,
 }
 
 impl Names {
@@ -76,6 +82,16 @@ impl Names {
         self.refused.insert(name.into());
         self.symbols
             .insert(name.into(), (Symbol::Faulty, Dependence::default()));
+    }
+
+    /// Declares what a function uses.
+    pub(super) fn define_uses(&mut self, function: &str, uses: BTreeSet<String>) {
+        self.uses.insert(function.into(), uses);
+    }
+
+    /// What a function uses; nothing for what is none.
+    pub(super) fn uses(&self, function: &str) -> impl Iterator<Item = &String> {
+        self.uses.get(function).into_iter().flatten()
     }
 
     /// What a name depends on.
@@ -103,7 +119,11 @@ impl View<'_> {
         self.place == Place::Model
             || matches!(
                 symbol,
-                Symbol::Constant(..) | Symbol::Pi | Symbol::Polynomial(..) | Symbol::Faulty
+                Symbol::Constant(..)
+                    | Symbol::Polynomial(..)
+                    | Symbol::Function(_)
+                    | Symbol::Table(..)
+                    | Symbol::Faulty
             )
     }
 }
@@ -132,6 +152,11 @@ impl Scope for View<'_> {
             .iter()
             .filter(|(_, (symbol, _))| self.visible(symbol));
         visible.map(|(name, _)| name.clone()).collect()
+    }
+
+    fn insert(&mut self, operations: usize) -> bool {
+        self.names.inserted = self.names.inserted.saturating_add(operations);
+        self.names.inserted <= MAX_INSERTED
     }
 
     fn derivative(&mut self, polynomial: PolynomialId, argument: usize) -> PolynomialId {

@@ -3,7 +3,7 @@
 
 use super::Context;
 use super::formula::Parsed;
-use crate::diagnostic::Rule;
+use crate::diagnostic::{Rule, Span};
 
 impl Context<'_> {
     /// F, G, H or a network input of a block.
@@ -11,8 +11,8 @@ impl Context<'_> {
         let spec = self.spec;
         let own = &spec.blocks[block].name.value;
         self.check_design(parsed, &format!("{what} of block `{own}`"));
-        for (name, span) in parsed.names() {
-            let dependence = self.names.dependence(name);
+        for (name, span) in self.used(parsed) {
+            let dependence = self.names.dependence(&name);
             if dependence.time {
                 let message = format!("{what} of block `{own}` depends on time through `{name}`");
                 self.fault(Rule::E0702, span, message, "the plant is time-invariant: put functions of time into `disturbance` or `reference`");
@@ -32,8 +32,8 @@ impl Context<'_> {
 
     /// The controller is designed on the blocks and knows nothing of the further states of the flown plant.
     fn check_design(&mut self, parsed: &Parsed, what: &str) {
-        for (name, span) in parsed.names() {
-            if self.names.dependence(name).truth {
+        for (name, span) in self.used(parsed) {
+            if self.names.dependence(&name).truth {
                 let message = format!("{what} depends on the flown plant through `{name}`");
                 self.fault(
                     Rule::E0710,
@@ -45,12 +45,17 @@ impl Context<'_> {
         }
     }
 
+    fn used(&self, parsed: &Parsed) -> Vec<(String, Span)> {
+        let used = self.names.used(parsed).into_iter();
+        used.map(|(name, span)| (name.to_owned(), span)).collect()
+    }
+
     /// A signal given as a function of time.
     pub(super) fn check_signal(&mut self, parsed: &Parsed, what: &str) {
         let spec = self.spec;
         self.check_design(parsed, what);
-        for (name, span) in parsed.names() {
-            if let Some(block) = self.names.dependence(name).block {
+        for (name, span) in self.used(parsed) {
+            if let Some(block) = self.names.dependence(&name).block {
                 let block = &spec.blocks[block].name.value;
                 let message =
                     format!("{what} depends on the states of block `{block}` through `{name}`");

@@ -4,6 +4,7 @@ mod base;
 mod fix;
 mod rule;
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
@@ -40,6 +41,8 @@ pub struct Source {
 pub struct SourceMap {
     /// The files.
     pub files: Vec<Source>,
+    /// Data files by the place that names them.
+    pub(crate) data: BTreeMap<Span, FileId>,
 }
 
 /// How bad a diagnostic is.

@@ -84,13 +84,22 @@ codes! {
     E0207 "expression too long",
     E0208 "missing operator",
     E0209 "malformed index",
+    E0210 "counter that does not count upwards",
+    E0211 "expression too large once functions and loops are written out",
     // Names in expressions
     E0301 "unknown name",
     E0302 "unknown function",
     E0303 "name that cannot be used here",
     E0304 "value, function and polynomial data confused",
     E0305 "wrong number of arguments",
-    E0306 "no argument of the polynomial data",
+    E0306 "no argument of the data",
+    E0307 "counter with the name of something else",
+    // Lookup tables
+    E0320 "axis not increasing",
+    E0321 "table of the wrong shape",
+    E0322 "not a number in a table",
+    E0323 "column of a file",
+    E0324 "table too large",
     // Units
     E0401 "unknown unit",
     E0402 "malformed unit",

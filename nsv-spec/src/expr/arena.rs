@@ -22,6 +22,10 @@ pub struct DefinitionId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct PolynomialId(pub u32);
 
+/// Index into `Model::tables`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct TableId(pub u32);
+
 /// Shape of a value. Vectors are columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Shape {
@@ -168,6 +172,8 @@ pub enum Node {
     Cross(ExprId, ExprId),
     /// Polynomial data block applied to scalar arguments.
     Polynomial(PolynomialId, Vec<ExprId>),
+    /// Derivative of a lookup table, so many times by each argument, at scalar arguments.
+    Table(TableId, Vec<u32>, Vec<ExprId>),
 }
 
 impl Node {
@@ -195,7 +201,9 @@ impl Node {
             | Node::Dot(a, b)
             | Node::Cross(a, b) => vec![*a, *b],
             Node::If(a, b, c) => vec![*a, *b, *c],
-            Node::Array(items) | Node::Polynomial(_, items) => items.clone(),
+            Node::Array(items) | Node::Polynomial(_, items) | Node::Table(_, _, items) => {
+                items.clone()
+            }
         }
     }
 }

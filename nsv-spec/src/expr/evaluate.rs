@@ -7,8 +7,9 @@ use nsv_math::real::Real;
 
 use super::arena::{
     Arena, Bits, Comparison, ConstantId, DefinitionId, ExprId, Function, Node, Operator,
-    ParameterId, PolynomialId, Shape,
+    ParameterId, PolynomialId, Shape, TableId,
 };
+use crate::interpolation::Interpolant;
 use crate::model::Polynomial;
 
 /// Values of what an expression refers to; by default nothing has one.
@@ -45,6 +46,11 @@ pub trait Environment {
 
     /// Expression of a definition.
     fn definition(&self, _id: DefinitionId) -> Option<ExprId> {
+        None
+    }
+
+    /// A lookup table.
+    fn table(&self, _id: TableId) -> Option<&Interpolant> {
         None
     }
 
@@ -155,6 +161,14 @@ impl Evaluator<'_> {
                     .collect();
                 vec![polynomial_value(data, &arguments)]
             }
+            Node::Table(table, orders, arguments) => {
+                let table = self.found(id, environment.table(*table))?;
+                let arguments: Vec<f64> = arguments
+                    .iter()
+                    .map(|&argument| self.number(argument))
+                    .collect();
+                vec![table.value(&arguments, orders)]
+            }
             node => self.combine(node),
         })
     }
@@ -196,7 +210,8 @@ impl Evaluator<'_> {
             | Node::Input(_)
             | Node::Time
             | Node::Definition(_)
-            | Node::Polynomial(..) => {
+            | Node::Polynomial(..)
+            | Node::Table(..) => {
                 unreachable!("invariant: leaves have their value from the environment")
             }
         }

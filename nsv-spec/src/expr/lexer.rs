@@ -113,12 +113,11 @@ impl<'a> Lexer<'a> {
     fn name(&mut self) -> TokenKind {
         let name = dotted_name(self.rest());
         self.at += name.len();
-        match name {
-            "and" => TokenKind::Infix(Infix::And),
-            "or" => TokenKind::Infix(Infix::Or),
-            "not" => TokenKind::Not,
-            _ => TokenKind::Name(name.to_owned()),
-        }
+        let word = WORDS.iter().find(|(word, _)| *word == name);
+        word.map_or_else(
+            || TokenKind::Name(name.to_owned()),
+            |(_, kind)| kind.clone(),
+        )
     }
 
     fn number(&mut self) -> Option<TokenKind> {
@@ -329,6 +328,22 @@ const SYMBOLS: &[(&str, TokenKind)] = &[
     ("]", TokenKind::CloseArray),
     (",", TokenKind::Comma),
 ];
+
+/// Operators that are words.
+const WORDS: &[(&str, TokenKind)] = &[
+    ("and", TokenKind::Infix(Infix::And)),
+    ("or", TokenKind::Infix(Infix::Or)),
+    ("not", TokenKind::Not),
+];
+
+/// Operators between two operands.
+pub(super) fn operators() -> impl Iterator<Item = (&'static str, Infix)> {
+    let tokens = SYMBOLS.iter().chain(WORDS);
+    tokens.filter_map(|(text, kind)| match kind {
+        TokenKind::Infix(operator) => Some((*text, *operator)),
+        _ => None,
+    })
+}
 
 /// What people write from other languages, and what to write here.
 const FOREIGN: &[(&str, &str)] = &[

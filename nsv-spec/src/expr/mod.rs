@@ -17,11 +17,13 @@ mod typing;
 
 pub use crate::diagnostic::Base;
 pub use builtin::is_reserved;
+pub(crate) use builtin::{CONSTANTS, Entry, entries};
 pub use elaborate::elaborate;
 pub use evaluate::{Environment, EvaluationError, evaluate};
 pub use expect::{Expected, expect};
-pub use parser::{MAX_DEPTH, MAX_NODES, MAX_TEXT, parse};
-pub use scope::{Scope, Symbol};
+pub(crate) use parser::binding;
+pub use parser::{MAX_DEPTH, MAX_INSERTED, MAX_NODES, MAX_ROUNDS, MAX_TEXT, parse};
+pub use scope::{Defined, Scope, Signature, Symbol};
 
 #[cfg(test)]
 mod tests;

@@ -1,11 +1,14 @@
 //! What names mean: the border between expressions and the specification around them.
 
-use super::arena::{ConstantId, DefinitionId, ParameterId, PolynomialId, Type};
+use std::sync::Arc;
+
+use super::arena::{ConstantId, DefinitionId, ExprId, ParameterId, PolynomialId, TableId, Type};
+use super::syntax::Expr;
 use crate::unit::Dimension;
 
 /// Names that an expression may use.
 pub trait Scope {
-    /// The meaning of a name (dotted for polynomial data, `t` and `pi` included).
+    /// The meaning of a name (dotted for polynomial data, `t` included).
     fn resolve(&self, name: &str) -> Option<Symbol>;
 
     /// Every name that can be used here, for suggestions.
@@ -13,10 +16,34 @@ pub trait Scope {
 
     /// The derivative of polynomial data by its argument of that index, which is made if it is new.
     fn derivative(&mut self, polynomial: PolynomialId, argument: usize) -> PolynomialId;
+
+    /// Takes so many operations from what calls and rounds of `each` may insert into the whole specification; false if there are
+    /// not so many left.
+    fn insert(&mut self, operations: usize) -> bool;
+}
+
+/// A function that stands for an expression of its arguments.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Defined {
+    /// Its name.
+    pub name: String,
+    /// Names of its arguments.
+    pub arguments: Vec<String>,
+    /// What a call stands for.
+    pub body: Expr,
+}
+
+/// What a lookup table takes and gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Signature {
+    /// Names and dimensions of the arguments.
+    pub arguments: Vec<(String, Dimension)>,
+    /// Dimension of the value.
+    pub value: Dimension,
 }
 
 /// Meaning of a name.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Symbol {
     /// A compile-time constant.
     Constant(ConstantId, Type),
@@ -37,12 +64,20 @@ pub enum Symbol {
     Input(usize, Dimension),
     /// Time since start.
     Time,
-    /// The number pi.
-    Pi,
+    /// A constant of the language, in SI.
+    Number(f64, Dimension),
+    /// A value bound to a name: an argument in the body of its function.
+    Value(ExprId),
+    /// What a loop has counted to: a number that may also be an index.
+    Counter(u32),
+    /// A function of the specification.
+    Function(Arc<Defined>),
     /// A named definition.
     Definition(DefinitionId, Type),
     /// Polynomial data, with the names of its arguments.
     Polynomial(PolynomialId, Vec<String>),
+    /// A lookup table.
+    Table(TableId, Arc<Signature>),
     /// A name that exists but must not be used here; the text says why and becomes the help: `the reference depends on time only`.
     Unavailable(String),
     /// A name whose declaration has a fault of its own, already reported: its uses are passed over in silence.

@@ -86,8 +86,28 @@ pub enum Kind {
     },
     /// `[a, b]`
     Array(Vec<NodeId>),
-    /// `v[1]`, `M[1, 2]`, 1-based
-    Index(NodeId, Vec<u32>),
+    /// `v[1]`, `M[i, i + 1]`, 1-based
+    Index(NodeId, Vec<Index>),
+    /// `each(i, 1, 3, body)`
+    Each {
+        /// `i`
+        counter: Name,
+        /// First and last value of the counter.
+        range: (u32, u32),
+        /// What each entry is.
+        body: Box<Expr>,
+    },
+}
+
+/// One index.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Index {
+    /// The counter of a loop, if it is relative to one.
+    pub counter: Option<Name>,
+    /// The index, or what is added to the counter.
+    pub offset: i64,
+    /// Where.
+    pub span: Span,
 }
 
 impl Expr {
@@ -136,11 +156,34 @@ impl Expr {
         }
     }
 
-    /// Names used as values, with their places; functions and polynomial data that are called are not among them.
-    pub fn free_names(&self) -> impl Iterator<Item = (&str, Span)> {
-        self.nodes.iter().filter_map(|node| match &node.kind {
-            Kind::Name(name) => Some((name.as_str(), node.span)),
+    /// Names used as values, with their places; functions and data that are called are not among them, nor are counters where they
+    /// count.
+    pub fn free_names(&self) -> Vec<(&str, Span)> {
+        self.collect(&|kind| match kind {
+            Kind::Name(name) => Some(name),
             _ => None,
         })
+    }
+
+    /// Names of functions and data that are called, with the places of the calls.
+    pub fn called_names(&self) -> Vec<(&str, Span)> {
+        self.collect(&|kind| match kind {
+            Kind::Call(name, _) => Some(&name.text),
+            Kind::Partial { polynomial, .. } => Some(&polynomial.text),
+            _ => None,
+        })
+    }
+
+    fn collect(&self, of: &dyn Fn(&Kind) -> Option<&String>) -> Vec<(&str, Span)> {
+        let mut names = Vec::new();
+        for node in &self.nodes {
+            // Bodies are nested no deeper than brackets may be.
+            if let Kind::Each { counter, body, .. } = &node.kind {
+                let inner = body.collect(of).into_iter();
+                names.extend(inner.filter(|(name, _)| *name != counter.text));
+            }
+            names.extend(of(&node.kind).map(|name| (name.as_str(), node.span)));
+        }
+        names
     }
 }

@@ -2,8 +2,8 @@
 
 use super::fields::{Reader, name};
 use crate::diagnostic::{Rule, Span};
-use crate::spec::{Constant, Named, Parameter, PolynomialGroup, Terms};
-use crate::vocabulary::{CONSTANT, PARAMETER, POLYNOMIAL};
+use crate::spec::{Constant, Function, Named, Parameter, PolynomialGroup, Terms};
+use crate::vocabulary::{CONSTANT, FUNCTION, PARAMETER, POLYNOMIAL};
 use crate::yaml::{Kind, Node};
 
 /// Largest exponent in polynomial data.
@@ -41,6 +41,17 @@ impl Reader {
             unit: self.text(&fields, "unit"),
             dispersion: self.dispersion(&fields),
             source: self.text(&fields, "source"),
+        }
+    }
+
+    pub(super) fn function(&mut self, node: &Node) -> Function {
+        let fields = self.fields(node, &FUNCTION);
+        // For people who read the specification: a call leaves no trace of it in the code.
+        self.text(&fields, "source");
+        let arguments = self.items(&fields, "arguments", "a list of names");
+        Function {
+            arguments: arguments.iter().map(|item| self.word(item)).collect(),
+            value: self.code(&fields, "value"),
         }
     }
 

@@ -6,6 +6,7 @@ mod dispersion;
 mod fields;
 mod hardware;
 mod plant;
+mod table;
 mod values;
 
 use crate::diagnostic::{Diagnostic, Rule};
@@ -45,6 +46,8 @@ impl Reader {
             parameters: self.map(&fields, "parameters", Self::parameter),
             correlations: self.correlations(&fields),
             polynomials: self.map(&fields, "polynomials", Self::polynomial_group),
+            tables: self.map(&fields, "tables", Self::table),
+            functions: self.map(&fields, "functions", Self::function),
             definitions: self.map(&fields, "definitions", Self::formula_of),
             blocks: self.blocks(&plant),
             inputs: self.inputs(&plant),

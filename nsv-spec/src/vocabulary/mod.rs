@@ -7,7 +7,7 @@ mod hardware;
 mod plant;
 
 pub(crate) use controller::{CONTROLLER, CONTROLLER_BLOCK, ERROR_BOUND, NETWORK, NOISE_BOUND};
-pub(crate) use data::{CONSTANT, PARAMETER, POLYNOMIAL};
+pub(crate) use data::{AXIS, CONSTANT, FUNCTION, PARAMETER, POLYNOMIAL, TABLE};
 use data::{CONSTANT_KIND, PARAMETER_KIND};
 pub(crate) use dispersion::{CORRELATION, DISPERSION};
 pub(crate) use hardware::{ACTUATOR, FAULT, SENSOR};
@@ -46,8 +46,12 @@ pub enum Kind {
     Choice(&'static [&'static str]),
     /// A number with its unit, or an expression of constants.
     Quantity,
+    /// One expression: text or a number.
+    Expression,
     /// An expression: text, a number, or a nested list of these.
     Formula,
+    /// Plain numbers: one, or lists within lists of them.
+    Grid,
     /// A list.
     List(&'static Kind),
     /// A map with known keys.
@@ -123,6 +127,16 @@ pub static SPECIFICATION: Section = Section {
             "polynomials",
             Kind::Named(&Kind::Section(&POLYNOMIAL)),
             "groups of polynomial data, such as aerodynamic coefficients",
+        ),
+        optional(
+            "tables",
+            Kind::Named(&Kind::Section(&TABLE)),
+            "lookup tables of one to three arguments",
+        ),
+        optional(
+            "functions",
+            Kind::Named(&Kind::Section(&FUNCTION)),
+            "functions of your own, in any order, without cycles",
         ),
         optional(
             "definitions",

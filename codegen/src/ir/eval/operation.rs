@@ -94,6 +94,12 @@ impl Tables {
                     arguments.iter().map(|&argument| first(argument)).collect();
                 out[0] = self.polynomials[id.0 as usize].eval(&arguments);
             }
+            Op::Table(id, ref orders, ref arguments) => {
+                let arguments: Vec<f64> =
+                    arguments.iter().map(|&argument| first(argument)).collect();
+                let table = &program.tables[id.0 as usize].interpolant;
+                out[0] = table.value(&arguments, orders);
+            }
             Op::Family(id, z) => {
                 let (members, z) = (&program.families[id.0 as usize].members, first(z));
                 for (entry, member) in out.iter_mut().zip(members) {

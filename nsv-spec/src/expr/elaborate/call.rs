@@ -1,92 +1,35 @@
-//! Calls of functions and of polynomial data.
+//! Calls of the functions of the language.
 
 use super::typing;
 use super::{
-    Dimension, Elaborator, ExprId, Fault, Function, Node, NodeId, Operator, Shape, Span, Type,
+    Dimension, Elaborator, ExprId, Fault, Function, Node, NodeId, Operator, Real, Shape, Span,
+    Symbol,
 };
-use crate::diagnostic::{Rule, quoted};
-use crate::expr::arena::PolynomialId;
-use crate::expr::builtin::{self, Builtin};
-use crate::expr::scope::Symbol;
+use crate::diagnostic::Rule;
+use crate::expr::builtin::{self, Builtin, Entry};
 use crate::expr::syntax::Name;
-use crate::suggest::nearest;
 
 impl Elaborator<'_> {
     /// `name(arguments)`
     pub(super) fn call(&mut self, span: Span, name: &Name, arguments: &[NodeId]) -> Option<ExprId> {
-        if let Some(builtin) = builtin::find(&name.text) {
-            self.count(span, &name.text, builtin.arity(), arguments.len())?;
-            return self.builtin(span, &name.text, builtin, arguments);
+        if let Some(entry) = builtin::find(&name.text) {
+            self.count(span, &name.text, entry.arguments.len(), arguments.len())?;
+            return self.builtin(span, entry, arguments);
         }
-        let (polynomial, names) = self.polynomial(name)?;
-        self.count(span, &name.text, names.len(), arguments.len())?;
-        self.apply_polynomial(&name.text, polynomial, &names, arguments)
+        if let Some(Symbol::Function(function)) = self.resolve(&name.text) {
+            self.count(span, &name.text, function.arguments.len(), arguments.len())?;
+            return self.insert(span, &function, arguments);
+        }
+        self.call_data(span, name, arguments)
     }
 
-    /// `partial(polynomial, argument, at..)`
-    pub(super) fn partial(
+    pub(super) fn count(
         &mut self,
         span: Span,
-        polynomial: &Name,
-        argument: &Name,
-        at: &[NodeId],
-    ) -> Option<ExprId> {
-        let (id, names) = self.polynomial(polynomial)?;
-        let index = names.iter().position(|name| *name == argument.text);
-        let count = self.count(span, &polynomial.text, names.len(), at.len());
-        let Some(index) = index else {
-            let message = format!(
-                "polynomial data `{}` has no argument `{}`",
-                polynomial.text, argument.text
-            );
-            let meant = nearest(&argument.text, &names);
-            let otherwise = || format!("its arguments are {}", names.join(", "));
-            let fault = Fault::unknown(Rule::E0306, message, argument, meant, otherwise);
-            return self.report(argument.span, fault, &[]);
-        };
-        count?;
-        let derivative = self.scope.derivative(id, index);
-        self.apply_polynomial(&polynomial.text, derivative, &names, at)
-    }
-
-    /// The polynomial data of a name in place of a function.
-    fn polynomial(&mut self, name: &Name) -> Option<(PolynomialId, Vec<String>)> {
-        let text = &name.text;
-        let fault = match self.scope.resolve(text) {
-            Some(Symbol::Polynomial(id, arguments)) => return Some((id, arguments)),
-            Some(Symbol::Faulty) => return None,
-            None if builtin::find(text).is_some() => Fault::new(
-                Rule::E0304,
-                format!("`{text}` is a function of the language, expected polynomial data"),
-                "`partial` differentiates polynomial data only; write other derivatives out",
-            ),
-            Some(Symbol::Unavailable(why)) => {
-                self.unavailable(name.span, text, why);
-                return None;
-            }
-            Some(_) => Fault::new(
-                Rule::E0304,
-                format!("`{text}` is a value, expected a function"),
-                format!("write `*` to multiply: `{text}*(..)`"),
-            ),
-            None => {
-                let data = self.scope.names().into_iter();
-                let data = data.filter(|known| {
-                    matches!(self.scope.resolve(known), Some(Symbol::Polynomial(..)))
-                });
-                let known = builtin::names().map(str::to_owned).chain(data);
-                let meant = builtin::elsewhere(text).or_else(|| nearest(text, known));
-                let message = format!("unknown function {}", quoted(text));
-                Fault::unknown(Rule::E0302, message, name, meant, || {
-                    let names: Vec<&str> = builtin::names().collect();
-                    format!("functions are {}", names.join(", "))
-                })
-            }
-        };
-        self.report(name.span, fault, &[])
-    }
-
-    fn count(&mut self, span: Span, name: &str, expected: usize, found: usize) -> Option<()> {
+        name: &str,
+        expected: usize,
+        found: usize,
+    ) -> Option<()> {
         if expected == found {
             return Some(());
         }
@@ -100,54 +43,10 @@ impl Elaborator<'_> {
         self.report(span, Fault::new(Rule::E0305, message, help), &[])
     }
 
-    fn apply_polynomial(
-        &mut self,
-        name: &str,
-        id: PolynomialId,
-        names: &[String],
-        arguments: &[NodeId],
-    ) -> Option<ExprId> {
-        let mut values = Vec::new();
-        for (argument, &node) in names.iter().zip(arguments) {
-            let what = format!("argument `{argument}` of `{name}`");
-            let Some((value, real)) = self.real(node, &what) else {
-                continue;
-            };
-            let checked = match real.shape {
-                Shape::Scalar => typing::dimensionless(&what, real.dimensions[0]),
-                array => {
-                    let message = format!("shape mismatch: {what} is {array}, expected a scalar");
-                    Err(Fault::new(
-                        Rule::E0501,
-                        message,
-                        "take one entry of the array",
-                    ))
-                }
-            };
-            match checked {
-                Ok(()) => values.push(value),
-                Err(fault) => {
-                    let span = self.span_of(node);
-                    self.report::<()>(span, fault, &[]);
-                }
-            }
-        }
-        let complete = values.len() == arguments.len();
-        complete.then(|| {
-            self.arena
-                .intern(Node::Polynomial(id, values), Type::scalar(Dimension::ONE))
-        })
-    }
-
     /// A function of the language; the number of arguments is right.
-    fn builtin(
-        &mut self,
-        span: Span,
-        name: &str,
-        builtin: Builtin,
-        arguments: &[NodeId],
-    ) -> Option<ExprId> {
-        match (builtin, arguments) {
+    fn builtin(&mut self, span: Span, entry: &Entry, arguments: &[NodeId]) -> Option<ExprId> {
+        let name = entry.name;
+        match (entry.builtin, arguments) {
             (Builtin::Apply(function), &[argument]) => {
                 let (id, real) = self.real(argument, &format!("argument of `{name}`"))?;
                 self.typed(
@@ -177,6 +76,11 @@ impl Elaborator<'_> {
                 self.typed(span, Node::Cross(a, b), typing::cross(&x, &y), arguments)
             }
             (Builtin::Norm, &[argument]) => self.norm(span, argument),
+            (Builtin::Fold(operator), &[argument]) => self.fold(span, name, operator, argument),
+            (Builtin::Diagonal, &[argument]) => self.diagonal(span, argument),
+            (Builtin::Defined { unit, .. }, arguments) => {
+                self.insert_defined(span, entry, unit, arguments)
+            }
             (Builtin::Transpose, &[argument]) => {
                 let (id, real) = self.real(argument, "argument of `transpose`")?;
                 self.typed(
@@ -228,5 +132,73 @@ impl Elaborator<'_> {
         let root_type = typing::apply("norm", Function::Sqrt, &square_type);
         let square = self.arena.intern(Node::Dot(id, id), square_type.into());
         self.typed(span, Node::Apply(Function::Sqrt, square), root_type, &[])
+    }
+
+    /// All entries of an array joined by an operator.
+    fn fold(
+        &mut self,
+        span: Span,
+        name: &str,
+        operator: Operator,
+        argument: NodeId,
+    ) -> Option<ExprId> {
+        let (id, real) = self.real(argument, &format!("argument of `{name}`"))?;
+        if real.shape == Shape::Scalar {
+            let message = format!("shape mismatch: `{name}` of a scalar, expected an array");
+            let fault = Fault::new(Rule::E0501, message, "write a vector: `[a, b]`");
+            return self.report(span, fault, &[]);
+        }
+        let cols = real.shape.size().1;
+        let mut folded: Option<(ExprId, Real)> = None;
+        for (place, &dimension) in real.dimensions.iter().enumerate() {
+            let entry = self.entry(id, place / cols, place % cols);
+            let one = Real::scalar(dimension);
+            folded = Some(match folded {
+                None => (entry, one),
+                Some((so_far, ty)) => {
+                    let ty = typing::agreeing(name, &ty, &one);
+                    let node = Node::Binary(operator, so_far, entry);
+                    let id = self.typed(span, node, ty, &[])?;
+                    self.real_value(span, id, "a sum")?
+                }
+            });
+        }
+        folded.map(|(id, _)| id)
+    }
+
+    /// `diag(v)`
+    fn diagonal(&mut self, span: Span, argument: NodeId) -> Option<ExprId> {
+        let (id, real) = self.real(argument, "argument of `diag`")?;
+        let Shape::Vector(rows) = real.shape else {
+            let message = format!(
+                "shape mismatch: `diag` of {}, expected a vector",
+                real.shape
+            );
+            let fault = Fault::new(
+                Rule::E0501,
+                message,
+                "write the diagonal as a vector: `[a, b]`",
+            );
+            return self.report(span, fault, &[]);
+        };
+        let zero = self.literal(0.0, Dimension::ANY);
+        let (mut entries, mut dimensions) = (Vec::new(), Vec::new());
+        for place in 0..rows * rows {
+            let (row, col) = (place / rows, place % rows);
+            let on = row == col;
+            entries.push(if on { self.entry(id, row, 0) } else { zero });
+            dimensions.push(if on {
+                real.dimensions[row]
+            } else {
+                Dimension::ANY
+            });
+        }
+        let shape = Shape::Matrix(rows, rows);
+        self.typed(
+            span,
+            Node::Array(entries),
+            Ok(Real { shape, dimensions }),
+            &[],
+        )
     }
 }

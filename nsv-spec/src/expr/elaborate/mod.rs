@@ -4,15 +4,17 @@
 //! over in silence, so that each fault is reported once.
 
 mod call;
+mod data;
+mod function;
 mod name;
 mod operator;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::arena::{Arena, Bits, ExprId, Function, Node, Operator, Shape, Type};
 use super::parser::MAX_FAULTS;
-use super::scope::Scope;
-use super::syntax::{Expr, Kind, Literal, NodeId};
+use super::scope::{Scope, Symbol};
+use super::syntax::{Expr, Index, Kind, Literal, NodeId};
 use super::typing::{self, Fault, Real};
 use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::unit::Dimension;
@@ -30,31 +32,26 @@ pub fn elaborate(
         expr,
         scope,
         arena,
+        bound: BTreeMap::new(),
+        depth: 0,
         values: Vec::new(),
         faults: Vec::new(),
         unknown: BTreeSet::new(),
     };
-    for node in expr.nodes() {
-        let value = elaborator.value(node.span, &node.kind);
-        elaborator.values.push(value);
-        if elaborator.faults.len() >= MAX_FAULTS {
-            break;
-        }
-    }
-    let Elaborator {
-        values, mut faults, ..
-    } = elaborator;
+    let root = elaborator.root();
+    let mut faults = elaborator.faults;
     faults.sort_by_key(|fault| fault.span);
-    match values.last() {
-        Some(Some(root)) if faults.is_empty() => Ok(*root),
-        _ => Err(faults),
-    }
+    root.filter(|_| faults.is_empty()).ok_or(faults)
 }
 
 struct Elaborator<'a> {
     expr: &'a Expr,
     scope: &'a mut dyn Scope,
     arena: &'a mut Arena,
+    /// Arguments and counters, which are looked up before the names of the scope.
+    bound: BTreeMap<String, Symbol>,
+    /// How many calls and loops this expression lies in.
+    depth: usize,
     /// What each syntax node became; `None` after a fault in it.
     values: Vec<Option<ExprId>>,
     faults: Vec<Diagnostic>,
@@ -63,6 +60,19 @@ struct Elaborator<'a> {
 }
 
 impl Elaborator<'_> {
+    /// What the whole expression becomes.
+    fn root(&mut self) -> Option<ExprId> {
+        let expr = self.expr;
+        for node in expr.nodes() {
+            let value = self.value(node.span, &node.kind);
+            self.values.push(value);
+            if self.faults.len() >= MAX_FAULTS {
+                return None;
+            }
+        }
+        *self.values.last()?
+    }
+
     fn value(&mut self, span: Span, kind: &Kind) -> Option<ExprId> {
         match kind {
             Kind::Number(literal) => Some(self.number(literal)),
@@ -78,6 +88,11 @@ impl Elaborator<'_> {
             } => self.partial(span, polynomial, argument, at),
             Kind::Array(items) => self.array(span, items),
             Kind::Index(operand, indices) => self.index(span, *operand, indices),
+            Kind::Each {
+                counter,
+                range,
+                body,
+            } => self.each(span, counter, *range, body),
         }
     }
 
@@ -102,6 +117,10 @@ impl Elaborator<'_> {
             .map(|&item| self.real(item, "an entry of an array"))
             .collect::<Vec<_>>();
         let items = items.into_iter().collect::<Option<Vec<_>>>()?;
+        self.stack(span, items)
+    }
+
+    fn stack(&mut self, span: Span, items: Vec<(ExprId, Real)>) -> Option<ExprId> {
         let (_, first) = items.first()?;
         let row = first.shape;
         let odd = items
@@ -144,9 +163,13 @@ impl Elaborator<'_> {
         )
     }
 
-    fn index(&mut self, span: Span, operand: NodeId, indices: &[u32]) -> Option<ExprId> {
+    fn index(&mut self, span: Span, operand: NodeId, indices: &[Index]) -> Option<ExprId> {
         let (id, real) = self.real(operand, "what is indexed")?;
-        let indices: Vec<usize> = indices.iter().map(|&index| index as usize).collect();
+        let indices: Option<Vec<usize>> = indices
+            .iter()
+            .map(|index| self.whole_index(index))
+            .collect();
+        let indices = indices?;
         let (row, col) = match (real.shape, indices.as_slice()) {
             (Shape::Vector(_), &[row]) => (row, 1),
             (Shape::Matrix(..), &[row, col]) => (row, col),
@@ -198,6 +221,10 @@ impl Elaborator<'_> {
     /// An operand that must be a number or an array of numbers, with its type.
     fn real(&mut self, operand: NodeId, what: &str) -> Option<(ExprId, Real)> {
         let id = self.values[operand.0 as usize]?;
+        self.real_value(self.span_of(operand), id, what)
+    }
+
+    fn real_value(&mut self, span: Span, id: ExprId, what: &str) -> Option<(ExprId, Real)> {
         if let Type::Real { shape, dimensions } = self.arena.ty(id) {
             return Some((
                 id,
@@ -212,7 +239,7 @@ impl Elaborator<'_> {
             format!("{what} is a truth value, expected a number"),
             "choose numbers with `if(condition, a, b)`",
         );
-        self.report(self.span_of(operand), fault, &[])
+        self.report(span, fault, &[])
     }
 
     /// An operand that must be a truth value.
@@ -283,7 +310,7 @@ impl Elaborator<'_> {
             _ => None,
         });
         units.into_iter().find_map(|unit| {
-            let name = unit.symbols().skip(1).find(|name| self.scope.resolve(name).is_some())?;
+            let name = unit.symbols().skip(1).find(|name| self.resolve(name).is_some())?;
             let text = &unit.text;
             Some(format!("; in `{text}`, `{name}` is a unit: put blanks around the operator to use the name `{name}`"))
         })

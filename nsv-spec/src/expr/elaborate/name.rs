@@ -1,9 +1,8 @@
 //! Names in place of values.
 
-use super::{Bits, Dimension, Elaborator, ExprId, Fault, Node, Span, Type};
+use super::{Bits, Dimension, Elaborator, ExprId, Fault, Node, Span, Symbol, Type};
 use crate::diagnostic::{Rule, quoted};
 use crate::expr::builtin;
-use crate::expr::scope::Symbol;
 use crate::expr::syntax::Name;
 use crate::suggest::nearest;
 use crate::unit::parse_unit;
@@ -11,7 +10,7 @@ use crate::unit::parse_unit;
 impl Elaborator<'_> {
     /// The value that a name stands for.
     pub(super) fn name(&mut self, span: Span, name: &str) -> Option<ExprId> {
-        let (node, ty) = match self.scope.resolve(name) {
+        let (node, ty) = match self.resolve(name) {
             Some(Symbol::Constant(id, ty)) => (Node::Constant(id), ty),
             Some(Symbol::Parameter(id, ty)) => (Node::Parameter(id), ty),
             Some(Symbol::State {
@@ -22,10 +21,12 @@ impl Elaborator<'_> {
             Some(Symbol::Truth(at, dimension)) => (Node::Truth(at), Type::scalar(dimension)),
             Some(Symbol::Input(at, dimension)) => (Node::Input(at), Type::scalar(dimension)),
             Some(Symbol::Time) => (Node::Time, Type::scalar(Dimension::new(0, 0, 1, 0))),
-            Some(Symbol::Pi) => (
-                Node::Number(Bits(std::f64::consts::PI.to_bits())),
-                Type::scalar(Dimension::ONE),
-            ),
+            Some(Symbol::Number(value, dimension)) => {
+                (Node::Number(Bits(value.to_bits())), Type::scalar(dimension))
+            }
+            Some(Symbol::Value(id)) => return Some(id),
+            Some(Symbol::Counter(counter)) => return Some(self.counted(counter)),
+            Some(Symbol::Function(_)) => return self.function_as_value(span, name),
             Some(Symbol::Definition(id, ty)) => (Node::Definition(id), ty),
             Some(Symbol::Polynomial(_, arguments)) => {
                 let help = format!(
@@ -42,6 +43,16 @@ impl Elaborator<'_> {
                     &[],
                 );
             }
+            Some(Symbol::Table(_, signature)) => {
+                let arguments = signature.arguments.iter();
+                let arguments: Vec<&str> = arguments.map(|(name, _)| name.as_str()).collect();
+                let help = format!(
+                    "apply it to its arguments: `{name}({})`",
+                    arguments.join(", ")
+                );
+                let message = format!("`{name}` is a table, expected a value");
+                return self.report(span, Fault::new(Rule::E0304, message, help), &[]);
+            }
             Some(Symbol::Unavailable(why)) => return self.unavailable(span, name, why),
             Some(Symbol::Faulty) => return None,
             None => return self.unknown_name(span, name),
@@ -57,23 +68,27 @@ impl Elaborator<'_> {
         )
     }
 
+    fn function_as_value(&mut self, span: Span, name: &str) -> Option<ExprId> {
+        let fault = Fault::new(
+            Rule::E0304,
+            format!("`{name}` is a function, expected a value"),
+            format!("apply it: `{name}(..)`"),
+        );
+        self.report(span, fault, &[])
+    }
+
     fn unknown_name(&mut self, span: Span, name: &str) -> Option<ExprId> {
         if !self.unknown.insert(name.to_owned()) {
             return None;
         }
         if builtin::names().any(|function| function == name) {
-            let fault = Fault::new(
-                Rule::E0304,
-                format!("`{name}` is a function, expected a value"),
-                format!("apply it: `{name}(..)`"),
-            );
-            return self.report(span, fault, &[]);
+            return self.function_as_value(span, name);
         }
         let written = Name {
             text: name.to_owned(),
             span,
         };
-        let meant = nearest(name, self.scope.names());
+        let meant = nearest(name, self.known_names());
         let message = format!("unknown name {}", quoted(name));
         let fault = Fault::unknown(
             Rule::E0301,

@@ -229,3 +229,53 @@ fn a_wrong_kind_of_value_is_refused_at_its_place() {
     ];
     insta::assert_snapshot!(found.join("\n"));
 }
+
+#[test]
+fn functions_of_the_language() {
+    insta::assert_snapshot!(faults(
+        r"
+        clamp(x, 0, 1 s)
+        clamp(x, 0)
+        smooth_step(t, 1 m, 2 m)
+        skew(2)
+        skew([1, 2])
+        rot_x(x)
+        sum(2)
+        sum([1 m, 1 s])
+        largest(2)
+        diag(2)
+        atmosphere.density(2 s)
+        atmosphere.density([1 m, 2 m])
+        atmosphere.densty(2 m)
+        atmosphere.density
+        g0 + 1
+        earth.mus
+        norm_1(2)
+        "
+    ));
+}
+
+#[test]
+fn loops() {
+    insta::assert_snapshot!(faults(
+        r"
+        each(i, 1, 3)
+        each(1, 1, 3, 2)
+        each(i, 0, 3, 2)
+        each(i, n, 3, 2)
+        each(i, 3, 1, 2)
+        each(i, 1, 65, 2)
+        each(n, 1, 3, 2)
+        each(sin, 1, 3, 2)
+        each(i, 1, 4, omega[i])
+        each(i, 1, 2, omega[i - 1])
+        each(i, 1, 2, mass + x)
+        each(i, 1, 2, nn)
+        each(i, 1, 2, i > 1)
+        each(i, 1, 2, [[i]])
+        each(i, 1, 2, sin(x)) + each(i, 1, 2, i)[i]
+        omega[i]
+        i
+        "
+    ));
+}

@@ -36,6 +36,7 @@ fn nothing_overflows_the_stack() {
         "if(n > 0, ",
         "CL.alpha(",
         "partial(CL.alpha, mach, ",
+        "each(i, 1, 2, ",
     ] {
         let longest = opening.repeat(MAX_TEXT / opening.len());
         assert_eq!(code(&longest), "E0206", "{opening}");
@@ -123,4 +124,17 @@ fn assert_inside(text: &str, faults: &[Diagnostic]) {
             "{text}: {fault:?}"
         );
     }
+}
+
+#[test]
+fn nested_loops_stop_at_a_size() {
+    let loops = |depth: usize| {
+        let open: String = (0..depth)
+            .map(|at| format!("sum(each(i{at}, 1, 64, "))
+            .collect();
+        format!("{open}n{}", "))".repeat(depth))
+    };
+    assert_eq!(code(&loops(2)), "accepted");
+    assert_eq!(code(&loops(3)), "E0211");
+    assert_eq!(code(&loops(30)), "E0211");
 }

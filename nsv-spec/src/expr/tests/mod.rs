@@ -15,6 +15,7 @@ use crate::unit::{Dimension, parse_unit};
 #[derive(Default)]
 struct World {
     derivatives: Vec<(PolynomialId, usize)>,
+    inserted: usize,
 }
 
 const THREE: Shape = Shape::Vector(3);
@@ -28,7 +29,6 @@ impl Scope for World {
         let array = |shape, unit| Type::uniform(shape, dimension(unit));
         Some(match name {
             "t" => Symbol::Time,
-            "pi" => Symbol::Pi,
             "g" => Symbol::Constant(ConstantId(0), Type::scalar(dimension("m/s^2"))),
             "inertia" => Symbol::Constant(ConstantId(1), array(Shape::Matrix(3, 3), "kg*m^2")),
             "mixed" => Symbol::Constant(ConstantId(2), mixed()),
@@ -61,8 +61,13 @@ impl Scope for World {
     }
 
     fn names(&self) -> Vec<String> {
-        let names = "t pi g inertia mixed mass n alpha x v omega pair CL.alpha";
+        let names = "t g inertia mixed mass n alpha x v omega pair CL.alpha";
         names.split(' ').map(str::to_owned).collect()
+    }
+
+    fn insert(&mut self, operations: usize) -> bool {
+        self.inserted += operations;
+        self.inserted <= 10_000
     }
 
     fn derivative(&mut self, polynomial: PolynomialId, argument: usize) -> PolynomialId {

@@ -1,6 +1,6 @@
 //! What the grammar makes of a text.
 
-use super::super::syntax::{Expr, Kind, NodeId};
+use super::super::syntax::{Expr, Index, Kind, NodeId};
 use super::*;
 
 /// The tree in prefix form.
@@ -32,7 +32,22 @@ fn tree(expr: &Expr, id: usize) -> String {
             )
         }
         Kind::Array(items) => format!("[{}]", operands(items)),
-        Kind::Index(a, indices) => format!("(at {} {indices:?})", operands(&[*a])),
+        Kind::Index(a, indices) => {
+            let index = |index: &Index| match &index.counter {
+                Some(counter) => format!("{}{:+}", counter.text, index.offset),
+                None => index.offset.to_string(),
+            };
+            let indices: Vec<String> = indices.iter().map(index).collect();
+            format!("(at {} [{}])", operands(&[*a]), indices.join(", "))
+        }
+        Kind::Each {
+            counter,
+            range: (first, last),
+            body,
+        } => {
+            let body = tree(body, body.nodes().len() - 1);
+            format!("(each {} {first}..{last} {body})", counter.text)
+        }
     }
 }
 
@@ -94,6 +109,14 @@ fn brackets_calls_and_indices() {
     check("v[1] + M[1, 2]", "(Add (at v [1]) (at M [1, 2]))");
     check("transpose(M)[2, 1]^2", "(Pow (at (transpose M) [2, 1]) 2)");
     check("[a, b][2]", "(at [a b] [2])");
+    check(
+        "each(i, 1, 3, v[i]*i)",
+        "(each i 1..3 (Mul (at v [i+0]) i))",
+    );
+    check(
+        "each(i, 2, 3, each(j, 1, 2, M[i, j - 1] + v[i+1]))",
+        "(each i 2..3 (each j 1..2 (Add (at M [i+0, j-1]) (at v [i+1]))))",
+    );
     check(" ( a )\n+\t b ", "(Add a b)");
 }
 
@@ -146,8 +169,26 @@ fn single_literals_show_their_unit() {
 fn free_names_are_the_values() {
     let text = "CL.alpha(a, 1 m/x) + sin(b)*partial(CL.RE, mach, c) + a";
     let expr = parse(text, base(text)).unwrap();
-    let names: Vec<_> = expr.free_names().map(|(name, _)| name).collect();
+    let names: Vec<_> = expr
+        .free_names()
+        .into_iter()
+        .map(|(name, _)| name)
+        .collect();
     assert_eq!(names, ["a", "x", "b", "c", "a"]);
+    let called: Vec<_> = expr
+        .called_names()
+        .into_iter()
+        .map(|(name, _)| name)
+        .collect();
+    assert_eq!(called, ["CL.alpha", "sin", "CL.RE"]);
+    let text = "each(i, 1, 3, i*a + each(j, 1, 2, i*j))[k]";
+    let expr = parse(text, base(text)).unwrap();
+    let names: Vec<_> = expr
+        .free_names()
+        .into_iter()
+        .map(|(name, _)| name)
+        .collect();
+    assert_eq!(names, ["a"]);
 }
 
 #[test]

@@ -207,6 +207,25 @@ pub(super) fn dimensionless(what: &str, dimension: Dimension) -> Result<(), Faul
     ))
 }
 
+/// An argument of a dimension.
+pub(super) fn argument(what: &str, found: Dimension, wanted: Dimension) -> Result<(), Fault> {
+    if wanted == Dimension::ONE {
+        return dimensionless(what, found);
+    }
+    if found.agree(wanted).is_some() {
+        return Ok(());
+    }
+    let message = format!(
+        "unit mismatch: {what} is {}, expected {wanted}",
+        shown(found)
+    );
+    Err(Fault::new(
+        Rule::E0404,
+        message,
+        format!("give it in {wanted}"),
+    ))
+}
+
 /// Whole power of a scalar.
 pub(super) fn power(base: &Real, exponent: i32) -> Result<Real, Fault> {
     if base.shape != Shape::Scalar {

@@ -1,7 +1,9 @@
-//! Joins the files of a specification into one tree.
+//! Joins the files of a specification into one tree, and reads the data files that it names.
 //!
 //! A file may list fragments under `include`: files below the directory of the specification with any of its top-level
 //! sections. Maps merge key by key; anything else may be given in one file only.
+
+mod data;
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -44,6 +46,7 @@ pub fn read_file(path: &Path, sources: &mut SourceMap) -> Result<Node, Vec<Diagn
         sources,
         open: vec![canonical.clone()],
         read: vec![(canonical, None)],
+        data: BTreeMap::new(),
         faults: Vec::new(),
     };
     joiner.join_all(tree)
@@ -61,6 +64,7 @@ pub fn read_text(
         sources,
         open: Vec::new(),
         read: Vec::new(),
+        data: BTreeMap::new(),
         faults: Vec::new(),
     }
     .join_all(tree)
@@ -126,6 +130,8 @@ struct Joiner<'a> {
     open: Vec<PathBuf>,
     /// Every file with the entry that included it.
     read: Vec<(PathBuf, Option<Span>)>,
+    /// Data files that have been read.
+    data: BTreeMap<PathBuf, FileId>,
     faults: Vec<Diagnostic>,
 }
 
@@ -142,6 +148,7 @@ impl Joiner<'_> {
     /// Merges everything that `tree` includes into it, and removes its `include` key. `below` is the directory of the file,
     /// relative to that of the specification.
     fn join(&mut self, tree: &mut Node, below: &Path) {
+        self.read_data(tree, below);
         for (name, span) in self.take_list(tree) {
             let Some(path) = self.resolve(&name, span, below) else {
                 continue;
@@ -198,12 +205,12 @@ impl Joiner<'_> {
 
     /// The canonical path of an included file, if it may be read.
     fn resolve(&mut self, name: &str, span: Span, below: &Path) -> Option<PathBuf> {
-        const STAY: &str = "included files are named relative to the file that includes them and lie below the specification's directory";
+        const STAY: &str = "files are named relative to the file that names them and lie below the specification's directory";
         let Some(root) = self.root.clone() else {
             self.fault(
                 Rule::E0020,
                 span,
-                "found an include in a specification that is not in a file",
+                "found the name of another file in a specification that is not in a file",
                 "save the specification to a file",
             );
             return None;

@@ -1,10 +1,15 @@
 //! Tokens to syntax, by precedence climbing over one table of binding powers.
 
+mod forms;
+mod power;
+
 use std::ops::Range;
 
 use super::lexer::{Token, TokenKind, tokens};
 use super::syntax::{Expr, Infix, Kind, Name, Node, NodeId};
 use crate::diagnostic::{Applicability, Base, Diagnostic, Rule, quoted};
+pub(super) use forms::INDEX;
+pub(crate) use power::binding;
 
 /// Longest text of one expression, bytes.
 pub const MAX_TEXT: usize = 64 * 1024;
@@ -13,28 +18,10 @@ pub const MAX_DEPTH: usize = 128;
 /// Most operators, operands and calls in one expression.
 pub const MAX_NODES: usize = 16 * 1024;
 
-/// How strongly each operator binds, loosest first; the only place that says so.
-mod power {
-    use super::Infix;
-
-    pub(super) const NONE: u8 = 0;
-    pub(super) const NOT: u8 = 5;
-    pub(super) const NEGATE: u8 = 12;
-
-    /// Left and right binding power. The left one is smaller in operators that group to the left, larger in `^`.
-    pub(super) fn of(operator: Infix) -> (u8, u8) {
-        match operator {
-            Infix::Or => (1, 2),
-            Infix::And => (3, 4),
-            // NOT = 5
-            Infix::Compare(_) => (6, 7),
-            Infix::Add | Infix::Sub => (8, 9),
-            Infix::Mul | Infix::Div => (10, 11),
-            // NEGATE = 12: -x^2 = -(x^2), and x^-2 since a prefix may start any operand.
-            Infix::Pow => (14, 13),
-        }
-    }
-}
+/// Most operations that calls and rounds of `each` insert into one specification.
+pub const MAX_INSERTED: usize = 200_000;
+/// Most rounds of one `each`.
+pub const MAX_ROUNDS: u32 = 64;
 
 /// Most faults reported in one expression; what comes after so many says little.
 pub(super) const MAX_FAULTS: usize = 32;
@@ -56,6 +43,7 @@ pub fn parse(text: &str, base: Base) -> Result<Expr, Vec<Diagnostic>> {
         text,
         base,
         nodes: Vec::new(),
+        made: 0,
         depth: 0,
     };
     match parser.whole() {
@@ -81,6 +69,8 @@ struct Parser<'a> {
     text: &'a str,
     base: Base,
     nodes: Vec<Node>,
+    /// Nodes made so far, those of the bodies of loops included.
+    made: usize,
     depth: usize,
 }
 
@@ -222,8 +212,10 @@ impl<'a> Parser<'a> {
     fn call(&mut self, name: &str, range: Range<usize>) -> Parsed<Operand> {
         let start = range.start;
         let open = self.advance().range.start;
-        if name == "partial" {
-            return self.partial(start, open);
+        match name {
+            "partial" => return self.partial(start, open),
+            "each" => return self.each(start, open),
+            _ => {}
         }
         let name = Name {
             text: name.to_owned(),
@@ -231,50 +223,6 @@ impl<'a> Parser<'a> {
         };
         let (arguments, end) = self.list(&TokenKind::Close, open, "`,`, an operator or `)`")?;
         self.push(start..end, Kind::Call(name, arguments))
-    }
-
-    /// `partial(polynomial, argument, at..)` behind its bracket.
-    fn partial(&mut self, start: usize, open: usize) -> Parsed<Operand> {
-        let polynomial = self.bare_name("the name of polynomial data")?;
-        self.comma()?;
-        let argument = self.bare_name("the name of an argument of the polynomial data")?;
-        self.comma()?;
-        let (at, end) = self.list(&TokenKind::Close, open, "`,`, an operator or `)`")?;
-        self.push(
-            start..end,
-            Kind::Partial {
-                polynomial,
-                argument,
-                at,
-            },
-        )
-    }
-
-    fn bare_name(&mut self, expected: &str) -> Parsed<Name> {
-        let token = self.peek();
-        let TokenKind::Name(text) = &token.kind else {
-            return Err(self.malformed_partial(expected));
-        };
-        self.next += 1;
-        Ok(Name {
-            text: text.clone(),
-            span: self.base.span_of(token.range.clone()),
-        })
-    }
-
-    fn comma(&mut self) -> Parsed<()> {
-        if self.peek().kind != TokenKind::Comma {
-            return Err(self.malformed_partial("`,`"));
-        }
-        self.next += 1;
-        Ok(())
-    }
-
-    fn malformed_partial(&self, expected: &str) -> Box<Diagnostic> {
-        let token = self.peek();
-        let message = format!("found {}, expected {expected}", self.named(token));
-        let help = "write `partial(polynomial, argument, values..)` with one value per argument";
-        self.fault(Rule::E0203, token.range.clone(), message, help)
     }
 
     /// One or more expressions up to the closing bracket, and the byte after that.
@@ -291,31 +239,6 @@ impl<'a> Parser<'a> {
         }
         let end = self.close(closing, open, expected)?;
         Ok((items, end))
-    }
-
-    /// `[i]` or `[i, j]` behind an operand.
-    fn index(&mut self, operand: Operand) -> Parsed<Operand> {
-        let open = self.advance().range.start;
-        let mut indices = Vec::new();
-        loop {
-            let token = self.advance();
-            match &token.kind {
-                TokenKind::Number(literal) if literal.integer.is_some_and(|index| index > 0) => {
-                    indices.extend(literal.integer)
-                }
-                _ => {
-                    let message = format!("found {}, expected an index", self.named(token));
-                    let help = "indices are whole numbers from 1, known when the specification is read: `v[1]`, `M[1, 2]`";
-                    return Err(self.fault(Rule::E0209, token.range.clone(), message, help));
-                }
-            }
-            if self.peek().kind != TokenKind::Comma {
-                break;
-            }
-            self.next += 1;
-        }
-        let end = self.close(&TokenKind::CloseArray, open, "`,` or `]`")?;
-        self.push(operand.range.start..end, Kind::Index(operand.id, indices))
     }
 
     /// The byte after the bracket that must come next.
@@ -347,7 +270,7 @@ impl<'a> Parser<'a> {
     }
 
     fn push(&mut self, range: Range<usize>, kind: Kind) -> Parsed<Operand> {
-        if self.nodes.len() == MAX_NODES {
+        if self.made == MAX_NODES {
             let message = format!("expression of more than {MAX_NODES} terms");
             return Err(self.fault(
                 Rule::E0207,
@@ -356,6 +279,7 @@ impl<'a> Parser<'a> {
                 "split it into named definitions",
             ));
         }
+        self.made += 1;
         let id = NodeId(u32::try_from(self.nodes.len()).expect("invariant: MAX_NODES fits u32"));
         self.nodes.push(Node {
             span: self.base.span_of(range.clone()),

@@ -1,13 +1,14 @@
 //! Random sound programs with random inputs, for tests of passes and back ends. The same seed gives the same program everywhere.
 
-use nsv_spec::model::Basis as Kind;
+mod frame;
 
 use super::build::size;
 use super::mnemonic::{COMPARISONS, FUNCTIONS, KERNELS, OPERATORS};
 use super::{
-    BasisId, FamilyId, FamilyMember, Function, Input, MonomialBasis, Op, Operator, Origin,
-    PolynomialData, PolynomialFamily, PolynomialId, Program, Shape, Type, ValueId, Values,
+    BasisId, FamilyId, Function, Op, Operator, PolynomialId, Program, Shape, TableId, Type,
+    ValueId, Values,
 };
+use frame::frame;
 
 /// Values at which algebra that is not IEEE arithmetic shows.
 const SPECIAL: [f64; 14] = [
@@ -69,73 +70,6 @@ pub fn inputs(program: &Program, seed: u64) -> Values {
         )
     });
     values.collect()
-}
-
-/// Inputs and tables of every random program.
-fn frame() -> Program {
-    let inputs = SHAPES
-        .iter()
-        .enumerate()
-        .map(|(index, &shape)| Input {
-            name: format!("x{index}"),
-            shape,
-        })
-        .collect();
-    let terms = vec![
-        (0.5, vec![0, 0]),
-        (-1.25, vec![2, 1]),
-        (3.0, vec![0, 3]),
-        (0.1, vec![4, 0]),
-        (2.0, vec![2, 0]),
-    ];
-    let names = |names: &[&str]| {
-        names
-            .iter()
-            .map(|&name| name.to_owned())
-            .collect::<Vec<String>>()
-    };
-    Program {
-        name: "random".into(),
-        inputs,
-        polynomials: vec![
-            PolynomialData {
-                name: "f".into(),
-                arguments: names(&["a", "b"]),
-                terms,
-            },
-            PolynomialData {
-                name: "g".into(),
-                arguments: names(&["a"]),
-                terms: vec![(-2.5, vec![3])],
-            },
-        ],
-        families: vec![PolynomialFamily {
-            name: "h".into(),
-            argument: "a".into(),
-            members: vec![
-                member("h1", &[0.5, -0.0, 1.25, -3.0]),
-                member("h2", &[-0.75, 0.0, 2.0, 0.5]),
-                member("h3", &[0.0, 1.0]),
-                member("h4", &[4.0]),
-            ],
-        }],
-        bases: vec![
-            MonomialBasis::new("basis1", 3, Kind::Pairwise, &names(&["p", "q", "r"])),
-            MonomialBasis::new("basis2", 2, Kind::Complete, &names(&["p", "q"])),
-        ],
-        origins: vec![Origin {
-            group: "random values".into(),
-            equation: "v = \"any\" \\ value  (1)".into(),
-        }],
-        ..Program::default()
-    }
-}
-
-fn member(name: &str, coefficients: &[f64]) -> FamilyMember {
-    FamilyMember {
-        name: name.to_owned(),
-        coefficients: coefficients.to_vec(),
-    }
 }
 
 /// A linear congruential generator (Knuth's MMIX constants), of which the high bits are used.
@@ -341,6 +275,7 @@ impl Generator {
                 Op::Polynomial(PolynomialId(0), vec![self.scalar()?, self.scalar()?])
             }
             26 => Op::Polynomial(PolynomialId(1), vec![self.scalar()?]),
+            28 if self.random.below(2) == 0 => self.table()?,
             27 => Op::Family(FamilyId(0), self.scalar()?),
             _ => {
                 let (basis, inputs) = self.random.pick(&[(BasisId(0), 3), (BasisId(1), 2)]);
@@ -353,6 +288,23 @@ impl Generator {
                 }
             }
         })
+    }
+
+    /// A derivative of a table.
+    fn table(&mut self) -> Option<Op> {
+        let id = self.random.below(self.program.tables.len());
+        let (count, degree) = {
+            let table = &self.program.tables[id];
+            (table.arguments.len(), table.interpolant.degree.number())
+        };
+        let order = |random: &mut Random| match random.below(2) {
+            0 => 0,
+            _ => u32::try_from(random.below(degree + 1)).expect("invariant: at most 3"),
+        };
+        let orders = (0..count).map(|_| order(&mut self.random)).collect();
+        let arguments = (0..count).map(|_| self.scalar()).collect::<Option<_>>()?;
+        let id = TableId(u32::try_from(id).expect("invariant: few tables"));
+        Some(Op::Table(id, orders, arguments))
     }
 
     /// A value of a type that is accepted, if one is found in a few draws, most likely a recent one.
@@ -438,7 +390,7 @@ mod tests {
         let words = words
             .chain(COMPARISONS.map(|(_, word)| word))
             .chain(KERNELS.map(|(_, word)| word));
-        let others = "const powi and or not select array element matmul transpose dot outer sum_squares solve singular_vector polynomial family \
+        let others = "const powi and or not select array element matmul transpose dot outer sum_squares solve singular_vector polynomial table family \
                       basis basis_rate basis_rate2";
         for word in words.chain(others.split(' ')) {
             assert!(text.contains(&format!("= {word} ")), "{word}");

@@ -1,0 +1,161 @@
+//! Lookup tables: their numbers, and a function for each derivative that is called.
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::emit::basis::list;
+use crate::emit::comment::{code, docs, prose};
+use crate::emit::literal;
+use crate::emit::names::Scope;
+use crate::ir::{Op, Program, TableData};
+use nsv_spec::interpolation::{Degree, Extrapolation, weights};
+
+/// The tables of a set of programs, each once, with the derivatives that are called.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Tables {
+    tables: Vec<(TableData, Ident)>,
+    /// Position of the table, orders, and the function's name.
+    functions: Vec<(usize, Vec<u32>, Ident)>,
+    scope: Scope,
+}
+
+impl Tables {
+    /// Takes over what an operation calls.
+    pub(crate) fn add(&mut self, program: &Program, op: &Op) {
+        let Op::Table(id, orders, _) = op else {
+            return;
+        };
+        let data = &program.tables[id.0 as usize];
+        let known = self.tables.iter().position(|(known, _)| known == data);
+        let at = known.unwrap_or_else(|| {
+            let name = self.scope.claim(&data.name);
+            self.tables.push((data.clone(), name));
+            self.tables.len() - 1
+        });
+        let called = |(table, of, _): &(usize, Vec<u32>, Ident)| *table == at && of == orders;
+        if !self.functions.iter().any(called) {
+            let name = match orders.iter().all(|&order| order == 0) {
+                true => self.tables[at].1.clone(),
+                false => self
+                    .scope
+                    .claim(&format!("{}{}", data.name, suffix(orders))),
+            };
+            self.functions.push((at, orders.clone(), name));
+        }
+    }
+
+    /// Whether there are none.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.functions.is_empty()
+    }
+
+    /// Path of the function that computes an operation; nothing for another operation.
+    pub(crate) fn path(&self, program: &Program, op: &Op) -> TokenStream {
+        let Op::Table(id, orders, _) = op else {
+            return TokenStream::new();
+        };
+        let data = &program.tables[id.0 as usize];
+        let found = self
+            .functions
+            .iter()
+            .find(|(at, of, _)| self.tables[*at].0 == *data && of == orders);
+        found
+            .map(|(_, _, name)| quote!(tables::#name))
+            .unwrap_or_default()
+    }
+
+    /// Numbers and functions. `sources` tells where data comes from, by its name in the specification.
+    pub(crate) fn items(&self, sources: &[(String, String)]) -> Vec<TokenStream> {
+        let mut items = Vec::new();
+        for (at, (data, name)) in self.tables.iter().enumerate() {
+            let numbers = format_ident!("{}", name.to_string().to_uppercase());
+            items.push(self::numbers(data, &numbers, sources));
+            let functions = self.functions.iter().filter(|(of, ..)| *of == at);
+            items.extend(functions.map(|(_, orders, name)| function(data, &numbers, orders, name)));
+        }
+        items
+    }
+}
+
+/// `_d1_d3` for one derivative by the first and one by the third argument.
+fn suffix(orders: &[u32]) -> String {
+    let times = orders.iter().enumerate();
+    times
+        .map(|(at, &order)| format!("_d{}", at + 1).repeat(order as usize))
+        .collect()
+}
+
+fn numbers(data: &TableData, name: &Ident, sources: &[(String, String)]) -> TokenStream {
+    let interpolant = &data.interpolant;
+    let splines = interpolant.degree.number() + 1;
+    let axes = interpolant.breaks.iter().map(|breaks| {
+        let intervals = (0..breaks.len() - 1).map(|i| {
+            let weights = weights(breaks, interpolant.degree, i);
+            let splines = weights[..splines]
+                .iter()
+                .map(|powers| literal::row(&powers[..splines]));
+            quote!([#(#splines),*])
+        });
+        let breaks = literal::row(breaks);
+        quote!(Axis { breaks: &#breaks, weights: &[#(#intervals),*] })
+    });
+    let coefficients = literal::row(&interpolant.coefficients);
+    let held = interpolant.extrapolation == Extrapolation::Clamp;
+    let source = sources.iter().find(|(known, _)| *known == data.name);
+    let source = source.filter(|(_, source)| !source.is_empty());
+    let source = source.map_or_else(String::new, |(_, source)| {
+        format!(" Source: {}.", prose(source))
+    });
+    let kind = match interpolant.degree {
+        Degree::Linear => "linear",
+        Degree::Cubic => "cubic",
+    };
+    let outside = match interpolant.extrapolation {
+        Extrapolation::Clamp => "outside its axes the value at the nearer end",
+        Extrapolation::Error => "outside its axes no number",
+    };
+    let docs = docs(&[format!(
+        "Table {} in {}, {kind}; {outside}.{source}",
+        code(&data.name),
+        list(&data.arguments)
+    )]);
+    let (dimensions, splines) = (
+        Literal::usize_unsuffixed(data.arguments.len()),
+        Literal::usize_unsuffixed(splines),
+    );
+    quote! {
+        #docs
+        static #name: Table<#dimensions, #splines> = Table {
+            axes: [#(#axes),*],
+            coefficients: &#coefficients,
+            held: #held,
+        };
+    }
+}
+
+fn function(data: &TableData, numbers: &Ident, orders: &[u32], name: &Ident) -> TokenStream {
+    let mut scope = Scope::default();
+    let arguments: Vec<Ident> = data
+        .arguments
+        .iter()
+        .map(|name| scope.claim(name))
+        .collect();
+    let by: Vec<String> = data
+        .arguments
+        .iter()
+        .zip(orders)
+        .flat_map(|(name, &order)| std::iter::repeat_n(name.clone(), order as usize))
+        .collect();
+    let docs = docs(&[match by.is_empty() {
+        true => format!("Table {}.", code(&data.name)),
+        false => format!("Derivative of table {} by {}.", code(&data.name), list(&by)),
+    }]);
+    let orders = orders.iter().map(|&order| Literal::u32_unsuffixed(order));
+    quote! {
+        #docs
+        #[inline(always)]
+        pub fn #name<T: Real>(#(#arguments: T),*) -> T {
+            #numbers.value([#(#orders),*], [#(#arguments),*])
+        }
+    }
+}

@@ -1,0 +1,227 @@
+//! Guarantees that every lookup table has a finite value at each combination of increasing points.
+
+mod file;
+mod inline;
+
+use std::sync::Arc;
+
+use super::Context;
+use super::constants::text;
+use super::csv::Cell;
+use super::scope::Dependence;
+use crate::diagnostic::{Diagnostic, Rule, SourceMap, Span, quoted};
+use crate::expr::arena::TableId;
+use crate::expr::{Signature, Symbol};
+use crate::interpolation::Interpolant;
+use crate::model::Table;
+use crate::spec::{self, Word};
+use crate::unit::{Dimension, Unit};
+
+/// Most arguments of a table.
+pub(crate) const MAX_AXES: usize = 3;
+/// Most points of an axis.
+pub(crate) const MAX_POINTS: usize = 1000;
+/// Most values of a table.
+pub(crate) const MAX_VALUES: usize = 100_000;
+
+/// Numbers of a table as they are written: points of each axis, values with the last axis fastest.
+struct Written<'a> {
+    points: Vec<Vec<Cell<'a>>>,
+    values: Vec<Cell<'a>>,
+}
+
+impl Context<'_> {
+    /// Takes over every table.
+    pub(super) fn check_tables(&mut self, sources: &SourceMap) {
+        let spec = self.spec;
+        for (at, declared) in spec.tables.iter().enumerate() {
+            let name = &declared.name.value;
+            let table = self.table(&declared.name, &declared.value, sources);
+            let id = TableId(u32::try_from(at).expect("invariant: fewer than 2^32 tables"));
+            match &table {
+                Some(table) => {
+                    let signature = Signature {
+                        arguments: table.arguments.clone(),
+                        value: table.dimension,
+                    };
+                    let symbol = Symbol::Table(id, Arc::new(signature));
+                    self.names.define(name, symbol, Dependence::default());
+                }
+                None => self.names.refuse(name),
+            }
+            self.names.tables.push(table);
+        }
+    }
+
+    fn table(&mut self, name: &Word, declared: &spec::Table, sources: &SourceMap) -> Option<Table> {
+        if !(1..=MAX_AXES).contains(&declared.axes.len()) {
+            let message = format!("table `{}` has {} axes", name.value, declared.axes.len());
+            let help = format!("a table has 1 to {MAX_AXES} axes");
+            self.fault(Rule::E0324, name.span, message, help);
+            return None;
+        }
+        let units: Vec<Option<Option<Unit>>> = declared
+            .axes
+            .iter()
+            .map(|axis| self.optional_unit(axis.value.unit.as_ref()))
+            .collect();
+        let unit = self.optional_unit(declared.unit.as_ref());
+        let written = match (&declared.values, &declared.file) {
+            (Some(values), _) => self.inline_table(declared, values),
+            (None, Some(file)) => self.table_file(name, declared, file, sources),
+            (None, None) => None,
+        };
+        let (units, unit, written) = (
+            units.into_iter().collect::<Option<Vec<_>>>()?,
+            unit?,
+            written?,
+        );
+        let dimension =
+            |unit: &Option<Unit>| unit.as_ref().map_or(Dimension::ONE, |unit| unit.dimension);
+        let names = declared.axes.iter().map(|axis| axis.name.value.clone());
+        let arguments: Vec<_> = names.zip(units.iter().map(dimension)).collect();
+        let dimension = dimension(&unit);
+        self.check_slopes(name, &arguments, dimension)?;
+        let (degree, extrapolation) =
+            (declared.interpolation?.value, declared.extrapolation?.value);
+        let mut axes = Vec::new();
+        for ((axis, unit), written) in declared.axes.iter().zip(&units).zip(&written.points) {
+            let fewest = degree.fewest_points();
+            axes.push(self.points(&axis.name, unit.as_ref(), written, fewest));
+        }
+        let values = self.numbers_in(&written.values, unit.as_ref());
+        let axes: Vec<Vec<f64>> = axes.into_iter().collect::<Option<_>>()?;
+        let interpolant = Interpolant::new(degree, extrapolation, &axes, values?);
+        if interpolant
+            .coefficients
+            .iter()
+            .any(|value| !value.is_finite())
+        {
+            let message = format!("spline of table `{}` is not finite", name.value);
+            self.fault(Rule::E0603, name.span, message, "look for a wrong exponent");
+            return None;
+        }
+        Some(Table {
+            name: name.value.clone(),
+            arguments,
+            dimension,
+            interpolant,
+            doc: text(declared.source.as_ref()),
+            span: name.span,
+        })
+    }
+
+    /// Outer `None` after a fault.
+    fn optional_unit(&mut self, unit: Option<&Word>) -> Option<Option<Unit>> {
+        match unit {
+            Some(unit) => self.unit(unit).map(Some),
+            None => Some(None),
+        }
+    }
+
+    /// The slopes by every argument have a dimension.
+    fn check_slopes(
+        &mut self,
+        name: &Word,
+        arguments: &[(String, Dimension)],
+        value: Dimension,
+    ) -> Option<()> {
+        let dimensions = arguments.iter().map(|(_, dimension)| *dimension);
+        let slope = |by| value.checked_div(by).is_some();
+        if dimensions.into_iter().all(slope) {
+            return Some(());
+        }
+        let message = format!(
+            "slope of table `{}` has an exponent out of range",
+            name.value
+        );
+        self.fault(
+            Rule::E0406,
+            name.span,
+            message,
+            "exponents of units go from -63 to 63",
+        );
+        None
+    }
+
+    /// The points of an axis: enough of them, increasing.
+    fn points(
+        &mut self,
+        axis: &Word,
+        unit: Option<&Unit>,
+        written: &[Cell<'_>],
+        fewest: usize,
+    ) -> Option<Vec<f64>> {
+        if !(fewest..=MAX_POINTS).contains(&written.len()) {
+            let message = format!(
+                "axis `{}` has {} values, expected {fewest} to {MAX_POINTS}",
+                axis.value,
+                written.len()
+            );
+            let help = "linear interpolation takes 2 points on each axis, cubic 4";
+            self.fault(Rule::E0324, axis.span, message, help);
+            return None;
+        }
+        let points = self.numbers_in(written, unit)?;
+        let Some(at) = (1..points.len()).find(|&at| points[at] <= points[at - 1]) else {
+            return Some(points);
+        };
+        let (before, cell) = (&written[at - 1], &written[at]);
+        let message = format!(
+            "axis `{}` goes from {} to {}, expected increasing values",
+            axis.value, before.text, cell.text
+        );
+        let fault = Diagnostic::error(Rule::E0320, cell.span, message)
+            .with_related(before.span, "the value before it");
+        self.faults
+            .push(fault.with_help("put the values in order, each once"));
+        None
+    }
+
+    /// Plain numbers in a unit; the first that is none is reported.
+    fn numbers_in(&mut self, cells: &[Cell<'_>], unit: Option<&Unit>) -> Option<Vec<f64>> {
+        let mut numbers = Vec::new();
+        for cell in cells {
+            let Some(number) = number(cell.text, unit) else {
+                self.no_number(cell);
+                return None;
+            };
+            numbers.push(number);
+        }
+        Some(numbers)
+    }
+
+    fn no_number(&mut self, cell: &Cell<'_>) {
+        let found = match cell.text {
+            "" => "nothing".to_owned(),
+            text => quoted(text),
+        };
+        let help = "tables hold plain numbers, as in `-1.5e-3`; their unit stands under `unit`";
+        self.fault(
+            Rule::E0322,
+            cell.span,
+            format!("found {found}, expected a number"),
+            help,
+        );
+    }
+
+    fn table_shape(&mut self, span: Span, message: String, help: &str) {
+        self.fault(Rule::E0321, span, message, help);
+    }
+}
+
+/// A finite number, rounded once.
+fn number(text: &str, unit: Option<&Unit>) -> Option<f64> {
+    let (digits, negative) = match text.strip_prefix('-') {
+        Some(digits) => (digits, true),
+        None => (text.strip_prefix('+').unwrap_or(text), false),
+    };
+    // No `inf`, `nan` or second sign.
+    let plain = digits.starts_with(|c: char| c.is_ascii_digit() || c == '.');
+    let value = match unit {
+        _ if !plain || !digits.contains(|c: char| c.is_ascii_digit()) => None,
+        Some(unit) => unit.si(digits),
+        None => digits.parse().ok().filter(|value: &f64| value.is_finite()),
+    }?;
+    Some(if negative { 0.0 - value } else { value })
+}

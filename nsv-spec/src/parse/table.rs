@@ -1,0 +1,71 @@
+//! Reads lookup tables.
+
+use super::fields::Reader;
+use crate::diagnostic::Rule;
+use crate::interpolation::{Degree, Extrapolation};
+use crate::spec::{Axis, Grid, Table};
+use crate::vocabulary::{AXIS, TABLE};
+use crate::yaml::{Kind, Node};
+
+impl Reader {
+    pub(super) fn table(&mut self, node: &Node) -> Table {
+        let fields = self.fields(node, &TABLE);
+        let values = fields.entry("values").map(|entry| self.grid(&entry.value));
+        let file = self.text(&fields, "file");
+        let column = self.text(&fields, "column");
+        if values.is_some() == file.is_some() {
+            let help = "write `values: [..]`, or `file: data/table.csv`";
+            let message = "table must have one of `values` and `file`";
+            self.fault(Rule::E0106, fields.span, message, help);
+        }
+        if let (Some(column), None) = (&column, &file) {
+            let message = "`column` is given without `file`";
+            self.fault(Rule::E0106, column.span, message, "remove `column`");
+        }
+        Table {
+            axes: self.map(&fields, "axes", Self::axis),
+            values,
+            file,
+            column,
+            unit: self.text(&fields, "unit"),
+            interpolation: self.choice(&fields, "interpolation", &[Degree::Linear, Degree::Cubic]),
+            extrapolation: self.choice(
+                &fields,
+                "extrapolation",
+                &[Extrapolation::Clamp, Extrapolation::Error],
+            ),
+            source: self.text(&fields, "source"),
+        }
+    }
+
+    fn axis(&mut self, node: &Node) -> Axis {
+        match &node.kind {
+            Kind::Seq(_) => Axis {
+                values: Some(self.grid(node)),
+                unit: None,
+            },
+            Kind::Map(_) => {
+                let fields = self.fields(node, &AXIS);
+                Axis {
+                    values: fields.entry("values").map(|entry| self.grid(&entry.value)),
+                    unit: self.text(&fields, "unit"),
+                }
+            }
+            _ => Axis {
+                values: None,
+                unit: Some(self.word(node)),
+            },
+        }
+    }
+
+    /// Numbers are read when their unit is known.
+    fn grid(&mut self, node: &Node) -> Grid {
+        match &node.kind {
+            Kind::Seq(items) => Grid::List(
+                items.iter().map(|item| self.grid(item)).collect(),
+                node.span,
+            ),
+            _ => Grid::Number(self.word(node)),
+        }
+    }
+}
