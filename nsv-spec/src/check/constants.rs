@@ -169,6 +169,11 @@ impl Context<'_> {
                     .collect()
             })
             .collect();
+        for (item, parsed) in declared.iter().zip(parsed) {
+            let names = parsed.iter().flat_map(Parsed::names);
+            let names = names.map(|(name, _)| name.to_owned()).collect();
+            self.names.defined_by(&item.name.value, names);
+        }
         let order = order(&uses);
         for &at in &order.unsorted {
             self.names.refuse(&declared[at].name.value);

@@ -37,12 +37,14 @@ impl Context<'_> {
         let rates = self.ratios(&own, &[SECOND], name.span)?;
         let vector = Shape::Vector(width);
         let what = |term: &str| format!("{term} of block `{}`", name.value);
+        let reasons = self.rate_reasons(at);
         let drift = self.formula(
             &written.drift,
             &Expected {
                 what: &what("drift"),
                 shape: vector,
                 dimensions: &rates,
+                reasons: &reasons,
             },
         );
         if let Some((_, parsed)) = &drift {
@@ -56,6 +58,7 @@ impl Context<'_> {
                     what: &what("gain"),
                     shape: Shape::Matrix(width, width),
                     dimensions: &gains,
+                    reasons: &reasons,
                 },
             )
         });
@@ -74,6 +77,26 @@ impl Context<'_> {
             disturbance: disturbance?,
             noise: noise?,
         })
+    }
+
+    /// Why each row of F and G is in a state's unit per second.
+    fn rate_reasons(&self, at: usize) -> Vec<(Span, String)> {
+        let states = self.states[at].iter().flatten();
+        let spans = self.spec.blocks[at].value.states.iter();
+        states
+            .zip(spans)
+            .map(|(state, written)| {
+                let unit = match state.dimension == Dimension::ONE {
+                    true => "a pure number".to_owned(),
+                    false => format!("in {}", state.dimension),
+                };
+                let reason = format!(
+                    "state `{}` is {unit}, its rate is that per second",
+                    state.name
+                );
+                (written.name.span, reason)
+            })
+            .collect()
     }
 
     /// Dimensions of the states of a block, or of the inputs for the index after the last.

@@ -18,10 +18,11 @@ mod typing;
 pub use crate::diagnostic::Base;
 pub use builtin::is_reserved;
 pub use elaborate::elaborate;
+pub(crate) use elaborate::with_origins;
 pub use evaluate::{Environment, EvaluationError, evaluate};
 pub use expect::{Expected, expect};
 pub use parser::{MAX_DEPTH, MAX_NODES, MAX_TEXT, parse};
-pub use scope::{Scope, Symbol};
+pub use scope::{Origin, Scope, Symbol};
 
 #[cfg(test)]
 mod tests;

@@ -1,6 +1,7 @@
 //! What names mean: the border between expressions and the specification around them.
 
 use super::arena::{ConstantId, DefinitionId, ParameterId, PolynomialId, Type};
+use crate::diagnostic::Span;
 use crate::unit::Dimension;
 
 /// Names that an expression may use.
@@ -11,8 +12,24 @@ pub trait Scope {
     /// Every name that can be used here, for suggestions.
     fn names(&self) -> Vec<String>;
 
+    /// Where a name is declared; `None` for those of the language.
+    fn origin(&self, _name: &str) -> Option<Origin> {
+        None
+    }
+
     /// The derivative of polynomial data by its argument of that index, which is made if it is new.
     fn derivative(&mut self, polynomial: PolynomialId, argument: usize) -> PolynomialId;
+}
+
+/// The declaration of a name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Origin {
+    /// Where it is.
+    pub span: Span,
+    /// What it is: `constant`, `state` and so on.
+    pub noun: &'static str,
+    /// The names that it is defined by.
+    pub uses: Vec<String>,
 }
 
 /// Meaning of a name.

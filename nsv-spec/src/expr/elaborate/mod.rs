@@ -6,8 +6,11 @@
 mod call;
 mod name;
 mod operator;
+mod origin;
 
 use std::collections::BTreeSet;
+
+pub(crate) use origin::with_origins;
 
 use super::arena::{Arena, Bits, ExprId, Function, Node, Operator, Shape, Type};
 use super::parser::MAX_FAULTS;
@@ -198,14 +201,8 @@ impl Elaborator<'_> {
     /// An operand that must be a number or an array of numbers, with its type.
     fn real(&mut self, operand: NodeId, what: &str) -> Option<(ExprId, Real)> {
         let id = self.values[operand.0 as usize]?;
-        if let Type::Real { shape, dimensions } = self.arena.ty(id) {
-            return Some((
-                id,
-                Real {
-                    shape: *shape,
-                    dimensions: dimensions.clone(),
-                },
-            ));
+        if let Some(real) = Real::of(self.arena.ty(id)) {
+            return Some((id, real));
         }
         let fault = Fault::new(
             Rule::E0502,
@@ -261,14 +258,13 @@ impl Elaborator<'_> {
         for &operand in operands {
             let place = self.span_of(operand);
             let ty = self.values[operand.0 as usize].map(|id| self.arena.ty(id));
-            if let (true, Some(Type::Real { shape, dimensions })) = (place != span, ty) {
-                let real = Real {
-                    shape: *shape,
-                    dimensions: dimensions.clone(),
-                };
+            if let (true, Some(real)) = (place != span, ty.and_then(Real::of)) {
                 diagnostic =
                     diagnostic.with_related(place, format!("this is {}", real.described()));
             }
+        }
+        if rule.family() == "E04" {
+            diagnostic = self.with_origins(diagnostic, span);
         }
         self.faults.push(diagnostic);
         None
