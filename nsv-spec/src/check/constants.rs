@@ -173,6 +173,9 @@ impl Context<'_> {
             .iter()
             .map(|names| names.iter().filter_map(at).collect())
             .collect();
+        for (item, names) in declared.iter().zip(used) {
+            self.names.defined_by(&item.name.value, names.clone());
+        }
         let order = order(&uses);
         for &at in &order.unsorted {
             self.names.refuse(&declared[at].name.value);

@@ -27,6 +27,7 @@ impl Context<'_> {
                 what: &what,
                 shape: Shape::Scalar,
                 dimensions: &dimensions,
+                reasons: &[],
             },
         )?;
         self.check_signal(&parsed, &what);

@@ -26,6 +26,7 @@ impl Context<'_> {
                     what,
                     shape: Shape::Vector(rates.len()),
                     dimensions: rates,
+                    reasons: &[],
                 };
                 let (id, parsed) = self.formula(formula, &expected)?;
                 self.check_signal(&parsed, what);

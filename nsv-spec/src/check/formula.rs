@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::scope::{Names, Place};
-use crate::diagnostic::{Rule, Span};
+use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::expr::arena::{ExprId, Node, Shape, Type};
 use crate::expr::syntax::Expr;
 use crate::expr::{self, Expected};
@@ -200,6 +200,25 @@ impl Context<'_> {
     ) -> Option<(ExprId, Parsed)> {
         let parsed = self.parse_formula(formula)?;
         let id = self.elaborate(&parsed, Place::Model)?;
-        Some((self.expect(id, parsed.span(), expected)?, parsed))
+        let before = self.faults.len();
+        let Some(id) = self.expect(id, parsed.span(), expected) else {
+            for fault in self.faults.split_off(before) {
+                let fault = self.with_origins(fault, &parsed);
+                self.faults.push(fault);
+            }
+            return None;
+        };
+        Some((id, parsed))
+    }
+
+    /// A unit mismatch with the declarations of the names in the formula.
+    fn with_origins(&mut self, fault: Diagnostic, parsed: &Parsed) -> Diagnostic {
+        if fault.rule != Rule::E0407 {
+            return fault;
+        }
+        let names = self.names.used(parsed).into_iter();
+        let names: Vec<String> = names.map(|(name, _)| name.to_owned()).collect();
+        let names = names.iter().map(String::as_str);
+        expr::with_origins(&self.names.view(Place::Model), fault, names)
     }
 }

@@ -181,7 +181,7 @@ impl Context<'_> {
         &mut self,
         declared: &mut BTreeMap<String, (Span, &'a str)>,
         names: impl Iterator<Item = &'a Word>,
-        noun: &'a str,
+        noun: &'static str,
         usage: Use,
     ) {
         for name in names {
@@ -199,6 +199,9 @@ impl Context<'_> {
                 continue;
             }
             declared.insert(name.value.clone(), (name.span, noun));
+            if matches!(noun, "constant" | "parameter" | "state" | "definition") {
+                self.names.declare(&name.value, name.span, noun);
+            }
         }
     }
 

@@ -141,6 +141,7 @@ impl Context<'_> {
                 what: &what,
                 shape: Shape::Scalar,
                 dimensions: &[dimension],
+                reasons: &[],
             },
         )?;
         Some((id, dimension))

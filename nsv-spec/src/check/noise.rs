@@ -56,6 +56,7 @@ impl Context<'_> {
                 what: &what,
                 shape,
                 dimensions: &white,
+                reasons: &[],
             },
         )
         .is_ok();
@@ -67,6 +68,7 @@ impl Context<'_> {
                 what: &what,
                 shape,
                 dimensions,
+                reasons: &[],
             },
         )?;
         Some(Noise {

@@ -6,7 +6,7 @@ use crate::diagnostic::{Rule, Span};
 use crate::expr::Expected;
 use crate::expr::arena::{ExprId, Shape};
 use crate::model::{self, Disturbance, Noise};
-use crate::spec::Named;
+use crate::spec::{Named, Word};
 use crate::unit::Dimension;
 
 pub(super) const SECOND: Dimension = Dimension::new(0, 0, 1, 0);
@@ -37,12 +37,14 @@ impl Context<'_> {
         let rates = self.ratios(&own, &[SECOND], name.span)?;
         let vector = Shape::Vector(width);
         let what = |term: &str| format!("{term} of block `{}`", name.value);
+        let reasons = self.rate_reasons(at);
         let drift = self.formula(
             &written.drift,
             &Expected {
                 what: &what("drift"),
                 shape: vector,
                 dimensions: &rates,
+                reasons: &reasons,
             },
         );
         if let Some((_, parsed)) = &drift {
@@ -56,6 +58,7 @@ impl Context<'_> {
                     what: &what("gain"),
                     shape: Shape::Matrix(width, width),
                     dimensions: &gains,
+                    reasons: &reasons,
                 },
             )
         });
@@ -74,6 +77,16 @@ impl Context<'_> {
             disturbance: disturbance?,
             noise: noise?,
         })
+    }
+
+    /// Why each row of F and G is in a state's unit per second.
+    fn rate_reasons(&self, at: usize) -> Vec<(Span, String)> {
+        let states = self.states[at].iter().flatten();
+        let written = self.spec.blocks[at].value.states.iter();
+        states
+            .zip(written)
+            .map(|(state, written)| rate_reason(&written.name, state.dimension))
+            .collect()
     }
 
     /// Dimensions of the states of a block, or of the inputs for the index after the last.
@@ -115,4 +128,17 @@ impl Context<'_> {
         }
         ratios
     }
+}
+
+/// What the dimension of a state's rate follows from.
+pub(super) fn rate_reason(state: &Word, dimension: Dimension) -> (Span, String) {
+    let unit = match dimension == Dimension::ONE {
+        true => "a pure number".to_owned(),
+        false => format!("in {dimension}"),
+    };
+    let reason = format!(
+        "state `{}` is {unit}, its rate is that per second",
+        state.value
+    );
+    (state.span, reason)
 }

@@ -77,6 +77,7 @@ impl Context<'_> {
                 what: &what,
                 shape: Shape::Scalar,
                 dimensions: &[dimension],
+                reasons: &[],
             },
         )?;
         self.check_signal(&parsed, &what);

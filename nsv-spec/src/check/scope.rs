@@ -3,8 +3,9 @@
 use std::cell::Cell;
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::diagnostic::Span;
 use crate::expr::arena::PolynomialId;
-use crate::expr::{MAX_INSERTED, Scope, Symbol};
+use crate::expr::{MAX_INSERTED, Origin, Scope, Symbol};
 use crate::model::{Polynomial, Table};
 
 /// Most names among which to look for the one that was meant, and how often to look at all: suggestions for every slip in a
@@ -54,6 +55,7 @@ pub(super) enum Place {
 pub(super) struct Names {
     symbols: BTreeMap<String, (Symbol, Dependence)>,
     refused: BTreeSet<String>,
+    origins: BTreeMap<String, Origin>,
     /// How many suggestions have been asked for.
     asked: Cell<usize>,
     /// What each function uses beside its arguments, in the functions that it calls too.
@@ -67,6 +69,23 @@ pub(super) struct Names {
 }
 
 impl Names {
+    /// Tells where a name is declared.
+    pub(super) fn declare(&mut self, name: &str, span: Span, noun: &'static str) {
+        let origin = Origin {
+            span,
+            noun,
+            uses: Vec::new(),
+        };
+        self.origins.insert(name.into(), origin);
+    }
+
+    /// Tells which names a declared one is defined by.
+    pub(super) fn defined_by(&mut self, name: &str, uses: Vec<String>) {
+        if let Some(origin) = self.origins.get_mut(name) {
+            origin.uses = uses;
+        }
+    }
+
     /// Gives a name its meaning.
     pub(super) fn define(&mut self, name: &str, symbol: Symbol, dependence: Dependence) {
         let symbol = if self.refused.contains(name) {
@@ -152,6 +171,10 @@ impl Scope for View<'_> {
             .iter()
             .filter(|(_, (symbol, _))| self.visible(symbol));
         visible.map(|(name, _)| name.clone()).collect()
+    }
+
+    fn origin(&self, name: &str) -> Option<Origin> {
+        self.names.origins.get(name).cloned()
     }
 
     fn insert(&mut self, operations: usize) -> bool {

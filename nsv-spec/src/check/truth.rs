@@ -1,12 +1,12 @@
 //! Guarantees that every further state of the flown plant has a rate in its unit, and that rates stand under names of states only.
 
 use super::Context;
-use super::plant::SECOND;
+use super::plant::{SECOND, rate_reason};
 use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::expr::Expected;
 use crate::expr::arena::{ExprId, Shape};
 use crate::model::{self, State};
-use crate::spec::{Located, Named, Truth};
+use crate::spec::{Located, Named, Truth, Word};
 use crate::suggest::nearest;
 use crate::unit::Dimension;
 
@@ -22,7 +22,7 @@ impl Context<'_> {
         let further: Vec<_> = (0..value.states.len())
             .map(|at| {
                 let dimension = self.truth_states[at].as_ref().map(|state| state.dimension);
-                self.rate(value, &value.states[at].name.value, dimension)
+                self.rate(value, &value.states[at].name, dimension)
             })
             .collect();
         let mut replaced = Vec::new();
@@ -31,7 +31,7 @@ impl Context<'_> {
             for (channel, state) in block.value.states.iter().enumerate() {
                 let known = self.states[at].as_ref();
                 let dimension = known.map(|states| states[channel].dimension);
-                channels.push(self.rate(value, &state.name.value, dimension));
+                channels.push(self.rate(value, &state.name, dimension));
             }
             replaced.push(channels);
         }
@@ -43,11 +43,18 @@ impl Context<'_> {
     }
 
     /// The rate that is given for a state, if one is and it is right.
-    fn rate(&mut self, truth: &Truth, state: &str, own: Option<Dimension>) -> Option<ExprId> {
-        let written = truth.rates.iter().find(|rate| rate.name.value == state)?;
-        let dimension = own?.checked_div(SECOND);
+    fn rate(&mut self, truth: &Truth, state: &Word, own: Option<Dimension>) -> Option<ExprId> {
+        let written = truth
+            .rates
+            .iter()
+            .find(|rate| rate.name.value == state.value)?;
+        let own = own?;
+        let dimension = own.checked_div(SECOND);
         let Some(dimension) = dimension else {
-            let message = format!("unit of the rate of `{state}` has an exponent out of range");
+            let message = format!(
+                "unit of the rate of `{}` has an exponent out of range",
+                state.value
+            );
             self.fault(
                 Rule::E0606,
                 written.name.span,
@@ -57,9 +64,10 @@ impl Context<'_> {
             return None;
         };
         let expected = Expected {
-            what: &format!("rate of `{state}`"),
+            what: &format!("rate of `{}`", state.value),
             shape: Shape::Scalar,
             dimensions: &[dimension],
+            reasons: &[rate_reason(state, own)],
         };
         self.formula(&written.value, &expected).map(|(id, _)| id)
     }

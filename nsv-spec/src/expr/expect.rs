@@ -14,6 +14,8 @@ pub struct Expected<'a> {
     pub shape: Shape,
     /// Dimension of every entry in row-major order, or a single one for all.
     pub dimensions: &'a [Dimension],
+    /// For each row, what its dimension follows from: the place, and what is there. Empty where that needs no telling.
+    pub reasons: &'a [(Span, String)],
 }
 
 /// Checks the expression `id`, written at `span`, and reports every entry of a wrong dimension.
@@ -53,7 +55,14 @@ pub fn expect(
                 shown(found),
                 shown(wanted)
             );
-            Diagnostic::error(Rule::E0407, span, message).with_help(dimension_help(found, wanted))
+            let label = format!("this is {}", shown(found));
+            let fault = Diagnostic::error(Rule::E0407, span, message)
+                .with_label(label)
+                .with_help(dimension_help(found, wanted));
+            match expected.reasons.get(entry / shape.size().1) {
+                Some((place, reason)) => fault.with_related(*place, reason),
+                None => fault,
+            }
         })
         .collect();
     if faults.is_empty() {

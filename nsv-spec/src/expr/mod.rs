@@ -19,11 +19,12 @@ pub use crate::diagnostic::Base;
 pub use builtin::is_reserved;
 pub(crate) use builtin::{CONSTANTS, Entry, entries};
 pub use elaborate::elaborate;
+pub(crate) use elaborate::with_origins;
 pub use evaluate::{Environment, EvaluationError, evaluate};
 pub use expect::{Expected, expect};
 pub(crate) use parser::binding;
 pub use parser::{MAX_DEPTH, MAX_INSERTED, MAX_NODES, MAX_ROUNDS, MAX_TEXT, parse};
-pub use scope::{Defined, Scope, Signature, Symbol};
+pub use scope::{Defined, Origin, Scope, Signature, Symbol};
 
 #[cfg(test)]
 mod tests;

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::arena::{ConstantId, DefinitionId, ExprId, ParameterId, PolynomialId, TableId, Type};
 use super::syntax::Expr;
+use crate::diagnostic::Span;
 use crate::unit::Dimension;
 
 /// Names that an expression may use.
@@ -13,6 +14,11 @@ pub trait Scope {
 
     /// Every name that can be used here, for suggestions.
     fn names(&self) -> Vec<String>;
+
+    /// Where a name is declared; `None` for those of the language.
+    fn origin(&self, _name: &str) -> Option<Origin> {
+        None
+    }
 
     /// The derivative of polynomial data by its argument of that index, which is made if it is new.
     fn derivative(&mut self, polynomial: PolynomialId, argument: usize) -> PolynomialId;
@@ -40,6 +46,17 @@ pub struct Signature {
     pub arguments: Vec<(String, Dimension)>,
     /// Dimension of the value.
     pub value: Dimension,
+}
+
+/// The declaration of a name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Origin {
+    /// Where it is.
+    pub span: Span,
+    /// What it is: `constant`, `state` and so on.
+    pub noun: &'static str,
+    /// The names that it is defined by.
+    pub uses: Vec<String>,
 }
 
 /// Meaning of a name.

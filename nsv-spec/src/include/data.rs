@@ -70,7 +70,7 @@ impl Joiner<'_> {
                 // The text is not there to be shown.
                 let fault = Diagnostic {
                     span: Some(span),
-                    ..fault
+                    ..*fault
                 };
                 self.faults.push(fault);
                 None

@@ -77,14 +77,14 @@ fn parse(name: &str, bytes: &[u8], sources: &mut SourceMap) -> Result<Node, Vec<
     match yaml::text(bytes, file) {
         Ok(text) => {
             sources.add(name, text.clone());
-            yaml::read(&text, file).map_err(|fault| vec![fault])
+            yaml::read(&text, file).map_err(|fault| vec![*fault])
         }
         Err(fault) => {
             sources.add(
                 name,
                 String::from_utf8_lossy(&bytes[..bytes.len().min(MAX_BYTES)]).into(),
             );
-            Err(vec![fault])
+            Err(vec![*fault])
         }
     }
 }

@@ -20,10 +20,10 @@ pub(super) const MAX_NODES: usize = 100_000;
 const MAX_ALIASES: usize = 1_000;
 
 /// The tree of a YAML text.
-pub fn read(text: &str, file: FileId) -> Result<Node, Diagnostic> {
+pub fn read(text: &str, file: FileId) -> Result<Node, Box<Diagnostic>> {
     match serde_saphyr::from_str_with_options::<Spanned<Raw>>(text, options()) {
         Ok(raw) => Ok(Placer { text, file }.node(raw)),
-        Err(error) => Err(fault::diagnostic(&error, text, file)),
+        Err(error) => Err(Box::new(fault::diagnostic(&error, text, file))),
     }
 }
 

@@ -8,8 +8,11 @@ mod data;
 mod function;
 mod name;
 mod operator;
+mod origin;
 
 use std::collections::{BTreeMap, BTreeSet};
+
+pub(crate) use origin::with_origins;
 
 use super::arena::{Arena, Bits, ExprId, Function, Node, Operator, Shape, Type};
 use super::parser::MAX_FAULTS;
@@ -225,14 +228,8 @@ impl Elaborator<'_> {
     }
 
     fn real_value(&mut self, span: Span, id: ExprId, what: &str) -> Option<(ExprId, Real)> {
-        if let Type::Real { shape, dimensions } = self.arena.ty(id) {
-            return Some((
-                id,
-                Real {
-                    shape: *shape,
-                    dimensions: dimensions.clone(),
-                },
-            ));
+        if let Some(real) = Real::of(self.arena.ty(id)) {
+            return Some((id, real));
         }
         let fault = Fault::new(
             Rule::E0502,
@@ -288,14 +285,13 @@ impl Elaborator<'_> {
         for &operand in operands {
             let place = self.span_of(operand);
             let ty = self.values[operand.0 as usize].map(|id| self.arena.ty(id));
-            if let (true, Some(Type::Real { shape, dimensions })) = (place != span, ty) {
-                let real = Real {
-                    shape: *shape,
-                    dimensions: dimensions.clone(),
-                };
+            if let (true, Some(real)) = (place != span, ty.and_then(Real::of)) {
                 diagnostic =
                     diagnostic.with_related(place, format!("this is {}", real.described()));
             }
+        }
+        if rule.family() == "E04" {
+            diagnostic = self.with_origins(diagnostic, span);
         }
         self.faults.push(diagnostic);
         None

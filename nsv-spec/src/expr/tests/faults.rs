@@ -208,6 +208,7 @@ fn a_wrong_kind_of_value_is_refused_at_its_place() {
             what: "drift of block `rates`",
             shape,
             dimensions: &dimensions,
+            reasons: &[],
         };
         match expect(&arena, id, base(text).span, &expected) {
             Ok(()) => "accepted".to_owned(),

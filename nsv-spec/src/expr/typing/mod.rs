@@ -73,6 +73,17 @@ impl Real {
         }
     }
 
+    /// The type of numbers; `None` for truth values.
+    pub(super) fn of(ty: &Type) -> Option<Self> {
+        let Type::Real { shape, dimensions } = ty else {
+            return None;
+        };
+        Some(Self {
+            shape: *shape,
+            dimensions: dimensions.clone(),
+        })
+    }
+
     /// Dimension at a row-major place; a scalar has the same everywhere.
     fn at(&self, entry: usize) -> Dimension {
         self.dimensions[if self.shape == Shape::Scalar {
@@ -87,6 +98,22 @@ impl Real {
         match self.shape {
             Shape::Scalar => shown(self.dimensions[0]),
             array => array.to_string(),
+        }
+    }
+
+    /// The value with its unit, or its shape and units: `in m/s`, `a vector of 3 in m`.
+    pub(super) fn with_units(&self) -> String {
+        let units = match self.dimensions.split_first() {
+            Some((first, rest)) if rest.iter().any(|other| other != first) => {
+                "in several units".to_owned()
+            }
+            Some((&first, _)) if first.is_dimensionless() => shown(first),
+            Some((first, _)) => format!("in {first}"),
+            None => String::new(),
+        };
+        match self.shape {
+            Shape::Scalar => units,
+            array => format!("{array} {units}"),
         }
     }
 }
