@@ -1,5 +1,6 @@
-//! Polynomials of one degree at one argument.
+//! Polynomials of one degree at one argument, side by side as the entries of a vector.
 
+use crate::linear::Vector;
 use crate::real::Real;
 
 /// The values at `z` of `K` polynomials by Horner's scheme: `r = c_n`, then `r = r*z + c` for each lower power. A row holds the
@@ -25,20 +26,21 @@ fn scheme<T: Real, const K: usize, const ROWS: usize, const FUSED: bool>(
     rows: &[[f64; K]; ROWS],
     z: T,
 ) -> [T; K] {
-    let mut values = [T::zero(); K];
-    for (power, row) in rows.iter().enumerate() {
-        for (value, &coefficient) in values.iter_mut().zip(row) {
-            let coefficient = T::from_f64(coefficient);
-            *value = if power == 0 {
-                coefficient
-            } else if FUSED {
-                value.mul_add(z, coefficient)
-            } else {
-                *value * z + coefficient
-            };
-        }
+    if ROWS == 0 {
+        return [T::zero(); K];
     }
-    values
+    let mut values = Vector::from_f64(rows[0]);
+    let mut power = 1;
+    while power < ROWS {
+        let coefficients = Vector::from_f64(rows[power]);
+        values = if FUSED {
+            values.scale_add(z, coefficients)
+        } else {
+            values * z + coefficients
+        };
+        power += 1;
+    }
+    values.0
 }
 
 #[cfg(test)]

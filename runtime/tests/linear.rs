@@ -72,6 +72,21 @@ fn products_are_rows_times_columns() {
 }
 
 #[test]
+fn an_update_in_place_has_the_bits_of_the_sum() {
+    let (weights, b, c) = (matrix::<19, 3>(8), vector::<19>(9), vector::<3>(10));
+    let mut updated = weights;
+    updated.scale_add_outer(0.99, b, c);
+    assert_eq!(updated, weights * 0.99 + b.outer(c));
+    let mut updated = weights;
+    updated.scale_add_outer_fused(0.99, b, c);
+    assert_eq!(updated, weights.scale_add(0.99, b.outer(c)));
+    assert_eq!(
+        updated[(18, 2)],
+        weights[(18, 2)].mul_add(0.99, b[18] * c[2])
+    );
+}
+
+#[test]
 fn elementwise_operations_are_one_operation_per_entry() {
     let (a, b) = (vector::<3>(6), vector::<3>(7));
     assert_eq!((a / 3.0)[1], a[1] / 3.0);

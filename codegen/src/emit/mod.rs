@@ -25,6 +25,7 @@ mod plant;
 mod polynomial;
 mod quantity;
 mod record;
+mod replacement;
 mod simulator;
 mod source;
 mod standalone;

@@ -103,8 +103,7 @@ impl Function<'_> {
             if update.in_place {
                 text.heading(update.value, comments);
                 text.note(update.value, comments);
-                let formula = names.formula(update.value).tokens;
-                text.written.push(quote!(#place = #formula;));
+                text.written.push(names.replacement(place, update.value));
             } else if update.before {
                 let variable = &update.variable;
                 text.written.push(quote!(#place = #variable;));

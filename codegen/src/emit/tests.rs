@@ -136,6 +136,38 @@ fn the_drift_is_not_evaluated_for_the_diffusion() {
     );
 }
 
+/// The law of the module whose weights decay: `next.W1` by `sum`, in its text form.
+fn decaying(sum: &str, fused: bool) -> String {
+    let [initial, _, plant, lyapunov] = programs();
+    let changed = include_str!("samples/pitch.control.txt")
+        .replace("%71: mat6x2 = mul %70, %62", "%71: mat6x2 = mul %62, %7")
+        .replace("mat6x2 = add %7, %71", sum);
+    let control = Program {
+        fused,
+        ..program(&changed)
+    };
+    let files = files(
+        &interface(),
+        &Programs {
+            initial: &initial,
+            control: &control,
+            plant: &plant,
+            lyapunov: &lyapunov,
+        },
+    );
+    files["controller.rs"].split_whitespace().collect()
+}
+
+#[test]
+fn weights_are_updated_in_place() {
+    let strict = decaying("mat6x2 = add %71, %70", false);
+    assert!(strict.contains("state.W1.scale_add_outer(real(0.002),t2,e1);"));
+    let fused = decaying("mat6x2 = mul_add %7, %62, %70", true);
+    assert!(fused.contains("state.W1.scale_add_outer_fused(real(0.002),t2,e1);"));
+    let difference = decaying("mat6x2 = sub %71, %70", false);
+    assert!(difference.contains("state.W1=state.W1*real(0.002)-t2.outer(e1);"));
+}
+
 /// A module of one scalar block without parameters, noise, constraint or polynomials.
 fn bare() -> BTreeMap<String, String> {
     let [initial, control, plant, lyapunov] = [

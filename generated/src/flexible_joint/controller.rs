@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 61ea85b3607f37fd3ae1395765d700e852ac91b20e14e1f1a498474eae1862a9
+// SHA-256 of the text below: 11c33389b9b681e634d3b162f2d414a9172018a32bd663e747eee0ce2e75bbb4
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // initial: 21 additions, 54 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
@@ -960,8 +960,9 @@ pub fn law<T: Real>(
         - (D_hat2 + t6 + prepared.G2 * x3) * real(40.0) * real(0.0004950331673311175);
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
     // = Gamma_2 lambda_2 (32)
-    state.W2 = state.W2 * real(0.9999500012499791)
-        + P2.outer(c2 * real(0.0004999875002083307));
+    state
+        .W2
+        .scale_add_outer(real(0.9999500012499791), P2, c2 * real(0.0004999875002083307));
 
     // -- states of block 3, one sample later --
     // zeta3(t + dt) = zeta3 + g zeta3', g = (1 - exp(-a dt))/a, a = C_3 (13)

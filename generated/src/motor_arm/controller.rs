@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 30c583ed3e1c2114b97f7e52ef6b80d9fc668edc08d1126216ffe730790d84d5
+// SHA-256 of the text below: 0105c6fa00de083a380c286b1dbf79e2616a1cc5347356e40b6f5724bd8553ee
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // initial: 23 additions, 59 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
@@ -924,8 +924,9 @@ pub fn law<T: Real>(
     state.th2 = state.th2 + th2_dot * real(0.000994023928172455);
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
     // = Gamma_2 lambda_2 (32)
-    state.W2 = state.W2 * real(0.9999000049998333)
-        + P2.outer(c2 * real(0.000999950001666625));
+    state
+        .W2
+        .scale_add_outer(real(0.9999000049998333), P2, c2 * real(0.000999950001666625));
     // eps2(t + dt) = eps2 + g eps2', g = (1 - exp(-a dt))/a, a = iota_20 (66)
     state.eps2 = state.eps2 + real(0.000999950001666625) * eps2_dot;
     // sigma2(t + dt) = sigma2 + g sigma2', g = (1 - exp(-a dt))/a, a = taubar_2 lambda_sigma (67)

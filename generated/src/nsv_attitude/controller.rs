@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 8d6c00a26d95d2278f24e2c9c8307308ec37ada09b8a8e2718aece59e2a7f45b
+// SHA-256 of the text below: ca0754fe880dc7d292c639507bdcc3ffba837a0f127fd6093360b9e9b3b1def9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
 // initial: 60 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary functions, 6 comparisons and selections
@@ -1040,8 +1040,13 @@ pub fn law<T: Real>(
         - (D_hat1 + t27 + G1 * x2) * real(10.0) * real(0.00198013266932447);
     // W_1(t + dt) = (1 - g Gamma_1 lambda_1) W_1 + g Gamma_1 P_1 c_1 I_1, g = (1 - exp(-a dt))/a, a
     // = Gamma_1 lambda_1 (32)
-    state.W1 = state.W1 * real(0.9998000199986667)
-        + P1.outer(c1 * real(0.00019998000133326671));
+    state
+        .W1
+        .scale_add_outer(
+            real(0.9998000199986667),
+            P1,
+            c1 * real(0.00019998000133326671),
+        );
 
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
@@ -1050,8 +1055,13 @@ pub fn law<T: Real>(
     state.th2 = state.th2 + t45;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
     // = Gamma_2 lambda_2 (65)
-    state.W2 = state.W2 * real(0.9998000199986667)
-        + P2.outer(c2 * real(0.00019998000133326671));
+    state
+        .W2
+        .scale_add_outer(
+            real(0.9998000199986667),
+            P2,
+            c2 * real(0.00019998000133326671),
+        );
     // eps2(t + dt) = eps2 + g eps2', g = (1 - exp(-a dt))/a, a = iota_20 (66)
     state.eps2 = state.eps2 + real(0.001999800013332667) * eps2_dot;
     // sigma2(t + dt) = sigma2 + g sigma2', g = (1 - exp(-a dt))/a, a = taubar_2 lambda_sigma (67)

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 40b3ff5969b8ef76b940483997872926968521e16b17df8ccd8d5c565832e366
+// SHA-256 of the text below: b3a673c6f7f7420484b315ecd2339742c72298d911864bb4bbf15ffd77c2e037
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // initial: 5 additions, 18 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
@@ -616,8 +616,9 @@ pub fn law<T: Real>(
         - (D_hat2 + t6 + prepared.G2 * u_sat) * real(20.0) * real(0.0019605280423838395);
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
     // = Gamma_2 lambda_2 (65)
-    state.W2 = state.W2 * real(0.9998000199986667)
-        + P2.outer(c2 * real(0.001999800013332667));
+    state
+        .W2
+        .scale_add_outer(real(0.9998000199986667), P2, c2 * real(0.001999800013332667));
     ControlOutputs {
         u,
         u_sat,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 20715678f01c38572e64a7801d108f7a1ea1ae8c8c3e8088277765c539d36dc7
+// SHA-256 of the text below: 75ce4d643f512c6cd6eafd52ca345767be979a11ac62492ab88a88b80323a25f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // initial: 11 additions, 27 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
@@ -763,8 +763,9 @@ pub fn law<T: Real>(
     state.th2 = state.th2 + th2_step * th2_dot;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
     // = Gamma_2 lambda_2 (65)
-    state.W2 = state.W2 * real(0.9998000199986667)
-        + P2.outer(c2 * real(0.001999800013332667));
+    state
+        .W2
+        .scale_add_outer(real(0.9998000199986667), P2, c2 * real(0.001999800013332667));
     // eps2(t + dt) = eps2 + g eps2', g = (1 - exp(-a dt))/a, a = iota_20 (66)
     state.eps2 = state.eps2 + real(0.001999800013332667) * eps2_dot;
     ControlOutputs {

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 8b81d35675fb3586c15e02df4fa715d979dc0b8ff443cb8df6145df2b3289f00
+// SHA-256 of the text below: f9e4373a635cef3ab52ffc198ef54288ee2eab1646886490d37663809d00f8a3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // initial: 89 additions, 150 multiplications, 9 divisions, 0 square roots, 19 elementary functions, 3 comparisons and selections
@@ -1113,8 +1113,9 @@ pub fn law<T: Real>(
     state.th2 = state.th2 + t54;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
     // = Gamma_2 lambda_2 (65)
-    state.W2 = state.W2 * real(0.999000499833375)
-        + P2.outer(c2 * real(0.009995001666250083));
+    state
+        .W2
+        .scale_add_outer(real(0.999000499833375), P2, c2 * real(0.009995001666250083));
     // eps2(t + dt) = eps2 + g eps2', g = (1 - exp(-a dt))/a, a = iota_20 (66)
     state.eps2 = state.eps2 + real(0.009995001666250083) * eps2_dot;
     // sigma2(t + dt) = sigma2 + g sigma2', g = (1 - exp(-a dt))/a, a = taubar_2 lambda_sigma (67)

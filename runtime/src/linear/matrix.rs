@@ -142,18 +142,18 @@ impl<T: Real, const R: usize, const C: usize> Matrix<T, R, C> {
 
     /// `A^T v`: entry j is column j times the vector.
     #[inline(always)]
-    pub fn transpose_mul(self, vector: Vector<T, R>) -> Vector<T, C> {
+    pub fn transpose_mul(&self, vector: Vector<T, R>) -> Vector<T, C> {
         self.columns_times::<false>(vector)
     }
 
     /// As [`Matrix::transpose_mul`], fused.
     #[inline(always)]
-    pub fn transpose_mul_fused(self, vector: Vector<T, R>) -> Vector<T, C> {
+    pub fn transpose_mul_fused(&self, vector: Vector<T, R>) -> Vector<T, C> {
         self.columns_times::<true>(vector)
     }
 
     #[inline(always)]
-    fn columns_times<const FUSED: bool>(self, vector: Vector<T, R>) -> Vector<T, C> {
+    fn columns_times<const FUSED: bool>(&self, vector: Vector<T, R>) -> Vector<T, C> {
         let mut product = Vector::zero();
         let mut j = 0;
         while j < C {
@@ -161,6 +161,27 @@ impl<T: Real, const R: usize, const C: usize> Matrix<T, R, C> {
             j += 1;
         }
         product
+    }
+
+    /// Replaces `A` by `A s + b c^T`: entry (i, j) becomes `a_ij s + b_i c_j`. Column by column in place, because a large matrix of lanes is
+    /// many times the registers: as an expression its scaled copy and the outer product would be written to memory and read again.
+    #[inline(always)]
+    pub fn scale_add_outer(&mut self, factor: T, b: Vector<T, R>, c: Vector<T, C>) {
+        let mut j = 0;
+        while j < C {
+            self.0[j] = self.0[j] * factor + b * c.0[j];
+            j += 1;
+        }
+    }
+
+    /// As [`Matrix::scale_add_outer`], the product of A not rounded.
+    #[inline(always)]
+    pub fn scale_add_outer_fused(&mut self, factor: T, b: Vector<T, R>, c: Vector<T, C>) {
+        let mut j = 0;
+        while j < C {
+            self.0[j] = self.0[j].scale_add(factor, b * c.0[j]);
+            j += 1;
+        }
     }
 
     /// The sum over the columns, each times its entry of the vector, all entries at once.
