@@ -8,6 +8,7 @@ use nsv_runtime::lanes::{self, Kernel, Width};
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::noise::Noise;
 use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::table::{Axis, Table};
 
 /// Results of one text from some inputs.
 trait Text {
@@ -239,4 +240,67 @@ fn one_bad_lane_does_not_touch_the_others() {
         lanes::run(width, OneBadLane);
         lanes::run_single(width, OneBadLane);
     }
+}
+
+/// A line and a cube of splines that no spline solver made: any numbers do.
+struct Tables;
+
+const LINE: Axis<2> = Axis {
+    breaks: &[-2.0, 0.5, 1.0, 3.0],
+    weights: &[
+        [[1.0, -0.4], [0.0, 0.4]],
+        [[1.0, -2.0], [0.0, 2.0]],
+        [[1.0, -0.5], [0.0, 0.5]],
+    ],
+};
+const CURVE: Axis<4> = Axis {
+    breaks: &[-3.0, 0.0, 4.0],
+    weights: &[
+        [
+            [1.0, -1.1, 0.3, -0.05],
+            [0.1, 1.3, -0.6, 0.08],
+            [0.0, 0.1, 0.2, -0.05],
+            [0.0, 0.0, 0.0, 0.01],
+        ],
+        [
+            [0.2, -0.3, 0.1, -0.02],
+            [0.5, -0.1, -0.2, 0.07],
+            [0.3, 0.3, 0.1, -0.1],
+            [0.0, 0.0, 0.0, 0.08],
+        ],
+    ],
+};
+
+impl Text for Tables {
+    fn results<T: Real>(inputs: &[T]) -> Vec<T> {
+        let line = Table {
+            axes: [LINE],
+            coefficients: &[0.3, -1.7, 2.5, 0.1],
+            held: true,
+        };
+        let coefficients: &'static [f64; 125] = Box::leak(Box::new(array::from_fn(|at| {
+            (at * 37 % 101) as f64 / 7.0 - 6.0
+        })));
+        let cube = Table {
+            axes: [CURVE; 3],
+            coefficients,
+            held: false,
+        };
+        let [x, y, z] = [inputs[0], inputs[1], inputs[2]];
+        vec![
+            line.value([0], [x]),
+            line.value([1], [y]),
+            cube.value([0, 0, 0], [x, y, z]),
+            cube.value([1, 2, 0], [z, x, y]),
+        ]
+    }
+}
+
+#[test]
+fn tables_are_the_same_in_every_width() {
+    let mut cases = cases(200, 3);
+    for special in [f64::NAN, f64::INFINITY, -0.0, 1e300, 0.5, 4.0] {
+        cases.push(vec![special, 0.25, special]);
+    }
+    check::<Tables>(&cases);
 }

@@ -29,7 +29,7 @@ CUBE = Table(
     [[-1, 0.125, 1], [-1, 1], [-1, -0.25, 1]],
     [[[0.1, 0.4, 0.2], [0.3, -0.2, 0.5]], [[0.6, 0.1, -0.3], [0.2, 0.3, 0.1]], [[-0.2, 0.4, 0.7], [0.1, 0.2, -0.4]]],
 )
-PROFILE = Table(Cubic, [[0, 0.9, 2.1, 3.2, 4.3, 6]], [0, 0.3, 0.5, 0.1, -0.3, 0.2])
+PROFILE = Table(Cubic, [[-1, 0.9, 2.1, 3.2, 4.3, 6]], [0, 0.3, 0.5, 0.1, -0.3, 0.2])
 
 
 def bowl_slope(u, v):
@@ -90,13 +90,14 @@ def lookup():
     outer = Block(
         "outer", np.array([0.2, -0.1]), outer_drift, outer_gain,
         K=np.full(2, 2.0), kbar=2.0, C=10 * np.eye(2), filter=np.full(2, 0.05), eta_2=0.8, eta_3=1.2,
-        noise=Noise(outer_noise, np.array([0.5])), constraint=funnel(1.5, 0.5),
+        noise=Noise(outer_noise, np.array([0.5])),
         noise_bound=NoiseBound(0.5, 0.2, 0.7, 5.0, 1.0, 0.05),
     )
     inner = Block(
         "inner", np.array([0.1, 0.0]), inner_drift, lambda x, p: np.array([[3.0, 0.2], [0.2, 3.0]]),
         K=np.full(2, 5.0), kbar=4.0, C=30 * np.eye(2), eta_1=0.9,
         disturbance=Bounded(lambda t: np.array([0.2 * smooth_step(t, 1, 2), 0.1 * SPRING(t)])), observer=10 * np.eye(2),
+        constraint=funnel(1.5, 0.5),
     )
 
     def slope(t):

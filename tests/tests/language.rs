@@ -102,6 +102,60 @@ fn a_new_formula_needs_its_derivatives() {
     assert!(error.to_string().contains("are not stored"), "{error}");
 }
 
+/// Model and programs of `lookup` after replacements in the specification and in its data file, with the committed exports.
+fn looked_up(edits: &[(&str, &str)]) -> Result<(Model, Programs), DeriveError> {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("data")).unwrap();
+    let files = ["lookup.yaml", "data/lookup.csv"];
+    let read = |file: &str| fs::read_to_string(repository("tests/specs").join(file)).unwrap();
+    let mut texts = files.map(read);
+    for (old, new) in edits {
+        let found: usize = texts.iter().map(|text| text.matches(old).count()).sum();
+        assert_eq!(found, 1, "`{old}` stands once");
+        texts = texts.map(|text| text.replace(old, new));
+    }
+    for (file, text) in files.iter().zip(texts) {
+        fs::write(folder.path().join(file), text).unwrap();
+    }
+    let model = model(&folder.path().join(files[0]));
+    let exports = repository("tests/specs/partials");
+    let programs = programs(
+        &model,
+        &mut Provider::new(Settings::offline(exports), |_| {}),
+    )?;
+    Ok((model, programs))
+}
+
+#[test]
+fn numbers_of_tables_need_no_new_derivatives() {
+    let edits: [&[(&str, &str)]; 5] = [
+        &[("0.3,0.4,-0.1,0.35", "0.3,0.4,-0.2,0.35")],
+        &[(
+            "[-150, -70, -20, 0, 35, 80, 150]",
+            "[-150, -70, -25, 0, 35, 80, 150]",
+        )],
+        &[(
+            "[-2.1, -1.4, -0.3, 0, 0.5, 1.2, 1.9]\n    interpolation: cubic",
+            "[-2.1, -1.4, -0.3, 0, 0.5, 1.2, 1.9]\n    interpolation: linear",
+        )],
+        &[("limit*tanh(value/limit)", "limit*tanh(value/limit) ")],
+        &[("[[[0.1, 0.4, 0.2]", "[[[0.1, 0.5, 0.2]")],
+    ];
+    let (original, _) = looked_up(&[]).unwrap();
+    for edit in edits {
+        let (model, programs) = looked_up(edit).unwrap_or_else(|error| panic!("{edit:?}: {error}"));
+        assert_ne!(model.hash, original.hash);
+        let run = run(&model, &programs, None);
+        assert!(run.finite, "{edit:?}: {run:?}");
+    }
+}
+
+#[test]
+fn a_run_that_leaves_a_table_without_extrapolation_is_not_finite() {
+    let (model, programs) = looked_up(&[("q: [-1, 1]", "q: [-0.01, 0.01]")]).unwrap();
+    assert!(!run(&model, &programs, None).finite);
+}
+
 /// What a chain is made with.
 #[derive(Clone, Copy, Debug)]
 struct Chain {

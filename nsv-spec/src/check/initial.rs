@@ -131,7 +131,7 @@ impl Context<'_> {
             Rule::E0706,
             span,
             message,
-            "look for a division by zero, or a root or logarithm of a negative number",
+            "look for a division by zero, a root or logarithm of a negative number, or a table with `extrapolation: error`",
         );
         None
     }
