@@ -7,6 +7,8 @@ use crate::expr::{
     CONSTANTS, Entry, MAX_DEPTH, MAX_INSERTED, MAX_NODES, MAX_ROUNDS, MAX_TEXT, binding, entries,
 };
 
+use crate::yaml::MAX_BYTES;
+
 /// The specification that the examples belong to.
 pub const WORLD: &str = include_str!("../tests/good/language.yaml");
 
@@ -160,6 +162,6 @@ fn functions(page: &mut String, which: impl Fn(&Entry) -> bool) {
 fn limits(page: &mut String) {
     _ = write!(
         page,
-        "\n## Limits\n\nAn expression has at most {MAX_TEXT} bytes, {MAX_NODES} operations and a depth of {MAX_DEPTH}; an `each` at most\n{MAX_ROUNDS} rounds. Calls of functions that stand for an expression and rounds of `each` insert at most {MAX_INSERTED} operations into\none specification. A table has at most {MAX_AXES} axes of {MAX_POINTS} points and {MAX_VALUES} values.\n"
+        "\n## Limits\n\nAn expression has at most {MAX_TEXT} bytes, {MAX_NODES} operations and a depth of {MAX_DEPTH}; an `each` at most\n{MAX_ROUNDS} rounds. Calls of functions that stand for an expression and rounds of `each` insert at most {MAX_INSERTED} operations into\none specification. A table has at most {MAX_AXES} axes of {MAX_POINTS} points and {MAX_VALUES} values, its file {MAX_BYTES} bytes.\n"
     );
 }

@@ -429,8 +429,8 @@ output y = %2
         );
         check(
             "output y = %2",
-            "output y = %7",
-            &["output `y` is %7, which does not exist"],
+            "output y = %8",
+            &["output `y` is %8, which does not exist"],
         );
         check("2.0 [1]", "2.0 [1, 1]", &["polynomial `f` is malformed"]);
         check("2.0 [1]", "NaN [1]", &["polynomial `f` is malformed"]);

@@ -36,7 +36,9 @@ impl Context<'_> {
         let spec = self.spec;
         for (at, declared) in spec.tables.iter().enumerate() {
             let name = &declared.name.value;
+            let before = self.faults.len();
             let table = self.table(&declared.name, &declared.value, sources);
+            self.name_file(before, &declared.value);
             let id = TableId(u32::try_from(at).expect("invariant: fewer than 2^32 tables"));
             match &table {
                 Some(table) => {
@@ -51,6 +53,21 @@ impl Context<'_> {
             }
             self.names.tables.push(table);
         }
+    }
+
+    /// Faults in a data file, those from number `before` on, show where the specification names it.
+    fn name_file(&mut self, before: usize, declared: &spec::Table) {
+        let Some(file) = &declared.file else {
+            return;
+        };
+        let found = self.faults.split_off(before);
+        self.faults
+            .extend(found.into_iter().map(|fault| match fault.span {
+                Some(span) if span.file != file.span.file => {
+                    fault.with_related(file.span, "the file is named here")
+                }
+                _ => fault,
+            }));
     }
 
     fn table(&mut self, name: &Word, declared: &spec::Table, sources: &SourceMap) -> Option<Table> {
