@@ -3,10 +3,16 @@
 //! A `Model` is made by [`crate::load`] alone, so whoever holds one need not check again. Indices of blocks and channels are
 //! 0-based here and 1-based wherever people read them.
 
+mod dispersion;
+mod hardware;
+
 use crate::diagnostic::{SourceMap, Span};
 use crate::expr::arena::{Arena, ExprId};
 use crate::interpolation::Interpolant;
 use crate::unit::Dimension;
+
+pub use dispersion::{Dispersion, Truncated};
+pub use hardware::{Actuator, Effect, Fault, Sensor};
 
 /// A dense matrix of compile-time numbers, row-major.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,67 +99,6 @@ pub struct Parameter {
     pub doc: String,
     /// Where it was declared.
     pub span: Span,
-}
-
-/// Distribution of a quantity that differs from run to run; numbers in SI.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Dispersion {
-    /// Uniform between two values.
-    Uniform(f64, f64),
-    /// Normal with mean and standard deviation.
-    Normal(f64, f64),
-    /// Normal within an interval.
-    TruncatedNormal(Truncated),
-    /// Its logarithm is normal.
-    Lognormal {
-        /// Median, positive.
-        median: f64,
-        /// Standard deviation of the logarithm.
-        sigma: f64,
-    },
-    /// Values with their probabilities, which add up to 1.
-    Discrete(Vec<(f64, f64)>),
-    /// Normal together with other parameters: the mean plus the sum of factors times a standard normal draw of each parameter.
-    Correlated {
-        /// Mean.
-        mean: f64,
-        /// Index into `Model::parameters` and factor: a row of the covariance's Cholesky factor.
-        factors: Vec<(usize, f64)>,
-    },
-}
-
-/// A normal distribution cut off at both ends.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Truncated {
-    /// Mean before truncation.
-    pub mean: f64,
-    /// Standard deviation before truncation, positive.
-    pub deviation: f64,
-    /// Least value.
-    pub least: f64,
-    /// Largest value.
-    pub largest: f64,
-    /// Probabilities of less than `least` and of less than `largest` before truncation.
-    pub quantiles: (f64, f64),
-}
-
-impl Dispersion {
-    /// The value where nothing is dispersed: the middle of the distribution, of a discrete one the most probable value.
-    pub fn nominal(&self) -> f64 {
-        match self {
-            Dispersion::Uniform(least, largest) => 0.5 * (least + largest),
-            Dispersion::Normal(mean, _) | Dispersion::Correlated { mean, .. } => *mean,
-            Dispersion::TruncatedNormal(cut) => cut.mean.clamp(cut.least, cut.largest),
-            Dispersion::Lognormal { median, .. } => *median,
-            Dispersion::Discrete(values) => {
-                let first = values[0];
-                let likelier = |best: (f64, f64), &one: &(f64, f64)| {
-                    if one.1 > best.1 { one } else { best }
-                };
-                values.iter().fold(first, likelier).0
-            }
-        }
-    }
 }
 
 /// Polynomial data: sum of c * z_1^a_1 * ... * z_v^a_v.
@@ -259,54 +204,6 @@ pub struct State {
     pub dispersion: Option<Dispersion>,
     /// How the controller measures it; `None` exactly.
     pub sensor: Option<Sensor>,
-}
-
-/// What happens to a state on its way to the controller.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sensor {
-    /// Constant error, or its value where nothing is dispersed.
-    pub bias: f64,
-    /// How the constant error is drawn in each run.
-    pub drawn_bias: Option<Dispersion>,
-    /// Standard deviation of the normal error of each sample.
-    pub noise: f64,
-    /// Measurements are multiples of it; 0 for none.
-    pub quantum: f64,
-    /// Probability that a sample is lost.
-    pub dropout: f64,
-}
-
-/// What happens to a command on its way to the plant.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Actuator {
-    /// Dead time, s: a whole number of plant steps.
-    pub delay: f64,
-    /// Commands are rounded to multiples of it; 0 for none.
-    pub quantum: f64,
-    /// Time constant of the first-order lag, s; 0 for none.
-    pub lag: f64,
-    /// Fastest change for each second.
-    pub rate_limit: Option<f64>,
-    /// What fails, in order of time.
-    pub faults: Vec<Fault>,
-}
-
-/// A fault of an actuator.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fault {
-    /// When it happens, s.
-    pub at: f64,
-    /// What it does.
-    pub effect: Effect,
-}
-
-/// What a fault does.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Effect {
-    /// Leaves this share of the effect.
-    Effectiveness(f64),
-    /// Stops the actuator at a value, or where it stands.
-    Stuck(Option<f64>),
 }
 
 /// The flown plant where it is more than the blocks that the controller is designed on. A block state without a rate of its own here
