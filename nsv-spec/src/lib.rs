@@ -13,6 +13,7 @@ pub mod expr;
 mod hash;
 mod include;
 pub mod interpolation;
+pub mod limits;
 pub mod model;
 mod parse;
 pub mod reference;

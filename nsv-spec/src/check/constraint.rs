@@ -21,6 +21,7 @@ impl Context<'_> {
     pub(super) fn constraint(&mut self, at: usize, formula: &Formula) -> Option<ExprId> {
         let what = format!("constraint of block `{}`", self.spec.blocks[at].name.value);
         let dimensions = [self.error_dimension(at)];
+        self.check_degrees_of((at, 0), &what, formula);
         let (id, parsed) = self.formula(
             formula,
             &Expected {

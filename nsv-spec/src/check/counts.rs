@@ -4,9 +4,9 @@ use super::Context;
 use crate::diagnostic::Rule;
 
 /// Most blocks.
-const MAX_BLOCKS: usize = 16;
+pub(super) const MAX_BLOCKS: usize = 16;
 /// Most channels of a block.
-const MAX_WIDTH: usize = 32;
+pub(super) const MAX_WIDTH: usize = 32;
 
 impl Context<'_> {
     /// Width of the blocks: that of the first.

@@ -61,6 +61,7 @@ impl Context<'_> {
                 self.names.refuse(&name.value);
                 continue;
             };
+            self.note_degrees(&name.value, parsed);
             let dependence = self.dependence(parsed);
             let id = DefinitionId(
                 u32::try_from(self.definitions.len())

@@ -9,7 +9,7 @@ use crate::spec::{self, Formula, Located};
 use crate::unit::Dimension;
 
 /// Most states and noise inputs of one exosystem.
-const MAX_EXOSYSTEM: usize = 16;
+pub(super) const MAX_EXOSYSTEM: usize = 16;
 
 impl Context<'_> {
     /// d of a block.

@@ -88,16 +88,19 @@ impl Context<'_> {
 
     /// The meaning of a formula at a place.
     pub(super) fn elaborate(&mut self, parsed: &Parsed, place: Place) -> Option<ExprId> {
+        self.check_angles(parsed);
+        self.meaning(parsed, place)
+    }
+
+    fn meaning(&mut self, parsed: &Parsed, place: Place) -> Option<ExprId> {
         match parsed {
             Parsed::Expr(expr) => {
                 let meaning = expr::elaborate(expr, &mut self.names.view(place), &mut self.arena);
                 self.accept(meaning)
             }
             Parsed::List(items, span) => {
-                let items: Vec<Option<ExprId>> = items
-                    .iter()
-                    .map(|item| self.elaborate(item, place))
-                    .collect();
+                let items: Vec<Option<ExprId>> =
+                    items.iter().map(|item| self.meaning(item, place)).collect();
                 let items: Option<Vec<ExprId>> = items.into_iter().collect();
                 self.stack(&items?, *span)
             }

@@ -9,7 +9,7 @@ use crate::spec::{self, Bias, Code};
 use crate::unit::Dimension;
 
 /// Most plant steps of a delay.
-const MAX_DELAY: f64 = 1000.0;
+pub(super) const MAX_DELAY: f64 = 1000.0;
 /// How far from a whole number of plant steps roundings may leave a delay.
 const ROUNDING: f64 = 1e-6;
 

@@ -1,5 +1,6 @@
 //! Checks a specification and makes the model. Each file is one guarantee; this one lists them in order.
 
+mod angles;
 mod constants;
 mod constraint;
 mod controller;
@@ -17,6 +18,7 @@ mod functions;
 mod gains;
 mod hardware;
 mod initial;
+pub(crate) mod limits;
 mod linear;
 mod names;
 mod network;
@@ -33,6 +35,8 @@ mod states;
 mod structure;
 mod tables;
 mod truth;
+
+use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, Rule, SourceMap, Span};
 use crate::expr::Symbol;
@@ -83,6 +87,8 @@ struct Context<'a> {
     /// Further states of the flown plant.
     truth_states: Vec<Option<State>>,
     inputs: Option<Vec<Input>>,
+    /// Definitions that are an angle divided by a degree, with their places.
+    in_degrees: BTreeMap<String, Span>,
 }
 
 impl<'a> Context<'a> {
@@ -109,6 +115,7 @@ impl<'a> Context<'a> {
             states: Vec::new(),
             truth_states: Vec::new(),
             inputs: None,
+            in_degrees: BTreeMap::new(),
         }
     }
 

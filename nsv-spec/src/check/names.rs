@@ -9,7 +9,7 @@ use crate::spec::{Named, Word};
 use crate::yaml::excerpt;
 
 /// Longest name.
-const MAX_LENGTH: usize = 64;
+pub(super) const MAX_LENGTH: usize = 64;
 
 /// Words that are no identifiers in Rust, or that cannot be bound by `let`.
 const RUST_WORDS: [&str; 56] = [

@@ -10,7 +10,7 @@ use crate::spec::{self, Formula, Located};
 use crate::unit::Dimension;
 
 /// Most basis functions of a network.
-const MAX_NODES: u128 = 2000;
+pub(super) const MAX_NODES: u128 = 2000;
 
 /// Number of basis functions; saturates, so that no order and no number of inputs is too large to ask.
 fn node_count(basis: Basis, inputs: usize, order: u64) -> u128 {

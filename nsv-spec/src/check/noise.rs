@@ -3,10 +3,10 @@
 use super::Context;
 use super::plant::SECOND;
 use super::scope::Place;
-use crate::diagnostic::Rule;
+use crate::diagnostic::{Rule, Span};
 use crate::expr::Expected;
 use crate::expr::arena::Shape;
-use crate::model::Noise;
+use crate::model::{Noise, NoiseModel};
 use crate::spec::{self, Located};
 use crate::unit::Dimension;
 
@@ -42,38 +42,44 @@ impl Context<'_> {
             );
             return None;
         }
-        let shape = Shape::Matrix(own.len(), channels);
-        let rates = self.ratios(own, &[SECOND], block.span)?;
-        let densities = self.ratios(own, &[SECOND.checked_sqrt()?], block.span)?;
-        // One scaling fits all entries: the noise is either a rate, or a density of white noise.
-        let sampled = self.ratios(&rates, &sigma.dimensions, block.span)?;
-        let white = self.ratios(&densities, &sigma.dimensions, block.span)?;
-        let is_white = crate::expr::expect(
-            &self.arena,
-            id,
-            parsed.span(),
-            &Expected {
-                what: &what,
-                shape,
-                dimensions: &white,
-                reasons: &[],
-            },
-        )
-        .is_ok();
-        let dimensions = if is_white { &white } else { &sampled };
+        let (per, reason) = self.noise_model();
+        let rates = self.ratios(own, &[per?], block.span)?;
+        let dimensions = self.ratios(&rates, &sigma.dimensions, block.span)?;
         let effectiveness = self.expect(
             id,
             parsed.span(),
             &Expected {
                 what: &what,
-                shape,
-                dimensions,
-                reasons: &[],
+                shape: Shape::Matrix(own.len(), channels),
+                dimensions: &dimensions,
+                reasons: &vec![reason; own.len()],
             },
         )?;
         Some(Noise {
             effectiveness,
             intensity: sigma.values,
         })
+    }
+
+    /// What the noise is a state per: a held draw is a rate, a Wiener process has unit sqrt(s); and the place that says which.
+    fn noise_model(&self) -> (Option<Dimension>, (Span, String)) {
+        let written = self.spec.scenario.noise;
+        let span = written.map_or(self.spec.scenario.horizon.base.span, |noise| noise.span);
+        match written.map(|noise| noise.value) {
+            Some(NoiseModel::Wiener) => (
+                SECOND.checked_sqrt(),
+                (
+                    span,
+                    "wiener noise: effectiveness times intensity is a state per sqrt(s)".to_owned(),
+                ),
+            ),
+            _ => (
+                Some(SECOND),
+                (
+                    span,
+                    "sampled noise: effectiveness times intensity is a state per second".to_owned(),
+                ),
+            ),
+        }
     }
 }

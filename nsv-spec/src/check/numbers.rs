@@ -111,13 +111,11 @@ impl Context<'_> {
         if found == dimension || found == Dimension::ONE {
             return Some(());
         }
-        self.unit_mismatch(
-            span,
-            what,
-            found,
-            dimension,
-            format!("write it in {dimension}, or as a bare number in SI"),
-        );
+        let help = match dimension {
+            Dimension::ONE => written_in(dimension),
+            _ => format!("write it in {dimension}, or as a bare number in SI"),
+        };
+        self.unit_mismatch(span, what, found, dimension, help);
         None
     }
 

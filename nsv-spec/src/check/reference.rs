@@ -45,7 +45,8 @@ impl Context<'_> {
                 .as_ref()
                 .map(|states| states[channel].dimension);
             entries.push(
-                dimension.and_then(|dimension| self.reference_of(name, &signal.value, dimension)),
+                dimension
+                    .and_then(|dimension| self.reference_of(channel, &signal.value, dimension)),
             );
         }
         for (at, meant) in strangers {
@@ -66,11 +67,13 @@ impl Context<'_> {
 
     fn reference_of(
         &mut self,
-        name: &str,
+        channel: usize,
         formula: &Formula,
         dimension: Dimension,
     ) -> Option<ExprId> {
+        let name = &self.spec.blocks[0].value.states[channel].name.value;
         let what = format!("reference of `{name}`");
+        self.check_degrees_of((0, channel), &what, formula);
         let (id, parsed) = self.formula(
             formula,
             &Expected {

@@ -144,6 +144,8 @@ codes! {
     E0713 "sensor of a state that is not measured",
     // Warnings
     W0001 "gain below its bound",
+    W0010 "angle in degrees where a function takes radians",
+    W0011 "number without a unit for a state in degrees",
 }
 
 impl Rule {

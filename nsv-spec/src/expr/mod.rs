@@ -18,12 +18,13 @@ mod typing;
 pub use crate::diagnostic::Base;
 pub use builtin::is_reserved;
 pub(crate) use builtin::{CONSTANTS, Entry, entries};
+pub(crate) use elaborate::MAX_CALLS;
 pub use elaborate::elaborate;
 pub(crate) use elaborate::with_origins;
 pub use evaluate::{Environment, EvaluationError, evaluate};
 pub use expect::{Expected, expect};
-pub(crate) use parser::binding;
 pub use parser::{MAX_DEPTH, MAX_INSERTED, MAX_NODES, MAX_ROUNDS, MAX_TEXT, parse};
+pub(crate) use parser::{MAX_FAULTS, binding};
 pub use scope::{Defined, Origin, Scope, Signature, Symbol};
 
 #[cfg(test)]

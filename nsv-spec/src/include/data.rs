@@ -7,7 +7,7 @@ use crate::diagnostic::{Diagnostic, FileId, Rule, Span};
 use crate::yaml::{self, Kind, Node, excerpt};
 
 /// Most data files of one specification.
-const MAX_DATA_FILES: usize = 64;
+pub(crate) const MAX_DATA_FILES: usize = 64;
 
 impl Joiner<'_> {
     /// Reads every `tables.<name>.file` of one file's tree, which lies in the directory `below`.

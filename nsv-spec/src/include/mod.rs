@@ -5,6 +5,8 @@
 
 mod data;
 
+pub(crate) use data::MAX_DATA_FILES;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::Read;
@@ -14,9 +16,9 @@ use crate::diagnostic::{Diagnostic, FileId, Rule, SourceMap, Span};
 use crate::yaml::{self, Entry, Kind, MAX_BYTES, Node, excerpt};
 
 /// Most files of one specification, itself included.
-const MAX_FILES: usize = 16;
+pub(crate) const MAX_FILES: usize = 16;
 /// Deepest chain of files that include each other, the specification not counted.
-const MAX_DEPTH: usize = 4;
+pub(crate) const MAX_DEPTH: usize = 4;
 /// Sections that belong to the specification itself.
 const NOT_IN_FRAGMENTS: [&str; 4] = ["nsv", "name", "title", "scenario"];
 

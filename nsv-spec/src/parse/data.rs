@@ -7,7 +7,7 @@ use crate::vocabulary::{CONSTANT, FUNCTION, PARAMETER, POLYNOMIAL};
 use crate::yaml::{Kind, Node};
 
 /// Largest exponent in polynomial data.
-const MAX_EXPONENT: u32 = 32;
+pub(crate) const MAX_EXPONENT: u32 = 32;
 
 impl Reader {
     pub(super) fn constant(&mut self, node: &Node) -> Constant {

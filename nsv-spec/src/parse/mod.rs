@@ -14,6 +14,7 @@ use crate::model::{NoiseModel, Scheme};
 use crate::spec::{Located, Scenario, Spec};
 use crate::vocabulary::SPECIFICATION;
 use crate::yaml::Node;
+pub(crate) use data::MAX_EXPONENT;
 use fields::{Fields, Reader};
 
 /// Version of the language.

@@ -14,8 +14,8 @@ use super::error::{UnitError, UnitFault};
 use super::{Unit, table};
 use crate::suggest::Meant;
 
-/// Brackets in a unit.
-const MAX_DEPTH: usize = 16;
+/// Brackets within each other in a unit.
+pub(crate) const MAX_DEPTH: usize = 16;
 /// Bytes of a name; longer ones are no units and not worth comparing with any.
 const MAX_NAME: usize = 64;
 

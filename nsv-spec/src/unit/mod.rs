@@ -4,13 +4,15 @@ mod dimension;
 mod double;
 mod error;
 mod grammar;
+mod reference;
 mod table;
 
 pub use dimension::Dimension;
 use double::Double;
 pub use error::UnitError;
 pub(crate) use error::UnitFault;
-pub(crate) use grammar::scan;
+pub(crate) use grammar::{MAX_DEPTH, scan};
+pub use reference::units_reference;
 
 /// A unit as written, with the factor that turns a number in it into SI.
 #[derive(Clone, Debug, PartialEq)]

@@ -273,6 +273,25 @@ fn in_other_case(name: &str) -> Vec<String> {
         .collect()
 }
 
+/// Prefixes with their powers of ten, the largest first.
+pub(super) fn prefixes() -> Vec<(&'static str, i32)> {
+    let mut prefixes = PREFIXES.to_vec();
+    prefixes.sort_by_key(|(_, exponent)| -exponent);
+    prefixes
+}
+
+/// Every unit in order: name, whether it takes prefixes, dimension, SI value of one.
+pub(super) fn units() -> impl Iterator<Item = (&'static str, bool, Dimension, f64)> {
+    TABLE.iter().map(|entry| {
+        (
+            entry.name,
+            entry.prefixed,
+            entry.dimension,
+            entry.size().high,
+        )
+    })
+}
+
 /// Every name in the table, for tests.
 #[cfg(test)]
 pub(super) fn names() -> impl Iterator<Item = &'static str> {

@@ -8,6 +8,7 @@ mod read;
 mod text;
 
 pub use read::read;
+pub(crate) use read::{MAX_ALIASES, MAX_DEPTH, MAX_NODES};
 pub use text::{MAX_BYTES, text};
 
 use crate::diagnostic::{Base, Span};

@@ -13,11 +13,11 @@ use super::{Entry, Key, Kind, Node, Scalar};
 use crate::diagnostic::{Base, Diagnostic, FileId, Span};
 
 /// Deepest nesting; a specification needs eight levels.
-pub(super) const MAX_DEPTH: usize = 32;
+pub(crate) const MAX_DEPTH: usize = 32;
 /// Most maps, lists and scalars in one file, aliases expanded.
-pub(super) const MAX_NODES: usize = 100_000;
+pub(crate) const MAX_NODES: usize = 100_000;
 /// Most aliases in one file.
-const MAX_ALIASES: usize = 1_000;
+pub(crate) const MAX_ALIASES: usize = 1_000;
 
 /// The tree of a YAML text.
 pub fn read(text: &str, file: FileId) -> Result<Node, Box<Diagnostic>> {

@@ -11,7 +11,7 @@ use crate::expr::syntax::{Expr, Index, Name};
 use crate::unit::parse_unit;
 
 /// Most calls and loops that lie in each other.
-const MAX_CALLS: usize = 32;
+pub(crate) const MAX_CALLS: usize = 32;
 /// Code of the fault that there are too many of them.
 const TOO_LARGE: Rule = Rule::E0211;
 

@@ -10,6 +10,8 @@ mod name;
 mod operator;
 mod origin;
 
+pub(crate) use function::MAX_CALLS;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 pub(crate) use origin::with_origins;

@@ -24,7 +24,7 @@ pub const MAX_INSERTED: usize = 200_000;
 pub const MAX_ROUNDS: u32 = 64;
 
 /// Most faults reported in one expression; what comes after so many says little.
-pub(super) const MAX_FAULTS: usize = 32;
+pub(crate) const MAX_FAULTS: usize = 32;
 
 /// Reads the text of an expression; `base` tells where the text stands in its file.
 pub fn parse(text: &str, base: Base) -> Result<Expr, Vec<Diagnostic>> {
