@@ -5,6 +5,7 @@ pub mod driver;
 pub mod emit;
 pub mod interrupt;
 pub mod ir;
+pub mod limits;
 pub mod lower;
 pub mod opt;
 pub mod seal;

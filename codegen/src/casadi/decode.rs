@@ -15,7 +15,7 @@ use crate::ir::build::size;
 use crate::ir::{Comparison, Kernel, Op, PolynomialId, Program, Shape, ValueId};
 
 /// Largest tape that is read, in nodes.
-const MAX_NODES: usize = 1_000_000;
+pub(super) const MAX_NODES: usize = 1_000_000;
 
 /// The program of a tape that answers `question`.
 pub fn decode(question: &Question<'_>, tape: &Tape) -> Result<Program, TapeError> {

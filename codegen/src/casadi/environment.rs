@@ -21,7 +21,7 @@ const INSTALLATION: Duration = Duration::from_secs(60 * 60);
 /// How much output of an installation is read.
 const INSTALLATION_OUTPUT: usize = 16 << 20;
 /// Time that the exporter may take, unless NSV_CASADI_TIMEOUT says otherwise.
-const TIMEOUT: Duration = Duration::from_secs(60);
+pub(super) const TIMEOUT: Duration = Duration::from_secs(60);
 
 /// Whether Python may be run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -11,7 +11,7 @@ use super::process::{self, Failure, tail};
 /// The exporter, run with `python -c`.
 const EXPORTER: &str = include_str!("export.py");
 /// Largest answer that is read, in bytes.
-const MAX_OUTPUT: usize = 64 << 20;
+pub(super) const MAX_OUTPUT: usize = 64 << 20;
 
 /// Versions that answer.
 #[derive(Clone, Debug, PartialEq, Eq)]

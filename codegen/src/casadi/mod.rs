@@ -21,6 +21,7 @@ mod exporter;
 mod hexfloat;
 mod job;
 mod layout;
+pub(crate) mod limits;
 mod polynomial;
 mod process;
 mod provider;

@@ -12,7 +12,7 @@ use super::layout::render;
 use super::request;
 
 /// Largest export file that is read, in bytes.
-const MAX_BYTES: u64 = 128 << 20;
+pub(super) const MAX_BYTES: u64 = 128 << 20;
 
 /// SHA-256 of a question, in hexadecimal.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
