@@ -159,3 +159,30 @@ fn function(data: &TableData, numbers: &Ident, orders: &[u32], name: &Ident) -> 
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::emit::standalone;
+    use crate::ir::Program;
+
+    #[test]
+    fn a_table_reads_as_numbers_and_functions() {
+        let program: Program = "program p
+input x: vec2
+table lift(mach, alpha) = breaks [0.0, 0.5, 2.0], breaks [-1.0, 1.0], linear clamp [0.5, 1.0, 1.5, 2.0, 2.5, 3.5]
+table drag(mach) = breaks [0.0, 2.0], cubic error [1.0, 2.0, 4.0, 8.0]
+%0: vec2 = input x
+%1: real = element %0, 0, 0
+%2: real = element %0, 1, 0
+%3: real = table lift 0 0, %1, %2
+%4: real = table lift 0 1, %1, %2
+%5: real = table drag 2, %1
+%6: vec3 = array %3, %4, %5
+output y = %6
+"
+        .parse()
+        .expect("a readable program");
+        program.assert_sound();
+        insta::assert_snapshot!(standalone(&program));
+    }
+}
