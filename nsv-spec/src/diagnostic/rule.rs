@@ -129,6 +129,7 @@ codes! {
     E0708 "constraint not positive",
     // Warnings
     W0001 "gain below its bound",
+    W0002 "declaration without use",
 }
 
 impl Rule {

@@ -103,4 +103,18 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
             )],
         ),
     ),
+    (
+        Rule::W0002,
+        plain(
+            "A constant, parameter or definition that no expression uses is often one whose use was forgotten, or mistyped into the name of another. Declarations in included files are left alone, for other specifications may use them.",
+            &[
+                edit(
+                    "plant:\n",
+                    "constants: {mass: 2 kg}\nplant:\n",
+                    "constants: {mass: 2 kg}\nplant:\n",
+                ),
+                edit("\"1/(2 kg)\"", "\"1/(2 kg)\"", "1/mass"),
+            ],
+        ),
+    ),
 ];

@@ -36,6 +36,7 @@ pub fn elaborate(
         values: Vec::new(),
         faults: Vec::new(),
         unknown: BTreeSet::new(),
+        unit_until: None,
     };
     for node in expr.nodes() {
         let value = elaborator.value(node.span, &node.kind);
@@ -63,6 +64,8 @@ struct Elaborator<'a> {
     faults: Vec<Diagnostic>,
     /// Unknown names, each reported where it comes first.
     unknown: BTreeSet<String>,
+    /// End of the last name that was meant for a unit.
+    unit_until: Option<u32>,
 }
 
 impl Elaborator<'_> {
