@@ -10,7 +10,7 @@ use nsv_spec::load;
 /// The diagnostics of an example as a file with its included files; those of its mend if `mended`.
 fn diagnostics(directory: &Path, example: &Example, mended: bool) -> (Vec<Diagnostic>, String) {
     for (name, bad, good) in example.files {
-        fs::write(directory.join(name), if mended { good } else { bad }).unwrap();
+        fs::write(directory.join(name), if mended { good } else { bad }).expect("an included file");
     }
     let path = directory.join("example.yaml");
     let text = match mended {
@@ -18,7 +18,7 @@ fn diagnostics(directory: &Path, example: &Example, mended: bool) -> (Vec<Diagno
         false => example.broken(),
     };
     match text {
-        Some(text) => fs::write(&path, text).unwrap(),
+        Some(text) => fs::write(&path, text).expect("an example"),
         None => drop(fs::remove_file(&path)),
     }
     match load(&path) {
