@@ -8,7 +8,7 @@ centres and inertias of the same paper, at random angles.
 import numpy as np
 
 from problem import Block, Bounded, Problem
-from real import cos, exp, inverse, is_exact, sin, solve, tanh
+from real import cos, inverse, sin, solve, tanh
 from library import DEG, funnel, gentle
 
 GRAVITY, UPPER_ARM, FOREARM, SHOULDER = 9.81, 0.4318, 0.4331, 0.1501
@@ -112,3 +112,51 @@ def six_joint_arm():
         "six_joint_arm", 6, [joints, rates], (lambda t: rest + swing(t), swing_dot), np.array([97.6, 186.4, 89.4, 24.2, 20.1, 21.3]),
         {"load": 1.0, "dry_scale": 0.0}, {"load": (0.0, 2.0), "dry_scale": (0.5, 1.5)}, 10.0, 0.001, 4.0, substeps=2,
     )  # fmt: skip
+
+
+# Links of the same paper: twist, length and offset (modified Denavit-Hartenberg), mass, centre, moments of inertia; rotors at the joints.
+LINKS = [
+    (0, 0, 0, 0, (0, 0, 0), (0, 0, 0.35)),
+    (-np.pi / 2, 0, 0.2435, 17.4, (0.068, 0.006, -0.016), (0.13, 0.524, 0.539)),
+    (0, 0.4318, -0.0934, 4.8, (0, -0.07, 0.014), (0.066, 0.0125, 0.066)),
+    (np.pi / 2, -0.0203, 0.4331, 0.82, (0, 0, -0.019), (1.8e-3, 1.8e-3, 1.3e-3)),
+    (-np.pi / 2, 0, 0, 0.34, (0, 0, 0), (0.3e-3, 0.3e-3, 0.4e-3)),
+    (np.pi / 2, 0, 0, 0.09, (0, 0, 0.032), (0.15e-3, 0.15e-3, 0.04e-3)),
+]
+ROTORS = np.array([291e-6, 409e-6, 299e-6, 35e-6, 35e-6, 35e-6]) * np.array([62.6111, 107.815, 53.7063, 76.0364, 71.923, 76.686]) ** 2
+
+
+def newton_euler(q, acceleration, gravity):
+    """Torques at rest that give this acceleration of the joints, by recursion over the links."""
+    spin, pull, axis = np.zeros(3), np.array([0, 0, gravity]), np.array([0, 0, 1.0])
+    turns, places, forces, moments = [], [], [], []
+    for angle, rate_dot, (twist, length, offset, mass, centre, inertia) in zip(q, acceleration, LINKS):
+        c, s, ca, sa = np.cos(angle), np.sin(angle), np.cos(twist), np.sin(twist)
+        R, place = np.array([[c, -s, 0], [s * ca, c * ca, -sa], [s * sa, c * sa, ca]]), np.array([length, -sa * offset, ca * offset])
+        pull = R.T @ (np.cross(spin, place) + pull)
+        spin = R.T @ spin + rate_dot * axis
+        turns.append(R), places.append(place)
+        forces.append(mass * (np.cross(spin, centre) + pull)), moments.append(np.array(inertia) * spin)
+    torque, force, moment = np.zeros(6), np.zeros(3), np.zeros(3)
+    for i in reversed(range(6)):
+        if i < 5:
+            force = turns[i + 1] @ force
+            moment = turns[i + 1] @ moment + np.cross(places[i + 1], force)
+        force, moment = force + forces[i], moment + moments[i] + np.cross(LINKS[i][4], forces[i])
+        torque[i] = moment[2]
+    return torque + ROTORS * acceleration
+
+
+def main():
+    """Prints the largest difference of each entry over random angles."""
+    rng, difference, torque = np.random.default_rng(1), np.zeros((6, 6)), np.zeros(6)
+    for q in rng.uniform(-np.pi, np.pi, (500, 6)):
+        by_links = np.array([newton_euler(q, unit, 0) for unit in np.eye(6)]).T
+        difference = np.maximum(difference, np.abs(by_links - mass_matrix(q, {"load": 0.0})))
+        torque = np.maximum(torque, np.abs(newton_euler(q, np.zeros(6), GRAVITY) - gravity(q, 0.0)))
+    np.set_printoptions(precision=3, suppress=True)
+    print(f"mass matrix, kg m^2:\n{difference}\ngravity, N m:\n{torque}")
+
+
+if __name__ == "__main__":
+    main()
