@@ -18,7 +18,7 @@ README = HERE / "README.md"
 RUNS = 100
 TABLE = re.compile(r"(?<=<!-- table -->\n).*?(?=<!-- end -->)", re.DOTALL)
 # Plots of the report that make a specification's figure, by their figure there: tracking, errors, inputs, and all runs together.
-FIGURES = {5: 6, 6: 2, 7: 6, 9: 1}
+FIGURES = {5: 6, 6: 2, 7: 6, 10: 6, 9: 1}
 WIDTH, HEIGHT, GAP = 480, 250, 10
 
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 383d52882dbbe9c4a677ff59aa4d766f940520ed21803aae2c089e1491c3c1fe
+// SHA-256 of the text below: 85b9f0a30d648331b750afdc611f3b4a3c80f5f2ecc1fb9417f6eccbcbfdc869
 //! Committed output of the nsv compiler, one module per specification under `specs/`.
 #![no_std]
 #![forbid(unsafe_code)]
@@ -19,6 +19,10 @@ pub mod flexible_joint;
 #[rustfmt::skip]
 pub mod ghv_unstable;
 
+/// Missile pitch autopilot with lookup tables at a falling Mach number
+#[rustfmt::skip]
+pub mod missile_pitch;
+
 /// Arm driven by a DC motor with current dynamics
 #[rustfmt::skip]
 pub mod motor_arm;
@@ -26,6 +30,10 @@ pub mod motor_arm;
 /// Attitude control of a near space vehicle with multi-source disturbances
 #[rustfmt::skip]
 pub mod nsv_attitude;
+
+/// The attitude controller on a near space vehicle that climbs, turns and accelerates
+#[rustfmt::skip]
+pub mod nsv_six_dof;
 
 /// Single-link arm in a gusty wind
 #[rustfmt::skip]
