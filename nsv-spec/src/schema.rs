@@ -66,7 +66,12 @@ fn kind(kind: &'static Kind, sections: &mut Map<String, Value>) -> Value {
             json!({ "$ref": "#/$defs/grid" })
         }
         Kind::List(item) => json!({ "type": "array", "items": self::kind(item, sections) }),
-        Kind::Named(value) => json!({
+        Kind::Sweep => json!({
+            "type": "object",
+            "minProperties": 1,
+            "additionalProperties": { "type": "array", "minItems": 1 },
+        }),
+        Kind::Named(value) | Kind::ByName(value) => json!({
             "type": "object",
             "propertyNames": { "pattern": "^[A-Za-z][A-Za-z0-9_]{0,63}$" },
             "additionalProperties": self::kind(value, sections),

@@ -17,6 +17,7 @@ mod output;
 mod render;
 mod runner;
 mod schema;
+mod settings;
 mod simulate;
 
 use std::process::ExitCode;

@@ -56,6 +56,11 @@ codes! {
     E0023 "too many included files",
     E0024 "section that an included file must not have",
     E0025 "key given in two files",
+    // Composition
+    E0030 "path that leads nowhere",
+    E0031 "argument that an included file does not declare",
+    E0032 "removed key that is not there",
+    E0033 "sweep of nothing or of too much",
     // Keys and values
     E0101 "unknown key",
     E0102 "key given twice",

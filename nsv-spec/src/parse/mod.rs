@@ -14,7 +14,8 @@ use crate::model::{NoiseModel, Scheme};
 use crate::spec::{Located, Scenario, Spec};
 use crate::vocabulary::SPECIFICATION;
 use crate::yaml::Node;
-use fields::{Fields, Reader};
+use fields::Fields;
+pub(crate) use fields::Reader;
 
 /// Version of the language.
 const VERSION: u64 = 1;

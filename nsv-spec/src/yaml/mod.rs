@@ -4,6 +4,7 @@
 
 mod escape;
 mod fault;
+mod flow;
 mod read;
 mod text;
 

@@ -12,23 +12,24 @@ use nsv_spec::diagnostic::{Diagnostics, Fixed};
 use super::Checked;
 use crate::cli::failure::{Exit, Failure};
 use crate::cli::output::note;
+use crate::cli::settings::Overrides;
 
 /// Most rounds: a fix may bring to light what was hidden behind a fault, such as names behind syntax.
 const ROUNDS: usize = 10;
 
 /// Mends a specification as far as that is certain, tells what was changed, and gives what is left.
-pub(super) fn run(path: &Path) -> Result<Checked<'_>, Failure> {
+pub(super) fn run<'a>(path: &'a Path, settings: &Overrides) -> Result<Vec<Checked<'a>>, Failure> {
     for _ in 0..ROUNDS {
-        let checked = super::check(path);
-        let fixed = checked.faults.fix();
-        if fixed.is_empty() {
+        let checked = super::check(path, settings);
+        // Variants of a sweep are checked only where there is no fault in the specification itself.
+        let Some(own) = checked.first().filter(|own| !own.faults.fix().is_empty()) else {
             return Ok(checked);
-        }
-        for file in &fixed {
-            apply(path, &checked.faults, file)?;
+        };
+        for file in &own.faults.fix() {
+            apply(path, &own.faults, file)?;
         }
     }
-    Ok(super::check(path))
+    Ok(super::check(path, settings))
 }
 
 fn apply(spec: &Path, faults: &Diagnostics, fixed: &Fixed) -> Result<(), Failure> {

@@ -5,7 +5,8 @@ mod sarif;
 
 use std::path::{Path, PathBuf};
 
-use nsv_spec::diagnostic::Diagnostics;
+use nsv_spec::compose::Composition;
+use nsv_spec::diagnostic::{Diagnostic, Diagnostics};
 use nsv_spec::model::Model;
 use serde_json::{Value, json};
 
@@ -13,6 +14,7 @@ use super::compile::show;
 use super::failure::{Exit, Failure};
 use super::output::{self, note};
 use super::render::records;
+use super::settings::Overrides;
 
 /// Check specifications: names, units, shapes, ranges; every fault at once, with its place
 #[derive(clap::Args)]
@@ -20,6 +22,8 @@ pub(crate) struct Args {
     /// Specifications to check
     #[arg(required = true, value_name = "SPEC")]
     specs: Vec<PathBuf>,
+    #[command(flatten)]
+    settings: Overrides,
     /// List the defaults that were filled in
     #[arg(short, long)]
     verbose: bool,
@@ -48,6 +52,8 @@ enum Format {
 
 struct Checked<'a> {
     path: &'a Path,
+    /// The values of a sweep, if it is not the specification itself.
+    variant: Option<String>,
     model: Option<Model>,
     faults: Diagnostics,
 }
@@ -56,10 +62,10 @@ struct Checked<'a> {
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let mut checked: Vec<Checked<'_>> = Vec::new();
     for path in &args.specs {
-        checked.push(if args.fix {
-            fix::run(path)?
+        checked.extend(if args.fix {
+            fix::run(path, &args.settings)?
         } else {
-            check(path)
+            check(path, &args.settings)
         });
     }
     match args.format {
@@ -80,24 +86,45 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     }
 }
 
-fn check(path: &Path) -> Checked<'_> {
-    match nsv_spec::load(path) {
-        Ok((model, warnings)) => {
-            let faults = Diagnostics {
-                sources: model.sources.clone(),
-                items: warnings,
-            };
-            Checked {
-                path,
-                model: Some(model),
-                faults,
-            }
+/// The specification itself; if there is no fault in it, also each variant of its sweep.
+fn check<'a>(path: &'a Path, settings: &Overrides) -> Vec<Checked<'a>> {
+    let composition = match Composition::read(path, &settings.values) {
+        Ok(composition) => composition,
+        Err(faults) => return vec![checked(path, None, Err(faults))],
+    };
+    let mut all = vec![checked(path, None, composition.base())];
+    if all[0].model.is_none() {
+        return all;
+    }
+    let known = all[0].faults.items.clone();
+    for variant in composition.variants() {
+        let mut one = composition.variant(&variant);
+        // What is said of the specification itself need not be said again.
+        if let Ok((_, warnings)) = &mut one {
+            warnings.retain(|warning| !known.contains(warning));
         }
-        Err(faults) => Checked {
-            path,
-            model: None,
-            faults,
-        },
+        all.push(checked(path, Some(variant.settings().join(", ")), one));
+    }
+    all
+}
+
+fn checked<'a>(
+    path: &'a Path,
+    variant: Option<String>,
+    outcome: Result<(Model, Vec<Diagnostic>), Diagnostics>,
+) -> Checked<'a> {
+    let (model, faults) = match outcome {
+        Ok((model, items)) => {
+            let sources = model.sources.clone();
+            (Some(model), Diagnostics { sources, items })
+        }
+        Err(faults) => (None, faults),
+    };
+    Checked {
+        path,
+        variant,
+        model,
+        faults,
     }
 }
 
@@ -106,7 +133,10 @@ fn tell(checked: &Checked<'_>, format: Format, verbose: bool) -> Result<(), Fail
         Format::Short => note(checked.faults.short().trim_end_matches('\n')),
         _ => show(&checked.faults),
     }
-    let path = checked.path.display();
+    let path = match &checked.variant {
+        Some(variant) => format!("{} with {variant}", checked.path.display()),
+        None => checked.path.display().to_string(),
+    };
     let Some(model) = &checked.model else {
         let errors = checked
             .faults
@@ -121,7 +151,7 @@ fn tell(checked: &Checked<'_>, format: Format, verbose: bool) -> Result<(), Fail
         return Ok(());
     };
     note(format_args!("{path}: ok, {}", size(model)));
-    if verbose {
+    if verbose && checked.variant.is_none() {
         let lines: String = model
             .defaults
             .iter()
@@ -146,6 +176,7 @@ fn document(checked: &Checked<'_>) -> Value {
     let model = checked.model.as_ref();
     json!({
         "path": checked.path.to_string_lossy(),
+        "variant": checked.variant,
         "ok": model.is_some(),
         "name": model.map(|model| &model.name),
         "hash": model.map(|model| &model.hash),
