@@ -8,6 +8,7 @@ mod child;
 mod compile;
 mod doctor;
 mod eval;
+mod explain;
 mod failure;
 mod files;
 mod generate;
@@ -39,6 +40,7 @@ struct Cli {
 #[derive(Subcommand)]
 enum Verb {
     Check(check::Args),
+    Explain(explain::Args),
     Generate(generate::Args),
     Simulate(simulate::Args),
     Merge(merge::Args),
@@ -53,6 +55,7 @@ pub(crate) fn main() -> ExitCode {
     nsv_codegen::interrupt::install();
     let done = match &cli.verb {
         Verb::Check(args) => check::run(args),
+        Verb::Explain(args) => explain::run(args),
         Verb::Generate(args) => generate::run(args),
         Verb::Simulate(args) => simulate::run(args),
         Verb::Merge(args) => merge::run(args),

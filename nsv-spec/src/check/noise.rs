@@ -57,6 +57,7 @@ impl Context<'_> {
                 shape,
                 dimensions: &white,
                 reasons: &[],
+                columns: &[],
             },
         )
         .is_ok();
@@ -69,6 +70,7 @@ impl Context<'_> {
                 shape,
                 dimensions,
                 reasons: &[],
+                columns: &[],
             },
         )?;
         Some(Noise {

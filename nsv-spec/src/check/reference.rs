@@ -78,6 +78,7 @@ impl Context<'_> {
                 shape: Shape::Scalar,
                 dimensions: &[dimension],
                 reasons: &[],
+                columns: &[],
             },
         )?;
         self.check_signal(&parsed, &what);

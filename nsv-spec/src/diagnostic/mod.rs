@@ -1,6 +1,7 @@
 //! Faults of a specification as data: a code, a place, a message and its remedy. Rendering is the command line's business.
 
 mod base;
+pub mod explain;
 mod fix;
 mod rule;
 

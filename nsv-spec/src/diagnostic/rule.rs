@@ -4,6 +4,7 @@
 use std::fmt;
 
 use super::Severity;
+use crate::suggest::nearest;
 
 /// Makes the enum, its list and its names of one table, so that they cannot drift.
 macro_rules! codes {
@@ -149,6 +150,7 @@ codes! {
     E0713 "sensor of a state that is not measured",
     // Warnings
     W0001 "gain below its bound",
+    W0002 "declaration without use",
 }
 
 impl Rule {
@@ -163,6 +165,12 @@ impl Rule {
     /// Its letter with the first two digits: what kind of thing is at fault, such as `E04` for units.
     pub fn family(self) -> &'static str {
         &self.name()[..3]
+    }
+
+    /// The rule whose code is nearest to a mistyped one.
+    pub fn nearest(name: &str) -> Option<Self> {
+        let meant = nearest(name, Rule::ALL.iter().map(|rule| rule.name()))?;
+        Rule::find(&meant.name)
     }
 
     /// The rule of a code in either case; `None` if there is none.

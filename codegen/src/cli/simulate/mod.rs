@@ -300,6 +300,7 @@ mod tests {
             limit: 2.0,
         };
         Plant {
+            further: Vec::new(),
             name: "fixture".into(),
             title: "Fixture".into(),
             hash: "0".repeat(64),

@@ -1,5 +1,8 @@
 //! `nsv check`: every fault of a specification.
 
+mod fix;
+mod sarif;
+
 use std::path::{Path, PathBuf};
 
 use nsv_spec::compose::Composition;
@@ -24,6 +27,12 @@ pub(crate) struct Args {
     /// List the defaults that were filled in
     #[arg(short, long)]
     verbose: bool,
+    /// Apply the changes that are certain to mend a fault, and show what is left
+    #[arg(long)]
+    fix: bool,
+    /// Fail if there are warnings
+    #[arg(long)]
+    deny_warnings: bool,
     /// How faults are shown
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -37,6 +46,8 @@ enum Format {
     Short,
     /// One JSON document on standard output
     Json,
+    /// SARIF 2.1.0 on standard output, for code hosts and editors
+    Sarif,
 }
 
 struct Checked<'a> {
@@ -49,20 +60,26 @@ struct Checked<'a> {
 
 /// Runs the verb.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let checked: Vec<Checked<'_>> = args
-        .specs
-        .iter()
-        .flat_map(|path| check(path, &args.settings))
-        .collect();
+    let mut checked: Vec<Checked<'_>> = Vec::new();
+    for path in &args.specs {
+        checked.extend(match args.fix {
+            true => fix::run(path, &args.settings)?,
+            false => check(path, &args.settings),
+        });
+    }
     match args.format {
         Format::Json => {
             output::json(&json!({ "specs": checked.iter().map(document).collect::<Vec<_>>() }))?
         }
+        Format::Sarif => output::json(&sarif::log(checked.iter().map(|one| &one.faults)))?,
         format => checked
             .iter()
             .try_for_each(|one| tell(one, format, args.verbose))?,
     }
-    match checked.iter().all(|one| one.model.is_some()) {
+    let passes = |one: &Checked<'_>| {
+        one.model.is_some() && (!args.deny_warnings || one.faults.items.is_empty())
+    };
+    match checked.iter().all(passes) {
         true => Ok(()),
         false => Err(Failure::Reported(Exit::Spec)),
     }
