@@ -21,12 +21,15 @@ const ROUNDS: usize = 10;
 pub(super) fn run<'a>(path: &'a Path, settings: &Overrides) -> Result<Vec<Checked<'a>>, Failure> {
     for _ in 0..ROUNDS {
         let checked = super::check(path, settings);
-        // Variants of a sweep are checked only where there is no fault in the specification itself.
-        let Some(own) = checked.first().filter(|own| !own.faults.fix().is_empty()) else {
+        let mendable = checked
+            .iter()
+            .map(|one| (&one.faults, one.faults.fix()))
+            .find(|(_, fixed)| !fixed.is_empty());
+        let Some((faults, fixed)) = mendable else {
             return Ok(checked);
         };
-        for file in &own.faults.fix() {
-            apply(path, &own.faults, file)?;
+        for file in &fixed {
+            apply(path, faults, file)?;
         }
     }
     Ok(super::check(path, settings))

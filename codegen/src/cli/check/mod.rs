@@ -62,10 +62,9 @@ struct Checked<'a> {
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let mut checked: Vec<Checked<'_>> = Vec::new();
     for path in &args.specs {
-        checked.extend(if args.fix {
-            fix::run(path, &args.settings)?
-        } else {
-            check(path, &args.settings)
+        checked.extend(match args.fix {
+            true => fix::run(path, &args.settings)?,
+            false => check(path, &args.settings),
         });
     }
     match args.format {

@@ -1,6 +1,7 @@
 //! What every rule is for, with a small specification that breaks it and its mend: the source of `nsv explain`, of the pages in
 //! `docs/diagnostics`, and of the tests that hold each of them true.
 
+mod composition;
 mod expressions;
 mod files;
 mod flight;
@@ -68,6 +69,7 @@ impl Rule {
     pub fn explanation(self) -> &'static Explanation {
         let families = [
             files::ALL,
+            composition::ALL,
             keys::ALL,
             names::ALL,
             expressions::ALL,
