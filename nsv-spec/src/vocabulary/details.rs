@@ -166,11 +166,9 @@ mod tests {
     fn sections() -> Vec<&'static Section> {
         fn below(kind: &'static Kind, all: &mut Vec<&'static Section>) {
             match kind {
-                Kind::Section(section) => {
-                    if all.iter().all(|known| known.noun != section.noun) {
-                        all.push(section);
-                        section.keys.iter().for_each(|key| below(&key.kind, all));
-                    }
+                Kind::Section(section) if all.iter().all(|known| known.noun != section.noun) => {
+                    all.push(section);
+                    section.keys.iter().for_each(|key| below(&key.kind, all));
                 }
                 Kind::Named(inner) | Kind::ByName(inner) | Kind::List(inner) => below(inner, all),
                 Kind::Either(kinds) => kinds.iter().for_each(|kind| below(kind, all)),
