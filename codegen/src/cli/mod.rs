@@ -11,8 +11,10 @@ mod eval;
 mod explain;
 mod failure;
 mod files;
+mod fmt;
 mod generate;
 mod merge;
+mod new;
 mod output;
 mod render;
 mod runner;
@@ -45,6 +47,8 @@ enum Verb {
     Simulate(simulate::Args),
     Merge(merge::Args),
     Eval(eval::Args),
+    Fmt(fmt::Args),
+    New(new::Args),
     Schema(schema::Args),
     Doctor(doctor::Args),
 }
@@ -60,6 +64,8 @@ pub(crate) fn main() -> ExitCode {
         Verb::Simulate(args) => simulate::run(args),
         Verb::Merge(args) => merge::run(args),
         Verb::Eval(args) => eval::run(args),
+        Verb::Fmt(args) => fmt::run(args),
+        Verb::New(args) => new::run(args),
         Verb::Schema(args) => schema::run(args),
         Verb::Doctor(args) => doctor::run(args),
     };

@@ -2,6 +2,7 @@
 
 mod controller;
 mod data;
+mod details;
 mod dispersion;
 mod hardware;
 mod plant;
@@ -9,6 +10,7 @@ mod plant;
 pub(crate) use controller::{CONTROLLER, CONTROLLER_BLOCK, ERROR_BOUND, NETWORK, NOISE_BOUND};
 pub(crate) use data::{AXIS, CONSTANT, FUNCTION, PARAMETER, POLYNOMIAL, TABLE};
 use data::{CONSTANT_KIND, PARAMETER_KIND};
+pub(crate) use details::{Details, details};
 pub(crate) use dispersion::{CORRELATION, DISPERSION};
 pub(crate) use hardware::{ACTUATOR, FAULT, SENSOR};
 pub(crate) use plant::{EXOSYSTEM, INPUT, NOISE, PLANT, PLANT_BLOCK, STATE, TRUTH};

@@ -5,9 +5,11 @@
 mod escape;
 mod fault;
 mod flow;
+mod format;
 mod read;
 mod text;
 
+pub use format::{Unformatted, format};
 pub use read::read;
 pub use text::{MAX_BYTES, text};
 
