@@ -1,6 +1,6 @@
-// SHA-256 of the text below: e587d60336cca9597269948fe8f99d7d28e68f0eec1817fe78534b8d8208fa24
+// SHA-256 of the text below: 9795192aeb4dec5deebeaf8be88dc859d1b7e470a27e1e46072f7ccb724cd6f9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 815a362bdb92a6e94d76c944d9bf05798035f9eac628f3e686a37ce952ce66e8
+// specification sha256 f1ed1a103e422183001e3307dcbafd51dd8416eb6bf6c3da335ba5b9a83cacd7
 // initial: 87 additions, 132 multiplications, 7 divisions, 0 square roots, 12 elementary functions, 43 comparisons and selections
 // control: 547 additions, 828 multiplications, 12 divisions, 4 square roots, 18 elementary functions, 58 comparisons and selections
 

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 0cfb4d7d2752b9fcd41790acadfaa2ebe3527a7b263c620ad5f81daf23442a36
+// SHA-256 of the text below: ac63a1878bf220eadaec10f1f14357d8c078cc9028cfd50ac0f81b034a163433
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 815a362bdb92a6e94d76c944d9bf05798035f9eac628f3e686a37ce952ce66e8
+// specification sha256 f1ed1a103e422183001e3307dcbafd51dd8416eb6bf6c3da335ba5b9a83cacd7
 // lyapunov: 1967 additions, 2430 multiplications, 20 divisions, 3 square roots, 24 elementary functions, 110 comparisons and selections
 
 //! `nsv_six_dof`: Lyapunov function and its generator.

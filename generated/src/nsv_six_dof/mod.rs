@@ -1,6 +1,6 @@
-// SHA-256 of the text below: ebb0a46af3cfb293610cff2e101009c6894a5ef6a072f907f64a3e13bb0e1bc7
+// SHA-256 of the text below: d5f3b27370740fb9bfd829da5620ce4580ab517396fff8d6381b8f4eca7bcd6d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 815a362bdb92a6e94d76c944d9bf05798035f9eac628f3e686a37ce952ce66e8
+// specification sha256 f1ed1a103e422183001e3307dcbafd51dd8416eb6bf6c3da335ba5b9a83cacd7
 
 //! The attitude controller on a near space vehicle that climbs, turns and accelerates
 
@@ -16,7 +16,7 @@ pub use params::Params;
 pub use simulator::Simulator;
 
 /// SHA-256 of the specification.
-pub const SPEC_HASH: &str = "815a362bdb92a6e94d76c944d9bf05798035f9eac628f3e686a37ce952ce66e8";
+pub const SPEC_HASH: &str = "f1ed1a103e422183001e3307dcbafd51dd8416eb6bf6c3da335ba5b9a83cacd7";
 
 /// Version of the generator.
 pub const GENERATOR: &str = "0.1.0";

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 816ba056871c3d781602b97d5b23243cc33f82cc361b9f72bd6ce65044b53811
+// SHA-256 of the text below: a856e3b88183f53afccaa6f814e0bde3190a28e92a6bc30559a04e03c4640f5a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 815a362bdb92a6e94d76c944d9bf05798035f9eac628f3e686a37ce952ce66e8
+// specification sha256 f1ed1a103e422183001e3307dcbafd51dd8416eb6bf6c3da335ba5b9a83cacd7
 
 //! `nsv_six_dof`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

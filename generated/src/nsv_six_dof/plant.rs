@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 29ae954bba5f06d41c96a8ce9a1c92383239e6f9e2a7390386b58808d775ff63
+// SHA-256 of the text below: 7791fca2615d3cee4ed8a127c2059ab572d2ebceb8931a72b9e1a2c205822c31
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 815a362bdb92a6e94d76c944d9bf05798035f9eac628f3e686a37ce952ce66e8
+// specification sha256 f1ed1a103e422183001e3307dcbafd51dd8416eb6bf6c3da335ba5b9a83cacd7
 // plant: 350 additions, 507 multiplications, 10 divisions, 1 square roots, 20 elementary functions, 47 comparisons and selections
 
 //! `nsv_six_dof`: plant and disturbances.

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: f9b8018f10ec394e03e9adb7bf00be50ed57d3aeaebe2e6ea4231f37979cdd0f
+// SHA-256 of the text below: b953c0929ce5601da74947f0c2a2bad1bb8f85454fc52c60466055fb0e8dc031
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 815a362bdb92a6e94d76c944d9bf05798035f9eac628f3e686a37ce952ce66e8
+// specification sha256 f1ed1a103e422183001e3307dcbafd51dd8416eb6bf6c3da335ba5b9a83cacd7
 
 //! `nsv_six_dof`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

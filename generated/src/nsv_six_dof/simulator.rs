@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 8085f3a6abaf27db407e5e49ad0667f04819a14afc491dc9b717f77c636d5dbd
+// SHA-256 of the text below: 225c4e07fd4c55b7e4ca66182c580c9d868a4e83becc2e76df2b1201944db3dc
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 815a362bdb92a6e94d76c944d9bf05798035f9eac628f3e686a37ce952ce66e8
+// specification sha256 f1ed1a103e422183001e3307dcbafd51dd8416eb6bf6c3da335ba5b9a83cacd7
 
 //! `nsv_six_dof`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -76,12 +76,6 @@ impl<T: Real> Simulator<T> {
     #[inline(always)]
     fn x2(&self) -> Vector<T, 3> {
         Vector([self.x[3], self.x[4], self.x[5]])
-    }
-
-    /// Exosystem states of block 2.
-    #[inline(always)]
-    fn w2(&self) -> Vector<T, 6> {
-        Vector([self.x[12], self.x[13], self.x[14], self.x[15], self.x[16], self.x[17]])
     }
 
     /// Standard normal draws of all channels; zeros in a run without noise.
