@@ -62,7 +62,7 @@ fn with(what: &str, count: usize) -> String {
         }
         "depth of an expression" => specification(
             "",
-            &format!("{}x/(1 s){}", "(".repeat(count - 1), ")".repeat(count - 1)),
+            &format!("{}x/(1 s){}", "(".repeat(count - 3), ")".repeat(count - 3)),
         ),
         "operations of an expression" => drift(repeated("x", count / 2 - 1, "+")),
         "rounds of an `each`" => drift(format!("sum(each(i, 1, {count}, i*x))")),
@@ -73,9 +73,10 @@ fn with(what: &str, count: usize) -> String {
                 "-x/(1 s)",
             )
         }
-        "exponent in a dimension" => {
-            specification(&format!("constants: {{a: 1 m^{count}, b: a}}"), "-x/(1 s)")
-        }
+        "exponent in a dimension" => specification(
+            &format!("constants: {{a: (1 m^32)*(1 m^{})}}", count - 32),
+            "-x/(1 s)",
+        ),
         "exponent in polynomial data" => specification(
             &format!("polynomials: {{p: {{arguments: [u], parts: {{q: [[1, {count}]]}}}}}}"),
             "-x/(1 s)",

@@ -1,11 +1,27 @@
-// SHA-256 of the text below: 6eea44aa550384bf3cccea982bcd25e6982d9b89ec73466d46ff2ce0d6bc0bbb
+// SHA-256 of the text below: 85b9f0a30d648331b750afdc611f3b4a3c80f5f2ecc1fb9417f6eccbcbfdc869
 //! Committed output of the nsv compiler, one module per specification under `specs/`.
 #![no_std]
 #![forbid(unsafe_code)]
 
+/// Active suspension on a rough road
+#[rustfmt::skip]
+pub mod active_suspension;
+
+/// Chaotic system of Genesio and Tesi following a sine
+#[rustfmt::skip]
+pub mod chaotic_jerk;
+
 /// Robot link with an elastic joint
 #[rustfmt::skip]
 pub mod flexible_joint;
+
+/// Statically unstable hypersonic vehicle
+#[rustfmt::skip]
+pub mod ghv_unstable;
+
+/// Missile pitch autopilot with lookup tables at a falling Mach number
+#[rustfmt::skip]
+pub mod missile_pitch;
 
 /// Arm driven by a DC motor with current dynamics
 #[rustfmt::skip]
@@ -15,9 +31,25 @@ pub mod motor_arm;
 #[rustfmt::skip]
 pub mod nsv_attitude;
 
+/// The attitude controller on a near space vehicle that climbs, turns and accelerates
+#[rustfmt::skip]
+pub mod nsv_six_dof;
+
 /// Single-link arm in a gusty wind
 #[rustfmt::skip]
 pub mod pendulum;
+
+/// Quadrotor attitude in gusts
+#[rustfmt::skip]
+pub mod quadrotor;
+
+/// Six-joint arm with an unknown load
+#[rustfmt::skip]
+pub mod six_joint_arm;
+
+/// Surface vessel in waves and a current
+#[rustfmt::skip]
+pub mod surface_vessel;
 
 /// Two-link arm with an unknown load
 #[rustfmt::skip]

@@ -4,10 +4,11 @@
 //! [`model::Model`]: everything in SI, every expression typed, nothing left to go wrong for the phases behind it.
 //!
 //! ```text
-//! files -- include --> yaml::Node -- parse --> spec::Spec -- check --> model::Model
+//! files -- compose --> yaml::Node -- parse --> spec::Spec -- check --> model::Model
 //! ```
 
 mod check;
+pub mod compose;
 pub mod diagnostic;
 pub mod expr;
 mod hash;
@@ -26,6 +27,7 @@ pub mod yaml;
 
 use std::path::Path;
 
+use compose::Composition;
 use diagnostic::{Diagnostic, Diagnostics, SourceMap};
 use model::Model;
 pub use schema::json_schema;
@@ -34,9 +36,7 @@ use yaml::Node;
 /// Reads, checks and joins a specification and all that it includes. Gives the model with its warnings, or every fault of the
 /// phase that failed. The files named in `include` lie below the specification's directory; nothing else is read.
 pub fn load(path: &Path) -> Result<(Model, Vec<Diagnostic>), Diagnostics> {
-    let mut sources = SourceMap::default();
-    let tree = include::read_file(path, &mut sources);
-    build(tree, sources)
+    Composition::read(path, &[])?.base()
 }
 
 /// The same for a text that is not in a file and includes none; `name` is what messages call it.
@@ -46,22 +46,19 @@ pub fn load_str(name: &str, text: &str) -> Result<(Model, Vec<Diagnostic>), Diag
 
 /// The same for bytes that may not even be text.
 pub fn load_bytes(name: &str, bytes: &[u8]) -> Result<(Model, Vec<Diagnostic>), Diagnostics> {
-    let mut sources = SourceMap::default();
-    let tree = include::read_text(name, bytes, &mut sources);
-    build(tree, sources)
+    Composition::read_bytes(name, bytes)?.base()
 }
 
-fn build(
-    tree: Result<Node, Vec<Diagnostic>>,
-    sources: SourceMap,
-) -> Result<(Model, Vec<Diagnostic>), Diagnostics> {
-    let model = tree
-        .and_then(|tree| parse::parse(&tree))
-        .and_then(|spec| check::check(&spec, &sources, hash::of(&sources)));
-    model.map_err(|mut items| {
-        items.sort_by_key(|item| item.span);
-        // A fault in the body of a function is found at each of its calls.
-        items.dedup_by(|a, b| (a.rule, a.span, &a.message) == (b.rule, b.span, &b.message));
-        Diagnostics { sources, items }
-    })
+fn build(tree: &Node, sources: SourceMap) -> Result<(Model, Vec<Diagnostic>), Diagnostics> {
+    let spec = parse::parse(tree);
+    let model = spec.and_then(|spec| check::check(&spec, &sources, hash::of(&sources)));
+    model.map_err(|items| sorted(items, sources))
+}
+
+/// Faults in order of place, each once.
+fn sorted(mut items: Vec<Diagnostic>, sources: SourceMap) -> Diagnostics {
+    items.sort_by_key(|item| item.span);
+    // A fault in the body of a function is found at each of its calls.
+    items.dedup_by(|a, b| (a.rule, a.span, &a.message) == (b.rule, b.span, &b.message));
+    Diagnostics { sources, items }
 }

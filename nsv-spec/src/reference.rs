@@ -42,11 +42,12 @@ operator   = "or" | "and" | "<" | "<=" | ">" | ">=" | "==" | "!=" | "+" | "-" | 
 name       = identifier { "." identifier } ;
 identifier = ( letter | "_" ) { letter | digit | "_" } ;
 number     = digits [ "." digits ] [ ( "e" | "E" ) [ "+" | "-" ] digits ] ;
-unit       = power { ( "*" | "/" ) power } ;          (* as in `9.81 m/s^2`, `0.05 rad/sqrt(s)` *)
-power      = symbol [ "^" [ "-" ] digits ] | "sqrt" "(" unit ")" | "(" unit ")" | "1" ;
+unit       = factor { ( "*" | "/" ) factor } ;        (* no blanks; from the left: kg/m/s^2 is kg/(m*s^2) *)
+factor     = ( symbol | "1" | "(" unit ")" | "sqrt" "(" unit ")" ) [ "^" [ "-" ] digits ] ;
 ```
 
-In YAML an array may also be written as a list of expressions; text that YAML would misread stands in quotes.
+A unit ends where what follows cannot be one: `2 m/s*exp(-x)` is `(2 m/s)*exp(-x)`. Where a name could be read as a unit, put blanks
+around the operator: `2 m * g`. In YAML an array may also be written as a list of expressions; text that YAML would misread stands in quotes.
 "#;
 
 const RULES: &str = "

@@ -2,8 +2,10 @@
 
 use serde_json::{Map, Value, json};
 
+use crate::diagnostic::FileId;
 use crate::expr::{Entry, entries as functions};
-use crate::vocabulary::{Kind, SPECIFICATION, Section};
+use crate::vocabulary::{Details, Kind, SPECIFICATION, Section, details};
+use crate::yaml::{self, Kind as Found, Node};
 
 /// JSON Schema (draft 2020-12) of a specification.
 pub fn json_schema() -> Value {
@@ -27,7 +29,26 @@ fn section(section: &'static Section, sections: &mut Map<String, Value>) -> Valu
     for key in section.keys {
         let mut value = kind(&key.kind, sections);
         if let Some(object) = value.as_object_mut() {
-            object.insert("description".into(), json!(key.doc));
+            let Details {
+                unit,
+                default,
+                example,
+            } = details(section.noun, key.name);
+            let unit = match unit {
+                "" => String::new(),
+                unit => format!("; unit: {unit}"),
+            };
+            object.insert("description".into(), json!(format!("{}{unit}", key.doc)));
+            for (name, text) in [("default", default), ("examples", example)] {
+                if let Some(given) = plain(text) {
+                    let given = if name == "examples" {
+                        json!([given])
+                    } else {
+                        given
+                    };
+                    object.insert(name.into(), given);
+                }
+            }
         }
         properties.insert(key.name.into(), value);
     }
@@ -38,6 +59,31 @@ fn section(section: &'static Section, sections: &mut Map<String, Value>) -> Valu
         .map(|key| key.name)
         .collect();
     json!({ "type": "object", "properties": properties, "required": required, "additionalProperties": false })
+}
+
+/// A value in YAML as one in JSON; nothing of an empty text.
+fn plain(text: &str) -> Option<Value> {
+    fn value(node: &Node) -> Value {
+        match &node.kind {
+            Found::Null => Value::Null,
+            Found::Seq(items) => items.iter().map(value).collect(),
+            Found::Map(entries) => {
+                let entry = |entry: &yaml::Entry| (entry.key.text.clone(), value(&entry.value));
+                Value::Object(entries.iter().map(entry).collect())
+            }
+            Found::Scalar(scalar) => {
+                let whole = scalar.text.parse::<u64>().ok().map(Value::from);
+                let number = || scalar.text.parse::<f64>().ok().map(Value::from);
+                whole
+                    .or_else(number)
+                    .unwrap_or_else(|| Value::from(scalar.text.clone()))
+            }
+        }
+    }
+    let tree = yaml::read(text, FileId(0))
+        .ok()
+        .filter(|_| !text.is_empty())?;
+    Some(value(&tree))
 }
 
 fn kind(kind: &'static Kind, sections: &mut Map<String, Value>) -> Value {
@@ -66,7 +112,12 @@ fn kind(kind: &'static Kind, sections: &mut Map<String, Value>) -> Value {
             json!({ "$ref": "#/$defs/grid" })
         }
         Kind::List(item) => json!({ "type": "array", "items": self::kind(item, sections) }),
-        Kind::Named(value) => json!({
+        Kind::Sweep => json!({
+            "type": "object",
+            "minProperties": 1,
+            "additionalProperties": { "type": "array", "minItems": 1 },
+        }),
+        Kind::Named(value) | Kind::ByName(value) => json!({
             "type": "object",
             "propertyNames": { "pattern": "^[A-Za-z][A-Za-z0-9_]{0,63}$" },
             "additionalProperties": self::kind(value, sections),

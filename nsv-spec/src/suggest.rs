@@ -28,7 +28,7 @@ pub(crate) fn nearest<S: AsRef<str>>(
     name: &str,
     candidates: impl IntoIterator<Item = S>,
 ) -> Option<Meant> {
-    let mut best: Option<(usize, String)> = None;
+    let mut best: Option<((usize, usize), String)> = None;
     let mut unique = true;
     let lower = name.to_ascii_lowercase();
     for candidate in candidates {
@@ -46,16 +46,19 @@ pub(crate) fn nearest<S: AsRef<str>>(
         if distance * 3 > longer && !letter_more {
             continue;
         }
-        match &best {
-            Some((least, _)) if distance > *least => {}
-            Some((least, _)) if distance == *least => unique = false,
-            _ => {
-                best = Some((distance, candidate.to_owned()));
-                unique = true;
-            }
+        // Of two as near, the one of the same length: neighbours were swapped.
+        let rank = (distance, longer - shorter);
+        let least = best.as_ref().map(|(least, _)| *least);
+        if least.is_none_or(|least| rank < least) {
+            best = Some((rank, candidate.to_owned()));
+        }
+        match least {
+            Some((before, _)) if before == distance => unique = false,
+            Some((before, _)) if before < distance => {}
+            _ => unique = true,
         }
     }
-    best.map(|(distance, candidate)| Meant {
+    best.map(|((distance, _), candidate)| Meant {
         sure: unique && slip(name, &candidate, distance),
         name: candidate,
     })

@@ -50,7 +50,7 @@ fn gallery() -> Vec<PathBuf> {
 #[test]
 fn every_bad_specification_is_refused_for_its_own_reason() {
     let files = gallery();
-    assert!(files.len() >= 45);
+    assert!(files.len() >= 120);
     let mut surprises = String::new();
     for path in files {
         let text = fs::read_to_string(&path).unwrap();

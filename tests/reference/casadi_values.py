@@ -1,7 +1,7 @@
 """Values of every program by CasADi's own evaluation, written to tests/casadi_values: the arithmetic of the evaluator and of the emitted
 code is checked against CasADi's virtual machine and linear algebra, not against another program of the same author.
 
-Run: python tests/reference/casadi_values.py (half a minute besides the build; needs cargo and casadi).
+Run: python tests/reference/casadi_values.py [SPEC ..] (half a minute besides the build; needs cargo and casadi).
 
 A program is built from its text, operation by operation, as a CasADi function. What has a closed form is written in that form, not as
 the compiler evaluates it: polynomials and networks are plain sums of powers, their derivatives and those of the barrier's kernels are
@@ -12,6 +12,7 @@ import json
 import random
 import re
 import subprocess
+import sys
 from functools import cache
 from pathlib import Path
 
@@ -19,7 +20,7 @@ import casadi as ca
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-SPECS = ["flexible_joint", "motor_arm", "nsv_attitude", "pendulum", "two_link_arm", "underwater_vehicle"]
+SPECS = sorted(path.stem for path in (ROOT / "specs").glob("*.yaml"))
 RANDOM_POINTS = 15
 # Relative sizes of the changes of a point of the reference that make a random one.
 SPREADS = [0.3, 0.02, 1e-3, 1e-6]
@@ -216,10 +217,10 @@ def given(program, at):
 
 
 def main():
-    """Writes one file per specification, one point per line."""
+    """Writes one file per specification, one point per line; of those named on the command line, or of all."""
     folder = ROOT / "tests/casadi_values"
     folder.mkdir(exist_ok=True)
-    for spec in SPECS:
+    for spec in sys.argv[1:] or SPECS:
         draw, functions, lines = random.Random(spec), programs(spec), []
         for label, at in states(spec, draw):
             found = {program.name: program.point(given(program.name, at), draw) for program in functions}

@@ -1,6 +1,6 @@
 """Writes tests/points/<spec>.json: states of the closed loop and what the law must give there, to the last digit.
 
-Run from anywhere: python tests/reference/make_points.py [spec ..]. The result depends on this folder and the aerodynamic data alone.
+Run from anywhere: python tests/reference/make_points.py [SPEC ..]. The result depends on this folder and the aerodynamic data alone.
 A point has a label, `inputs` (names as in `nsv eval`), `expected`, and `plant`: with dispersed parameters, the drift of (x, w)
 under u_sat and the covariance diffusion * diffusion^T. Matrices are lists of rows. `tolerance` is what float64 can be asked for,
 per output: the largest change of any entry when the law is evaluated in float64 or its inputs move by one unit in the last place,
@@ -19,12 +19,14 @@ from lyapunov import generator, noise_columns, plant_rates, value
 from problem import Exosystem
 from real import exact
 from every_term import every_term, exact_chain, single_block
+from library import LIBRARY
 from lookup import lookup
+from six_joint_arm import six_joint_arm
 from specs import SPECS
 
 POINTS = Path(__file__).parents[1] / "points"
 RANDOM_POINTS = 20
-ALL = SPECS | {make.__name__: make for make in (every_term, single_block, exact_chain, lookup)}
+ALL = SPECS | {make.__name__: make for make in (*LIBRARY, six_joint_arm, every_term, single_block, exact_chain, lookup)}
 
 # Typical size of h<i>, zeta<i> and of far-away states, per spec.
 SIZES = {
@@ -37,6 +39,12 @@ SIZES = {
         "x1": 2.0, "x2": 4.0, "x3": 2.0, "x4": 4.0,
     },  # fmt: skip
     "underwater_vehicle": {"h1": 0.5, "zeta1": 0.05, "zeta2": 0.2, "x1": 1.2, "x2": 1.0},
+    "ghv_unstable": {"h1": 0.2, "zeta1": 0.02, "zeta2": 0.1, "x1": 0.15, "x2": 0.3},
+    "quadrotor": {"h1": 2.0, "zeta1": 0.1, "zeta2": 0.5, "x1": 1.2, "x2": 3.0},
+    "surface_vessel": {"h1": 0.2, "zeta1": 0.05, "zeta2": 0.1, "x1": 2.0, "x2": 0.3},
+    "active_suspension": {"h1": 0.2, "h2": 1.0, "zeta1": 0.01, "zeta2": 0.05, "zeta3": 0.2, "x1": 0.1, "x2": 0.5, "x3": 2.0},
+    "chaotic_jerk": {"zeta1": 0.2, "zeta2": 0.2, "zeta3": 0.2, "x1": 2.0, "x2": 2.0, "x3": 2.0},
+    "six_joint_arm": {"h1": 2.0, "zeta1": 0.1, "zeta2": 0.5, "x1": 1.5, "x2": 2.0},
     "every_term": {"h1": 1.0, "h2": 1.0, "zeta1": 0.2, "zeta2": 0.2, "zeta3": 0.2, "x1": 2.0, "x2": 2.0, "x3": 2.0},
     "lookup": {"h1": 1.0, "zeta1": 0.2, "zeta2": 0.2, "x1": 2.0, "x2": 2.0},
     "single_block": {"zeta1": 0.2, "x1": 2.0},
@@ -118,6 +126,8 @@ def adversarial(sampler):
         yield f"error at {near} of the constraint", sampler.state(lambda: near)
     if not problem.exact:
         yield "constraint violated", sampler.state(lambda: 1.2)
+    if not any(block.constraint for block in problem.blocks):  # nothing bounds the errors
+        yield "large errors", sampler.state(lambda: 5.0)
     yield "saturated", _saturated(sampler)
 
     state = sampler.state(uniform)  # far from the reference; zeta keeps the errors small
@@ -240,7 +250,7 @@ def points(name):
 
 
 def main():
-    """Writes one file per spec named, or for all, one point per line."""
+    """Writes one file per spec, one point per line; of the specs named on the command line, or of all."""
     POINTS.mkdir(exist_ok=True)
     for name in sys.argv[1:] or ALL:
         lines = ",\n".join(json.dumps(point) for point in points(name))

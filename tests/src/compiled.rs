@@ -115,6 +115,7 @@ macro_rules! module {
         exosystems: [$($w:ident)*],
         initial: [$($last:ident)?],
         state: [$($state:ident)*],
+        truths: [$($truth:ident)?],
         control: [$($control:ident)*],
         plant: [$($plant:ident)*]
     ) => {
@@ -148,9 +149,9 @@ macro_rules! module {
             fn control(values: &Values) -> Values {
                 let (t, mut state, params) = (input(values, "", "t"), state(values), params(values, "params."));
                 let outputs = controller::control(t, $(input(values, "", stringify!($x)),)* &mut state, &params);
-                let ControlOutputs { $($control),* } = outputs;
+                let ControlOutputs { $($truth,)? $($control),* } = outputs;
                 let mut values = states("next.", &state);
-                values.extend([$((stringify!($control).to_owned(), $control.flat())),*]);
+                values.extend([$((stringify!($truth).to_owned(), $truth.flat()),)? $((stringify!($control).to_owned(), $control.flat())),*]);
                 values
             }
             fn plant(values: &Values) -> Values {
@@ -204,12 +205,20 @@ macro_rules! module {
 include!("modules.rs");
 
 /// Every generated module.
-pub fn modules() -> [Module; 6] {
+pub fn modules() -> [Module; 14] {
     [
+        active_suspension::MODULE,
+        chaotic_jerk::MODULE,
         flexible_joint::MODULE,
+        ghv_unstable::MODULE,
+        missile_pitch::MODULE,
         motor_arm::MODULE,
         nsv_attitude::MODULE,
+        nsv_six_dof::MODULE,
         pendulum::MODULE,
+        quadrotor::MODULE,
+        six_joint_arm::MODULE,
+        surface_vessel::MODULE,
         two_link_arm::MODULE,
         underwater_vehicle::MODULE,
     ]

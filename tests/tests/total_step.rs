@@ -4,6 +4,7 @@ use nsv_codegen::ir::Values;
 use nsv_runtime::noise::Noise;
 use nsv_runtime::status::Status;
 use nsv_tests::compiled::{Module, Sample, Sampled, modules};
+use nsv_tests::points::points;
 
 /// Numbers that a broken sensor may give.
 const HOSTILE: [f64; 10] = [
@@ -19,14 +20,27 @@ const HOSTILE: [f64; 10] = [
     0.0,
 ];
 
+/// The measurement where the scenario begins.
+fn calm(module: &Module) -> Vec<f64> {
+    let mut points = points(module.name).into_iter();
+    let start = points.find(|point| point.label == "initial state of the scenario");
+    let inputs = start.unwrap().inputs;
+    let blocks = (1..).map_while(|block| inputs.get(&format!("x{block}")));
+    blocks.flatten().copied().collect()
+}
+
 /// A controller after a calm start, and the time.
 fn started(module: &Module) -> (Box<dyn Sampled>, f64) {
     let mut controller = (module.controller)();
+    let calm = calm(module);
     for sample in 0..100 {
-        let calm = vec![0.01; controller.measured()];
         let output = controller.step(f64::from(sample) * module.sample_time, &calm);
         check(module, &output, &controller.state());
-        assert!(!output.status.contains(Status::NON_FINITE_INPUT));
+        assert!(
+            !output.status.contains(Status::NON_FINITE_INPUT),
+            "{}, sample {sample}",
+            module.name
+        );
     }
     (controller, 100.0 * module.sample_time)
 }
@@ -67,7 +81,7 @@ fn a_broken_measurement_gives_the_safe_control_and_keeps_the_states() {
     for module in modules() {
         let (mut controller, t) = started(&module);
         let before = controller.state();
-        let calm = vec![0.01; controller.measured()];
+        let calm = calm(&module);
         for broken in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             let mut outputs = vec![controller.step(broken, &calm)];
             for channel in 0..calm.len() {
@@ -102,7 +116,7 @@ fn a_controller_starts_with_the_first_finite_measurement() {
         let broken = vec![f64::NAN; late.measured()];
         assert_eq!(late.step(0.0, &broken).status, Status::NON_FINITE_INPUT);
         let mut prompt = (module.controller)();
-        let calm = vec![0.01; late.measured()];
+        let calm = calm(&module);
         assert_eq!(
             late.step(0.0, &calm),
             prompt.step(0.0, &calm),
@@ -122,7 +136,7 @@ fn an_overflow_is_not_for_good() {
         .flat_map(|module| SIZES.map(|size| (module, size)))
     {
         let (mut controller, start) = started(module);
-        let calm = vec![0.01; controller.measured()];
+        let calm = calm(module);
         controller.step(start, &vec![size; controller.measured()]);
         let mut refused = 0;
         for sample in 1..=200 {

@@ -7,16 +7,30 @@ use nsv_codegen::derive::error::DeriveError;
 use nsv_codegen::driver::{self, Compiled};
 use nsv_codegen::lower::Programs;
 use nsv_codegen::opt::Arithmetic;
-use nsv_spec::diagnostic::Diagnostics;
+use nsv_spec::compose::Composition;
+use nsv_spec::diagnostic::{Diagnostic, Diagnostics};
 use nsv_spec::model::Model;
 
 use super::failure::{Exit, Failure};
 use super::output::{colour, note};
 use super::render::human;
+use super::settings::Overrides;
 
-/// Reads and checks a specification; shows its faults.
-pub(crate) fn load(path: &Path) -> Result<Model, Failure> {
-    match nsv_spec::load(path) {
+/// Reads and checks a specification with values set in it; shows its faults.
+pub(crate) fn load(path: &Path, settings: &Overrides) -> Result<Model, Failure> {
+    shown(compose(path, settings)?.base())
+}
+
+/// Reads a specification and puts it together; shows what goes wrong.
+pub(crate) fn compose(path: &Path, settings: &Overrides) -> Result<Composition, Failure> {
+    Composition::read(path, &settings.values).map_err(|faults| refused(&faults))
+}
+
+/// A checked model, its faults shown.
+pub(crate) fn shown(
+    checked: Result<(Model, Vec<Diagnostic>), Diagnostics>,
+) -> Result<Model, Failure> {
+    match checked {
         Ok((model, warnings)) => {
             show(&Diagnostics {
                 sources: model.sources.clone(),
@@ -24,11 +38,13 @@ pub(crate) fn load(path: &Path) -> Result<Model, Failure> {
             });
             Ok(model)
         }
-        Err(faults) => {
-            show(&faults);
-            Err(Failure::Reported(Exit::Spec))
-        }
+        Err(faults) => Err(refused(&faults)),
     }
+}
+
+fn refused(faults: &Diagnostics) -> Failure {
+    show(faults);
+    Failure::Reported(Exit::Spec)
 }
 
 /// Writes the faults to standard error as pictures.

@@ -12,6 +12,7 @@ use serde_json::{Map, Value};
 use super::compile::{Math, Partials, compile, load};
 use super::failure::{Exit, Failure};
 use super::output;
+use super::settings::Overrides;
 
 /// Print every named quantity of the law at given states, as JSON
 #[derive(clap::Args)]
@@ -19,6 +20,8 @@ pub(crate) struct Args {
     /// Specification
     #[arg(value_name = "SPEC")]
     spec: PathBuf,
+    #[command(flatten)]
+    settings: Overrides,
     /// JSON object with a number, list or list of rows for each input, SI: `t, x1, .., th1, h1, zeta1, W1, eps1, sigma1, phi1, ..`;
     /// parameters and the true exosystem states `w1, ..` may be left out
     #[arg(long, value_name = "FILE.json")]
@@ -27,7 +30,7 @@ pub(crate) struct Args {
 
 /// Runs the verb.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let model = load(&args.spec)?;
+    let model = load(&args.spec, &args.settings)?;
     let given = read(&args.at)?;
     let program = compile(&args.spec, &model, Partials::Cached, Math::Strict)?.eval;
     let values = inputs(&program, &given, &defaults(&model))

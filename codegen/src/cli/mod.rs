@@ -8,14 +8,18 @@ mod child;
 mod compile;
 mod doctor;
 mod eval;
+mod explain;
 mod failure;
 mod files;
+mod fmt;
 mod generate;
 mod merge;
+mod new;
 mod output;
 mod render;
 mod runner;
 mod schema;
+mod settings;
 mod simulate;
 
 use std::process::ExitCode;
@@ -38,10 +42,13 @@ struct Cli {
 #[derive(Subcommand)]
 enum Verb {
     Check(check::Args),
+    Explain(explain::Args),
     Generate(generate::Args),
     Simulate(simulate::Args),
     Merge(merge::Args),
     Eval(eval::Args),
+    Fmt(fmt::Args),
+    New(new::Args),
     Schema(schema::Args),
     Doctor(doctor::Args),
 }
@@ -52,10 +59,13 @@ pub(crate) fn main() -> ExitCode {
     nsv_codegen::interrupt::install();
     let done = match &cli.verb {
         Verb::Check(args) => check::run(args),
+        Verb::Explain(args) => explain::run(args),
         Verb::Generate(args) => generate::run(args),
         Verb::Simulate(args) => simulate::run(args),
         Verb::Merge(args) => merge::run(args),
         Verb::Eval(args) => eval::run(args),
+        Verb::Fmt(args) => fmt::run(args),
+        Verb::New(args) => new::run(args),
         Verb::Schema(args) => schema::run(args),
         Verb::Doctor(args) => doctor::run(args),
     };

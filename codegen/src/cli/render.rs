@@ -1,7 +1,9 @@
 //! Diagnostics for people and programs.
 
-use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
-use nsv_spec::diagnostic::{Diagnostic, Diagnostics, FileId, Severity, SourceMap, Span};
+use annotate_snippets::{AnnotationKind, Group, Level, Patch, Renderer, Snippet};
+use nsv_spec::diagnostic::{
+    Applicability, Diagnostic, Diagnostics, FileId, Severity, SourceMap, Span,
+};
 use serde::Serialize;
 
 /// Pictures of the faults in their sources, and a last line that counts them.
@@ -15,8 +17,30 @@ pub(crate) fn human(diagnostics: &Diagnostics, colour: bool) -> String {
     let pictures = diagnostics
         .items
         .iter()
-        .map(|item| renderer.render(&[group(sources, item)]) + "\n\n");
+        .map(|item| renderer.render(&groups(sources, item)) + "\n\n");
     pictures.collect()
+}
+
+/// The fault, then the change that mends it as the lines before and after.
+fn groups<'a>(sources: &'a SourceMap, item: &'a Diagnostic) -> Vec<Group<'a>> {
+    let fault = group(sources, item);
+    let help = item.help.as_deref();
+    let Some(suggestion) = &item.suggestion else {
+        return vec![match help {
+            Some(help) => fault.element(Level::HELP.message(help)),
+            None => fault,
+        }];
+    };
+    let source = sources.source(suggestion.span.file);
+    let patch = Patch::new(
+        within(&source.text, suggestion.span),
+        suggestion.replacement.as_str(),
+    );
+    let snippet = Snippet::source(&*source.text)
+        .path(source.name.as_str())
+        .patch(patch);
+    let title = Level::HELP.secondary_title(help.unwrap_or("change this"));
+    vec![fault, title.element(snippet)]
 }
 
 fn group<'a>(sources: &'a SourceMap, item: &'a Diagnostic) -> Group<'a> {
@@ -40,17 +64,16 @@ fn group<'a>(sources: &'a SourceMap, item: &'a Diagnostic) -> Group<'a> {
                 .annotations(places),
         );
     }
-    match &item.help {
-        Some(help) => group.element(Level::HELP.message(help.as_str())),
-        None => group,
-    }
+    group
 }
 
 type Place<'a> = (Span, Option<&'a str>, AnnotationKind);
 
 /// The places of a diagnostic by file, the primary one's file first.
 fn by_file(item: &Diagnostic) -> Vec<(FileId, Vec<Place<'_>>)> {
-    let primary = item.span.map(|span| (span, None, AnnotationKind::Primary));
+    let primary = item
+        .span
+        .map(|span| (span, item.label.as_deref(), AnnotationKind::Primary));
     let related = item.related.iter().map(|related| {
         (
             related.span,
@@ -81,17 +104,29 @@ pub(crate) struct Record<'a> {
     severity: String,
     message: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
+    label: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     help: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    suggestion: Option<SuggestionRecord<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     place: Option<PlaceRecord<'a>>,
     related: Vec<RelatedRecord<'a>>,
 }
 
 #[derive(Serialize)]
-struct PlaceRecord<'a> {
-    file: &'a str,
-    start: Position,
-    end: Position,
+pub(super) struct PlaceRecord<'a> {
+    pub(super) file: &'a str,
+    pub(super) start: Position,
+    pub(super) end: Position,
+}
+
+/// A change; `applicability` is `certain` where `nsv check --fix` makes it.
+#[derive(Serialize)]
+struct SuggestionRecord<'a> {
+    place: PlaceRecord<'a>,
+    replacement: &'a str,
+    applicability: &'static str,
 }
 
 #[derive(Serialize)]
@@ -102,11 +137,11 @@ struct RelatedRecord<'a> {
 
 /// A position in every way that editors count: bytes from 0; lines and columns from 1, columns in characters and UTF-16 units.
 #[derive(Serialize)]
-struct Position {
-    byte: usize,
-    line: usize,
-    column: usize,
-    utf16_column: usize,
+pub(super) struct Position {
+    pub(super) byte: usize,
+    pub(super) line: usize,
+    pub(super) column: usize,
+    pub(super) utf16_column: usize,
 }
 
 /// Diagnostics as records.
@@ -117,8 +152,10 @@ pub(crate) fn records<'a>(diagnostics: &'a Diagnostics) -> Vec<Record<'a>> {
             rule,
             severity,
             span,
+            label,
             message,
             help,
+            suggestion,
             related,
             ..
         } = item;
@@ -130,7 +167,16 @@ pub(crate) fn records<'a>(diagnostics: &'a Diagnostics) -> Vec<Record<'a>> {
             code: rule.name(),
             severity: severity.to_string(),
             message,
+            label: label.as_deref(),
             help: help.as_deref(),
+            suggestion: suggestion.as_ref().map(|suggestion| SuggestionRecord {
+                place: place(suggestion.span),
+                replacement: &suggestion.replacement,
+                applicability: match suggestion.applicability {
+                    Applicability::Certain => "certain",
+                    Applicability::Possible => "possible",
+                },
+            }),
             place: span.map(place),
             related: related.collect(),
         }
@@ -138,7 +184,8 @@ pub(crate) fn records<'a>(diagnostics: &'a Diagnostics) -> Vec<Record<'a>> {
     diagnostics.items.iter().map(record).collect()
 }
 
-fn place(sources: &SourceMap, span: Span) -> PlaceRecord<'_> {
+/// A span as a place.
+pub(super) fn place(sources: &SourceMap, span: Span) -> PlaceRecord<'_> {
     let source = sources.source(span.file);
     let range = within(&source.text, span);
     PlaceRecord {
@@ -179,8 +226,10 @@ mod tests {
             at(spec, mass, mass + 4),
             "`mass` is declared twice",
         )
+        .with_label("declared again")
         .with_related(at(model, 0, 4), "first declared here")
-        .with_help("remove one of them");
+        .with_help("write `mass_2`")
+        .with_suggestion(at(spec, mass, mass + 4), "mass_2", Applicability::Possible);
         let odd = Diagnostic::warning(
             Rule::W0001,
             at(spec, title + 7, title + 20),

@@ -1,7 +1,7 @@
 //! Lookup tables: their numbers, and a function for each derivative that is called.
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::quote;
 
 use crate::emit::basis::list;
 use crate::emit::comment::{code, docs, prose};
@@ -13,10 +13,18 @@ use nsv_spec::interpolation::{Degree, Extrapolation, weights};
 /// The tables of a set of programs, each once, with the derivatives that are called.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tables {
-    tables: Vec<(TableData, Ident)>,
+    tables: Vec<Data>,
     /// Position of the table, orders, and the function's name.
     functions: Vec<(usize, Vec<u32>, Ident)>,
     scope: Scope,
+}
+
+/// A table with the names of its function and of its numbers.
+#[derive(Clone, Debug)]
+struct Data {
+    table: TableData,
+    function: Ident,
+    numbers: Ident,
 }
 
 impl Tables {
@@ -26,16 +34,22 @@ impl Tables {
             return;
         };
         let data = &program.tables[id.0 as usize];
-        let known = self.tables.iter().position(|(known, _)| known == data);
+        let known = self.tables.iter().position(|known| known.table == *data);
         let at = known.unwrap_or_else(|| {
-            let name = self.scope.claim(&data.name);
-            self.tables.push((data.clone(), name));
+            let function = self.scope.claim(&data.name);
+            // Not the upper case alone, which may be the name of a table itself.
+            let numbers = format!("{}_NUMBERS", data.name.to_uppercase());
+            self.tables.push(Data {
+                table: data.clone(),
+                function,
+                numbers: self.scope.claim(&numbers),
+            });
             self.tables.len() - 1
         });
         let called = |(table, of, _): &(usize, Vec<u32>, Ident)| *table == at && of == orders;
         if !self.functions.iter().any(called) {
             let name = match orders.iter().all(|&order| order == 0) {
-                true => self.tables[at].1.clone(),
+                true => self.tables[at].function.clone(),
                 false => self
                     .scope
                     .claim(&format!("{}{}", data.name, suffix(orders))),
@@ -58,7 +72,7 @@ impl Tables {
         let found = self
             .functions
             .iter()
-            .find(|(at, of, _)| self.tables[*at].0 == *data && of == orders);
+            .find(|(at, of, _)| self.tables[*at].table == *data && of == orders);
         found
             .map(|(_, _, name)| quote!(tables::#name))
             .unwrap_or_default()
@@ -67,11 +81,11 @@ impl Tables {
     /// Numbers and functions. `sources` tells where data comes from, by its name in the specification.
     pub(crate) fn items(&self, sources: &[(String, String)]) -> Vec<TokenStream> {
         let mut items = Vec::new();
-        for (at, (data, name)) in self.tables.iter().enumerate() {
-            let numbers = format_ident!("{}", name.to_string().to_uppercase());
-            items.push(self::numbers(data, &numbers, sources));
+        for (at, data) in self.tables.iter().enumerate() {
+            let (table, numbers) = (&data.table, &data.numbers);
+            items.push(self::numbers(table, numbers, sources));
             let functions = self.functions.iter().filter(|(of, ..)| *of == at);
-            items.extend(functions.map(|(_, orders, name)| function(data, &numbers, orders, name)));
+            items.extend(functions.map(|(_, orders, name)| function(table, numbers, orders, name)));
         }
         items
     }
@@ -157,5 +171,32 @@ fn function(data: &TableData, numbers: &Ident, orders: &[u32], name: &Ident) -> 
         pub fn #name<T: Real>(#(#arguments: T),*) -> T {
             #numbers.value([#(#orders),*], [#(#arguments),*])
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::emit::standalone;
+    use crate::ir::Program;
+
+    #[test]
+    fn a_table_reads_as_numbers_and_functions() {
+        let program: Program = "program p
+input x: vec2
+table lift(mach, alpha) = breaks [0.0, 0.5, 2.0], breaks [-1.0, 1.0], linear clamp [0.5, 1.0, 1.5, 2.0, 2.5, 3.5]
+table drag(mach) = breaks [0.0, 2.0], cubic error [1.0, 2.0, 4.0, 8.0]
+%0: vec2 = input x
+%1: real = element %0, 0, 0
+%2: real = element %0, 1, 0
+%3: real = table lift 0 0, %1, %2
+%4: real = table lift 0 1, %1, %2
+%5: real = table drag 2, %1
+%6: vec3 = array %3, %4, %5
+output y = %6
+"
+        .parse()
+        .expect("a readable program");
+        program.assert_sound();
+        insta::assert_snapshot!(standalone(&program));
     }
 }

@@ -13,6 +13,8 @@ pub(crate) struct Plant {
     pub hash: String,
     /// Blocks, the output first.
     pub blocks: Vec<Block>,
+    /// Further states of the flown plant.
+    pub further: Vec<Channel>,
     /// Control inputs.
     pub inputs: Vec<Input>,
 }
@@ -65,11 +67,15 @@ impl From<&Model> for Plant {
             exosystem: matches!(block.disturbance, Disturbance::Exosystem(_)),
         });
         let inputs = model.inputs.iter();
+        let further = model.truth.iter().flat_map(|truth| &truth.states);
         Plant {
             name: model.name.clone(),
             title: model.title.clone(),
             hash: model.hash.clone(),
             blocks: blocks.collect(),
+            further: further
+                .map(|state| channel(&state.name, &state.display))
+                .collect(),
             inputs: inputs
                 .map(|input| Input {
                     channel: channel(&input.name, &input.display),

@@ -111,6 +111,7 @@ fn plant() -> Plant {
     let attitude = vec![channel("alpha", "deg", DEG), channel("beta", "deg", DEG)];
     let rates = vec![channel("p", "deg/s", DEG), channel("q", "deg/s", DEG)];
     Plant {
+        further: Vec::new(),
         name: "sample".into(),
         title: "Attitude & rates of a sample vehicle".into(),
         hash: "0123456789abcdef".repeat(4),

@@ -2,7 +2,7 @@
 //! disturbances, noise, networks, dispersions, actuators and sensors.
 
 use super::draw::Draw;
-use super::style::{Tree, keys, text};
+use super::style::{Tree, keys, number, text};
 
 const UNITS: [&str; 7] = ["m", "rad", "kg", "km/h", "mV", "deg/s", "m/sqrt(s)"];
 
@@ -52,7 +52,6 @@ impl Chain<'_> {
             )
         });
         let reference = Tree::Keys(reference.collect());
-        let number = |draw: &mut Draw| text(draw.positive());
         let mut controller = vec![
             ("sample_time".to_owned(), text("2 ms")),
             ("blocks".to_owned(), Tree::Ordered(gains)),
@@ -62,7 +61,7 @@ impl Chain<'_> {
         }
         let noise = if self.wiener { "wiener" } else { "sampled" };
         keys([
-            ("nsv", text("1")),
+            ("nsv", number("1")),
             ("name", text("random")),
             (
                 "title",
@@ -81,11 +80,11 @@ impl Chain<'_> {
                     (
                         "scale".to_owned(),
                         keys([
-                            ("value", number(self.draw)),
+                            ("value", text(self.draw.positive())),
                             ("dispersion", self.dispersion("")),
                         ]),
                     ),
-                    ("offset".to_owned(), number(self.draw)),
+                    ("offset".to_owned(), text(self.draw.positive())),
                 ]),
             ),
             (
@@ -109,8 +108,8 @@ impl Chain<'_> {
                             keys([(
                                 "p",
                                 Tree::List(vec![
-                                    Tree::List(vec![number(self.draw), text("1")]),
-                                    Tree::List(vec![text("0.01"), text("3")]),
+                                    Tree::List(vec![number(self.draw.positive()), number("1")]),
+                                    Tree::List(vec![number("0.01"), number("3")]),
                                 ]),
                             )]),
                         ),
@@ -138,19 +137,19 @@ impl Chain<'_> {
                 "scenario",
                 keys([
                     ("horizon", text("1 s")),
-                    ("substeps", text("2")),
+                    ("substeps", number("2")),
                     ("noise", text(noise)),
-                    ("seed", text("3")),
+                    ("seed", number("3")),
                 ]),
             ),
         ])
     }
 
     fn table(&mut self) -> Tree {
-        let list = |items: Vec<String>| Tree::List(items.into_iter().map(Tree::Text).collect());
+        let list = |items: Vec<String>| Tree::List(items.into_iter().map(Tree::Number).collect());
         let mut points = vec![-3.0];
         for _ in 0..3 + self.draw.below(4) {
-            points.push(points[points.len() - 1] + 0.25 + self.draw.below(8) as f64 / 4.0);
+            points.push(points[points.len() - 1] + 1.25 + self.draw.below(8) as f64 / 4.0);
         }
         let values = points.iter().map(|_| self.draw.positive()).collect();
         let points = points.iter().map(f64::to_string).collect();

@@ -11,10 +11,16 @@ pub enum Tree {
     Ordered(Vec<(String, Tree)>),
     List(Vec<Tree>),
     Text(String),
+    /// What must be a number to YAML, and so is never in quotes.
+    Number(String),
 }
 
 pub fn text(text: impl Into<String>) -> Tree {
     Tree::Text(text.into())
+}
+
+pub fn number(digits: impl Into<String>) -> Tree {
+    Tree::Number(digits.into())
 }
 
 pub fn keys<const N: usize>(entries: [(&str, Tree); N]) -> Tree {
@@ -39,7 +45,7 @@ fn entries(tree: &Tree, draw: &mut Draw) -> Option<Vec<(String, Tree)>> {
             }
             Some(entries)
         }
-        Tree::List(_) | Tree::Text(_) => None,
+        Tree::List(_) | Tree::Text(_) | Tree::Number(_) => None,
     }
 }
 
@@ -77,6 +83,7 @@ fn block(tree: &Tree, indent: usize, draw: &mut Draw, out: &mut String) {
 
 fn flow(tree: &Tree, draw: &mut Draw) -> String {
     match tree {
+        Tree::Number(digits) => digits.clone(),
         Tree::Text(code) => quoted(code, true, draw),
         Tree::List(items) => {
             let items: Vec<String> = items.iter().map(|item| flow(item, draw)).collect();

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: ca0754fe880dc7d292c639507bdcc3ffba837a0f127fd6093360b9e9b3b1def9
+// SHA-256 of the text below: 0f4ebf8d8d1d68a29071d08d0dd7d266f5ffdd2e942efe40634acafea9011c93
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
+// specification sha256 942eb100714b26c25e1ccdc4afbe0d4d2b86a428722273c0878e49722b6d7ac4
 // initial: 60 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary functions, 6 comparisons and selections
 // control: 520 additions, 795 multiplications, 12 divisions, 4 square roots, 26 elementary functions, 21 comparisons and selections
 

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 7d5abcba75727650b864f5347589b64ff303d9f8470af6249c61c5e2ce9ae4bb
+// SHA-256 of the text below: ce6328e338d843b1b81e26b11f52c15e61887fd5dd390beff1ccc92f425fc62a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
+// specification sha256 942eb100714b26c25e1ccdc4afbe0d4d2b86a428722273c0878e49722b6d7ac4
 // lyapunov: 1928 additions, 2395 multiplications, 20 divisions, 3 square roots, 30 elementary functions, 34 comparisons and selections
 
 //! `nsv_attitude`: Lyapunov function and its generator.

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: ac54fa7776eddf6bd8fcedcbebe3314a5c5abc47a3ee0bcc409ace262dbf8397
+// SHA-256 of the text below: 6ee29eee4edc751c8a3ead7271654349676403417a20983f89243bef02c12d93
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
+// specification sha256 942eb100714b26c25e1ccdc4afbe0d4d2b86a428722273c0878e49722b6d7ac4
 
 //! `nsv_attitude`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: b9dccc914f3a29f5ad8046747c3070b0c87f77043aa7b1c64605dd578a326e01
+// SHA-256 of the text below: ffebe60326d90e91f65a7fc978a90a7cd4bb314b3b9bb46ac71a53cb99b6e025
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
+// specification sha256 942eb100714b26c25e1ccdc4afbe0d4d2b86a428722273c0878e49722b6d7ac4
 
 //! `nsv_attitude`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

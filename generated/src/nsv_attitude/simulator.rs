@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 290471c70030b6d9e41e84026216a5892fa0dda5879d0519d94f362bee60e16d
+// SHA-256 of the text below: 7c287f460503a519d2a5697054db329ea3f0e78899890294207eb50aac63a387
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 05232bb1e4d2b87c7bb300548a857e3c96008a6f6467540428e4dc35d68eaef0
+// specification sha256 942eb100714b26c25e1ccdc4afbe0d4d2b86a428722273c0878e49722b6d7ac4
 
 //! `nsv_attitude`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -7,7 +7,7 @@ use super::cycles::order;
 use super::formula::Parsed;
 use super::numbers::Numbers;
 use super::scope::Dependence;
-use crate::diagnostic::{Base, Diagnostic, Rule};
+use crate::diagnostic::{Applicability, Base, Diagnostic, Rule};
 use crate::expr::Symbol;
 use crate::expr::arena::{ConstantId, Shape, Type};
 use crate::model::Constant;
@@ -99,12 +99,14 @@ impl Context<'_> {
                 "value has a unit of its own ({found}) beside `unit: {}`",
                 unit.value
             );
-            self.fault(
-                Rule::E0606,
-                numbers.span,
-                message,
-                "give the unit in one place",
-            );
+            let fault = Diagnostic::error(Rule::E0606, numbers.span, message)
+                .with_related(unit.span, "and it is given here")
+                .with_help("give the unit in one place");
+            let same = bare_number(written, &unit.value);
+            self.faults.push(match same {
+                Some(number) => fault.with_suggestion(numbers.span, number, Applicability::Certain),
+                None => fault,
+            });
             return None;
         }
         let mut codes = Vec::new();
@@ -226,4 +228,14 @@ fn leaves<'a>(formula: &'a Formula, all: &mut Vec<&'a Code>) {
 /// A text that may be missing.
 pub(super) fn text(word: Option<&Word>) -> String {
     word.map(|word| word.value.clone()).unwrap_or_default()
+}
+
+/// The number of a quantity such as `5 m`, if its unit is the one given.
+fn bare_number(written: &Formula, unit: &str) -> Option<String> {
+    let Formula::Code(code) = written else {
+        return None;
+    };
+    let number = code.text.trim_end().strip_suffix(unit)?.trim_end();
+    let exact = code.base.holds(0..code.text.len());
+    (exact && number.parse::<f64>().is_ok()).then(|| number.to_owned())
 }

@@ -29,6 +29,7 @@ impl Context<'_> {
                 shape: Shape::Scalar,
                 dimensions: &dimensions,
                 reasons: &[],
+                columns: &[],
             },
         )?;
         self.check_signal(&parsed, &what);

@@ -65,6 +65,7 @@ mod tests {
         let source = Source {
             name: "data.csv".into(),
             text: text.into(),
+            on_disk: true,
         };
         let sheet = Sheet::read(FileId(2), &source);
         let shown = |cells: &[Cell<'_>]| -> Vec<String> {

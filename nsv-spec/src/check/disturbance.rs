@@ -27,6 +27,7 @@ impl Context<'_> {
                     shape: Shape::Vector(rates.len()),
                     dimensions: rates,
                     reasons: &[],
+                    columns: &[],
                 };
                 let (id, parsed) = self.formula(formula, &expected)?;
                 self.check_signal(&parsed, what);

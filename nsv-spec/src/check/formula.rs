@@ -70,7 +70,13 @@ impl Context<'_> {
             return None;
         }
         let parsed = expr::parse(&code.text, code.base.clone());
-        self.accept(parsed).map(Parsed::Expr)
+        let parsed = self.accept(parsed)?;
+        let names = parsed
+            .free_names()
+            .into_iter()
+            .map(|(name, _)| name.to_owned());
+        self.used.extend(names);
+        Some(Parsed::Expr(parsed))
     }
 
     /// Parses every expression of a formula.

@@ -35,6 +35,9 @@ mod states;
 mod structure;
 mod tables;
 mod truth;
+mod unused;
+
+use std::collections::BTreeSet;
 
 use std::collections::BTreeMap;
 
@@ -58,6 +61,7 @@ pub(crate) fn check(
         && context.faults.is_empty()
     {
         context.check_initial(model);
+        context.warn_of_unused();
     }
     match model {
         Some(model) if context.faults.is_empty() => Ok((model, context.warnings)),
@@ -79,6 +83,8 @@ struct Context<'a> {
     defaults: Vec<String>,
     arena: Arena,
     names: Names,
+    /// Every name that an expression uses as a value.
+    used: BTreeSet<String>,
     constants: Vec<Option<Constant>>,
     parameters: Vec<Option<Parameter>>,
     definitions: Vec<Definition>,
@@ -109,6 +115,7 @@ impl<'a> Context<'a> {
             defaults: Vec::new(),
             arena: Arena::default(),
             names,
+            used: BTreeSet::new(),
             constants: Vec::new(),
             parameters: Vec::new(),
             definitions: Vec::new(),

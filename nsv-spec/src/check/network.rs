@@ -142,6 +142,7 @@ impl Context<'_> {
                 shape: Shape::Scalar,
                 dimensions: &[dimension],
                 reasons: &[],
+                columns: &[],
             },
         )?;
         Some((id, dimension))

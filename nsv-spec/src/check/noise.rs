@@ -53,6 +53,7 @@ impl Context<'_> {
                 shape: Shape::Matrix(own.len(), channels),
                 dimensions: &dimensions,
                 reasons: &vec![reason; own.len()],
+                columns: &[],
             },
         )?;
         Some(Noise {

@@ -38,6 +38,7 @@ impl Context<'_> {
         let vector = Shape::Vector(width);
         let what = |term: &str| format!("{term} of block `{}`", name.value);
         let reasons = self.rate_reasons(at);
+        let columns = self.column_reasons(at + 1, inputs);
         let drift = self.formula(
             &written.drift,
             &Expected {
@@ -45,6 +46,7 @@ impl Context<'_> {
                 shape: vector,
                 dimensions: &rates,
                 reasons: &reasons,
+                columns: &[],
             },
         );
         if let Some((_, parsed)) = &drift {
@@ -59,6 +61,7 @@ impl Context<'_> {
                     shape: Shape::Matrix(width, width),
                     dimensions: &gains,
                     reasons: &reasons,
+                    columns: &columns,
                 },
             )
         });
@@ -87,6 +90,34 @@ impl Context<'_> {
             .zip(written)
             .map(|(state, written)| rate_reason(&written.name, state.dimension))
             .collect()
+    }
+
+    /// What each column of G turns into those rates: the states of a block, or the inputs for the index after the last.
+    fn column_reasons(&self, block: usize, inputs: Option<&[model::Input]>) -> Vec<(Span, String)> {
+        let reason = |noun: &str, name: &str, dimension, span| {
+            (span, format!("{noun} `{name}` is {}", in_unit(dimension)))
+        };
+        match (self.states.get(block), inputs) {
+            (Some(states), _) => {
+                let written = self.spec.blocks[block].value.states.iter();
+                let states = states.iter().flatten().zip(written);
+                states
+                    .map(|(state, written)| {
+                        reason("state", &state.name, state.dimension, written.name.span)
+                    })
+                    .collect()
+            }
+            (None, Some(inputs)) => {
+                let written = self.spec.inputs.iter();
+                let inputs = inputs.iter().zip(written);
+                inputs
+                    .map(|(input, written)| {
+                        reason("input", &input.name, input.dimension, written.name.span)
+                    })
+                    .collect()
+            }
+            (None, None) => Vec::new(),
+        }
     }
 
     /// Dimensions of the states of a block, or of the inputs for the index after the last.
@@ -132,13 +163,17 @@ impl Context<'_> {
 
 /// What the dimension of a state's rate follows from.
 pub(super) fn rate_reason(state: &Word, dimension: Dimension) -> (Span, String) {
-    let unit = match dimension == Dimension::ONE {
-        true => "a pure number".to_owned(),
-        false => format!("in {dimension}"),
-    };
     let reason = format!(
-        "state `{}` is {unit}, its rate is that per second",
-        state.value
+        "state `{}` is {}, its rate is that per second",
+        state.value,
+        in_unit(dimension)
     );
     (state.span, reason)
+}
+
+fn in_unit(dimension: Dimension) -> String {
+    match dimension == Dimension::ONE {
+        true => "a pure number".to_owned(),
+        false => format!("in {dimension}"),
+    }
 }

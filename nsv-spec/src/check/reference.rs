@@ -81,6 +81,7 @@ impl Context<'_> {
                 shape: Shape::Scalar,
                 dimensions: &[dimension],
                 reasons: &[],
+                columns: &[],
             },
         )?;
         self.check_signal(&parsed, &what);

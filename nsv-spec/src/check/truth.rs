@@ -68,6 +68,7 @@ impl Context<'_> {
             shape: Shape::Scalar,
             dimensions: &[dimension],
             reasons: &[rate_reason(state, own)],
+            columns: &[],
         };
         self.formula(&written.value, &expected).map(|(id, _)| id)
     }

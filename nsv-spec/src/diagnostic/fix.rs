@@ -22,8 +22,9 @@ impl Diagnostics {
         let mut fixed: Vec<Fixed> = Vec::new();
         for suggestion in certain {
             let Span { file, start, end } = suggestion.span;
-            let source = &self.sources.source(file).text;
-            if source.get(start as usize..end as usize).is_none() {
+            let source = self.sources.source(file);
+            let range = start as usize..end as usize;
+            if !source.on_disk || source.text.get(range).is_none() {
                 continue;
             }
             let last = match fixed.last_mut() {

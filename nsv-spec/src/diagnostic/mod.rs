@@ -1,6 +1,7 @@
 //! Faults of a specification as data: a code, a place, a message and its remedy. Rendering is the command line's business.
 
 mod base;
+pub mod explain;
 mod fix;
 mod rule;
 
@@ -34,6 +35,8 @@ pub struct Source {
     pub name: String,
     /// Whole text.
     pub text: Arc<str>,
+    /// Whether it is a file on the disk, not a part of the command line.
+    pub on_disk: bool,
 }
 
 /// All files that make up one specification, in order of reading; the specification itself is first.
@@ -176,11 +179,25 @@ pub struct Diagnostics {
 impl SourceMap {
     /// Adds a file.
     pub fn add(&mut self, name: impl Into<String>, text: Arc<str>) -> FileId {
-        let id = FileId(u32::try_from(self.files.len()).expect("invariant: fewer than 2^32 files"));
-        self.files.push(Source {
+        self.push(Source {
             name: name.into(),
             text,
-        });
+            on_disk: true,
+        })
+    }
+
+    /// Adds a text that is in no file.
+    pub fn add_virtual(&mut self, name: impl Into<String>, text: Arc<str>) -> FileId {
+        self.push(Source {
+            name: name.into(),
+            text,
+            on_disk: false,
+        })
+    }
+
+    fn push(&mut self, source: Source) -> FileId {
+        let id = FileId(u32::try_from(self.files.len()).expect("invariant: fewer than 2^32 files"));
+        self.files.push(source);
         id
     }
 

@@ -4,6 +4,7 @@
 use std::fmt;
 
 use super::Severity;
+use crate::suggest::nearest;
 
 /// Makes the enum, its list and its names of one table, so that they cannot drift.
 macro_rules! codes {
@@ -55,6 +56,11 @@ codes! {
     E0023 "too many included files",
     E0024 "section that an included file must not have",
     E0025 "key given in two files",
+    // Composition
+    E0030 "path that leads nowhere",
+    E0031 "argument that an included file does not declare",
+    E0032 "removed key that is not there",
+    E0033 "sweep of nothing or of too much",
     // Keys and values
     E0101 "unknown key",
     E0102 "key given twice",
@@ -144,6 +150,7 @@ codes! {
     E0713 "sensor of a state that is not measured",
     // Warnings
     W0001 "gain below its bound",
+    W0002 "declaration without use",
     W0010 "angle in degrees where a function takes radians",
     W0011 "number without a unit for a state in degrees",
 }
@@ -160,6 +167,12 @@ impl Rule {
     /// Its letter with the first two digits: what kind of thing is at fault, such as `E04` for units.
     pub fn family(self) -> &'static str {
         &self.name()[..3]
+    }
+
+    /// The rule whose code is nearest to a mistyped one.
+    pub fn nearest(name: &str) -> Option<Self> {
+        let meant = nearest(name, Rule::ALL.iter().map(|rule| rule.name()))?;
+        Rule::find(&meant.name)
     }
 
     /// The rule of a code in either case; `None` if there is none.

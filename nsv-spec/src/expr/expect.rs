@@ -16,6 +16,8 @@ pub struct Expected<'a> {
     pub dimensions: &'a [Dimension],
     /// For each row, what its dimension follows from: the place, and what is there. Empty where that needs no telling.
     pub reasons: &'a [(Span, String)],
+    /// The same for each column.
+    pub columns: &'a [(Span, String)],
 }
 
 /// Checks the expression `id`, written at `span`, and reports every entry of a wrong dimension.
@@ -59,10 +61,12 @@ pub fn expect(
             let fault = Diagnostic::error(Rule::E0407, span, message)
                 .with_label(label)
                 .with_help(dimension_help(found, wanted));
-            match expected.reasons.get(entry / shape.size().1) {
-                Some((place, reason)) => fault.with_related(*place, reason),
-                None => fault,
-            }
+            let cols = shape.size().1;
+            let row = expected.reasons.get(entry / cols);
+            let reasons = row.into_iter().chain(expected.columns.get(entry % cols));
+            reasons.fold(fault, |fault, (place, reason)| {
+                fault.with_related(*place, reason)
+            })
         })
         .collect();
     if faults.is_empty() {

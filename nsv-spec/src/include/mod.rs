@@ -1,9 +1,12 @@
 //! Joins the files of a specification into one tree, and reads the data files that it names.
 //!
 //! A file may list fragments under `include`: files below the directory of the specification with any of its top-level
-//! sections. Maps merge key by key; anything else may be given in one file only.
+//! sections. Maps merge key by key; anything else may be given in one file only. A specification may also extend another, over
+//! which it is laid.
 
+mod arguments;
 mod data;
+mod extend;
 
 pub(crate) use data::MAX_DATA_FILES;
 
@@ -14,13 +17,14 @@ use std::path::{Component, Path, PathBuf};
 
 use crate::diagnostic::{Diagnostic, FileId, Rule, SourceMap, Span};
 use crate::yaml::{self, Entry, Kind, MAX_BYTES, Node, excerpt};
+use arguments::Included;
 
 /// Most files of one specification, itself included.
 pub(crate) const MAX_FILES: usize = 16;
 /// Deepest chain of files that include each other, the specification not counted.
 pub(crate) const MAX_DEPTH: usize = 4;
 /// Sections that belong to the specification itself.
-const NOT_IN_FRAGMENTS: [&str; 4] = ["nsv", "name", "title", "scenario"];
+const NOT_IN_FRAGMENTS: [&str; 5] = ["nsv", "name", "title", "extends", "scenario"];
 
 /// Reads a specification with all that it includes.
 pub fn read_file(path: &Path, sources: &mut SourceMap) -> Result<Node, Vec<Diagnostic>> {
@@ -147,62 +151,68 @@ impl Joiner<'_> {
         }
     }
 
-    /// Merges everything that `tree` includes into it, and removes its `include` key. `below` is the directory of the file,
-    /// relative to that of the specification.
+    /// Merges everything that `tree` includes into it, lays it over what it extends, and removes these keys. `below` is the
+    /// directory of the file, relative to that of the specification.
     fn join(&mut self, tree: &mut Node, below: &Path) {
         self.read_data(tree, below);
-        for (name, span) in self.take_list(tree) {
+        let extends = extend::take(tree, "extends").map(|entry| entry.value);
+        for included in self.take_list(tree) {
+            let Included {
+                name,
+                span,
+                arguments,
+            } = included;
             let Some(path) = self.resolve(&name, span, below) else {
                 continue;
             };
             let name = below.join(&name);
-            let Some(mut fragment) = self.fragment(&name.display().to_string(), &path, span) else {
+            let shown = name.display().to_string();
+            let file = self.file(&shown, &path, span);
+            let Some(mut fragment) = file.and_then(|tree| self.check_fragment(tree, span)) else {
                 continue;
             };
             self.open.push(path);
             self.join(&mut fragment, name.parent().unwrap_or(below));
             self.open.pop();
+            self.give(&shown, &mut fragment, arguments);
             self.merge(tree, fragment, "");
         }
+        self.extend(tree, extends, below);
     }
 
     /// The entries of `include`, which is taken out of the tree.
-    fn take_list(&mut self, tree: &mut Node) -> Vec<(String, Span)> {
-        let Kind::Map(entries) = &mut tree.kind else {
+    fn take_list(&mut self, tree: &mut Node) -> Vec<Included> {
+        const EXPECTED: &str = "write `include: [models/plant.yaml]`";
+        let Some(entry) = extend::take(tree, "include") else {
             return Vec::new();
         };
-        // A second `include` stays, and is reported as a duplicate key.
-        let Some(at) = entries.iter().position(|entry| entry.key.text == "include") else {
-            return Vec::new();
-        };
-        let node = entries.remove(at).value;
+        let node = entry.value;
         let items = match node.kind {
             Kind::Seq(items) => items,
             Kind::Scalar(_) => vec![node],
             Kind::Null => Vec::new(),
             Kind::Map(_) => {
-                self.fault(
-                    Rule::E0020,
-                    node.span,
-                    "found a map, expected a list of files",
-                    "write `include: [models/plant.yaml]`",
-                );
+                let message = "found a map, expected a list of files";
+                self.fault(Rule::E0020, node.span, message, EXPECTED);
                 Vec::new()
             }
         };
-        let mut names = Vec::new();
+        let mut included = Vec::new();
         for item in items {
             match item.kind {
-                Kind::Scalar(scalar) => names.push((scalar.text, item.span)),
-                _ => self.fault(
-                    Rule::E0020,
-                    item.span,
-                    format!("found {}, expected a file name", item.describe()),
-                    "write `include: [models/plant.yaml]`",
-                ),
+                Kind::Scalar(scalar) => included.push(Included {
+                    name: scalar.text,
+                    span: item.span,
+                    arguments: Vec::new(),
+                }),
+                Kind::Map(_) => included.extend(self.long_form(&item)),
+                _ => {
+                    let message = format!("found {}, expected a file name", item.describe());
+                    self.fault(Rule::E0020, item.span, message, EXPECTED);
+                }
             }
         }
-        names
+        included
     }
 
     /// The canonical path of an included file, if it may be read.
@@ -256,8 +266,8 @@ impl Joiner<'_> {
         Some(path)
     }
 
-    /// Reads a fragment, unless that would go round in circles or on and on.
-    fn fragment(&mut self, name: &str, path: &Path, span: Span) -> Option<Node> {
+    /// Reads a file, unless that would go round in circles or on and on.
+    fn file(&mut self, name: &str, path: &Path, span: Span) -> Option<Node> {
         let shown = excerpt(name);
         if self.open.iter().any(|open| open == path) {
             self.fault(
@@ -313,18 +323,14 @@ impl Joiner<'_> {
             }
         };
         let place = self.root.clone().unwrap_or_default().join(name);
-        let tree = match parse(&place.display().to_string(), &bytes, self.sources) {
-            Ok(tree) => tree,
+        match parse(&place.display().to_string(), &bytes, self.sources) {
+            Ok(tree) => Some(tree),
             Err(faults) => {
-                self.faults.extend(
-                    faults
-                        .into_iter()
-                        .map(|fault| fault.with_related(span, "included here")),
-                );
-                return None;
+                let related = |fault: Diagnostic| fault.with_related(span, "included here");
+                self.faults.extend(faults.into_iter().map(related));
+                None
             }
-        };
-        self.check_fragment(tree, span)
+        }
     }
 
     /// A fragment without the sections that it must not have, which are reported.

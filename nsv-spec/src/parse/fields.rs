@@ -9,16 +9,16 @@ use crate::vocabulary::{Key, Kind as Expects, Section};
 use crate::yaml::{Entry, Kind, Node, excerpt};
 
 /// The known keys of one map.
-pub(super) struct Fields<'a> {
+pub(crate) struct Fields<'a> {
     section: &'static Section,
     entries: BTreeMap<&'static str, &'a Entry>,
     /// The whole map.
-    pub(super) span: Span,
+    pub(crate) span: Span,
 }
 
 impl<'a> Fields<'a> {
     /// The entry of a key, which must be in the section's vocabulary.
-    pub(super) fn entry(&self, name: &str) -> Option<&'a Entry> {
+    pub(crate) fn entry(&self, name: &str) -> Option<&'a Entry> {
         debug_assert!(
             self.key(name).is_some(),
             "invariant: `{name}` is a key of {}",
@@ -28,19 +28,19 @@ impl<'a> Fields<'a> {
     }
 
     /// What the vocabulary says of a key.
-    pub(super) fn key(&self, name: &str) -> Option<&'static Key> {
+    pub(crate) fn key(&self, name: &str) -> Option<&'static Key> {
         self.section.keys.iter().find(|key| key.name == name)
     }
 }
 
 /// Collects the faults of a specification while it is read.
 #[derive(Default)]
-pub(super) struct Reader {
-    pub(super) faults: Vec<Diagnostic>,
+pub(crate) struct Reader {
+    pub(crate) faults: Vec<Diagnostic>,
 }
 
 impl Reader {
-    pub(super) fn fault(
+    pub(crate) fn fault(
         &mut self,
         rule: Rule,
         span: Span,
@@ -52,7 +52,7 @@ impl Reader {
     }
 
     /// The keys of a map: none unknown, none twice, all required ones there.
-    pub(super) fn fields<'a>(&mut self, node: &'a Node, section: &'static Section) -> Fields<'a> {
+    pub(crate) fn fields<'a>(&mut self, node: &'a Node, section: &'static Section) -> Fields<'a> {
         let mut fields = Fields {
             section,
             entries: BTreeMap::new(),
@@ -101,7 +101,7 @@ impl Reader {
     }
 
     /// The keys of the map under a key; none where that is missing, which has been reported if it is required.
-    pub(super) fn section<'a>(&mut self, parent: &Fields<'a>, name: &str) -> Fields<'a> {
+    pub(crate) fn section<'a>(&mut self, parent: &Fields<'a>, name: &str) -> Fields<'a> {
         let Some(Key {
             kind: Expects::Section(section),
             ..
@@ -147,14 +147,14 @@ impl Reader {
     }
 
     /// The entries of a map with names chosen by the user.
-    pub(super) fn named<'a>(&mut self, fields: &Fields<'a>, key: &str) -> Vec<&'a Entry> {
+    pub(crate) fn named<'a>(&mut self, fields: &Fields<'a>, key: &str) -> Vec<&'a Entry> {
         let Some(entry) = fields.entry(key) else {
             return Vec::new();
         };
         self.entries(&entry.value, &format!("a map from names to {key}"))
     }
 
-    pub(super) fn entries<'a>(&mut self, node: &'a Node, expected: &str) -> Vec<&'a Entry> {
+    pub(crate) fn entries<'a>(&mut self, node: &'a Node, expected: &str) -> Vec<&'a Entry> {
         let Kind::Map(entries) = &node.kind else {
             self.kind(node, expected, "write one `name: value` on each line");
             return Vec::new();
@@ -163,7 +163,7 @@ impl Reader {
     }
 
     /// A map from names to values that `read` reads.
-    pub(super) fn map<T>(
+    pub(crate) fn map<T>(
         &mut self,
         fields: &Fields<'_>,
         key: &str,
@@ -180,7 +180,7 @@ impl Reader {
     }
 
     /// A nested map, read by `read`, with the place of its key.
-    pub(super) fn nested<T>(
+    pub(crate) fn nested<T>(
         &mut self,
         fields: &Fields<'_>,
         key: &str,
@@ -194,7 +194,7 @@ impl Reader {
     }
 
     /// The items of a list.
-    pub(super) fn items<'a>(
+    pub(crate) fn items<'a>(
         &mut self,
         fields: &Fields<'a>,
         key: &str,
@@ -218,7 +218,7 @@ impl Reader {
     }
 
     /// Reports a value of a wrong kind.
-    pub(super) fn kind(&mut self, node: &Node, expected: &str, help: &str) {
+    pub(crate) fn kind(&mut self, node: &Node, expected: &str, help: &str) {
         self.fault(
             Rule::E0103,
             node.span,
@@ -229,7 +229,7 @@ impl Reader {
 }
 
 /// The name under which an entry stands.
-pub(super) fn name(entry: &Entry) -> Word {
+pub(crate) fn name(entry: &Entry) -> Word {
     Located {
         value: entry.key.text.clone(),
         span: entry.key.span,
@@ -261,7 +261,7 @@ fn unique<'a>(faults: &mut Vec<Diagnostic>, entries: &'a [Entry]) -> Vec<&'a Ent
 }
 
 /// `a`, `b` or `c`.
-pub(super) fn list(words: &[&str]) -> String {
+pub(crate) fn list(words: &[&str]) -> String {
     let quoted: Vec<String> = words.iter().map(|word| format!("`{word}`")).collect();
     match quoted.split_last() {
         Some((last, rest)) if !rest.is_empty() => format!("{} or {last}", rest.join(", ")),

@@ -15,7 +15,8 @@ use crate::spec::{Located, Scenario, Spec};
 use crate::vocabulary::SPECIFICATION;
 use crate::yaml::Node;
 pub(crate) use data::MAX_EXPONENT;
-use fields::{Fields, Reader};
+use fields::Fields;
+pub(crate) use fields::Reader;
 
 /// Version of the language.
 const VERSION: u64 = 1;

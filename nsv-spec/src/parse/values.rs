@@ -28,7 +28,7 @@ impl Reader {
     }
 
     /// Text under a key.
-    pub(super) fn text(&mut self, fields: &Fields<'_>, key: &str) -> Option<Word> {
+    pub(crate) fn text(&mut self, fields: &Fields<'_>, key: &str) -> Option<Word> {
         fields.entry(key).map(|entry| self.word(&entry.value))
     }
 

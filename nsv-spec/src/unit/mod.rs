@@ -7,6 +7,7 @@ mod grammar;
 mod reference;
 mod table;
 
+use crate::suggest::Meant;
 pub use dimension::Dimension;
 use double::Double;
 pub use error::UnitError;
@@ -58,6 +59,13 @@ impl Unit {
             .split(|c: char| !c.is_ascii_alphabetic())
             .filter(|name| !name.is_empty())
     }
+}
+
+/// The unit for which a name in place of one was meant, if there is little doubt: `s` for `sec`, `s^2` for `s2`.
+pub(crate) fn meant(name: &str) -> Option<Meant> {
+    let near = name.len() <= 16 && name.is_ascii();
+    near.then(|| table::suggest(name))?
+        .filter(|meant| meant.sure)
 }
 
 /// Reads a unit expression such as `kN*m`, `rad/s`, `1/s`, `kg/(m*s^2)` or `m/sqrt(s)`.

@@ -231,6 +231,11 @@ pub(super) fn suggest(name: &str) -> Option<Meant> {
     if letters.len() < name.len() && find(letters).is_some() {
         return meant(format!("{letters}^{}", &name[letters.len()..]), true);
     }
+    // Nobody means kelvin times newton.
+    let kilo = name.strip_prefix('K').map(|unit| format!("k{unit}"));
+    if let Some(kilo) = kilo.filter(|kilo| find(kilo).is_some()) {
+        return meant(kilo, true);
+    }
     // `Nm` before `nm`: a product without its `*` is likelier than a slip. Only `N*m` can be meant by it, but `Nms` has three parts.
     let is_whole = |part: &str| TABLE.iter().any(|entry| entry.name == part);
     let halves: Vec<(&str, &str)> = (1..name.len())

@@ -29,7 +29,7 @@ pub static CONTROLLER: Section = Section {
         ),
         optional(
             "parameters",
-            Kind::Named(&Kind::Quantity),
+            Kind::ByName(&Kind::Quantity),
             "parameter values the controller is designed with, where they differ from the plant's",
         ),
         required(

@@ -2,6 +2,7 @@
 
 mod controller;
 mod data;
+mod details;
 mod dispersion;
 mod hardware;
 mod plant;
@@ -9,6 +10,7 @@ mod plant;
 pub(crate) use controller::{CONTROLLER, CONTROLLER_BLOCK, ERROR_BOUND, NETWORK, NOISE_BOUND};
 pub(crate) use data::{AXIS, CONSTANT, FUNCTION, PARAMETER, POLYNOMIAL, TABLE};
 use data::{CONSTANT_KIND, PARAMETER_KIND};
+pub(crate) use details::{Details, details};
 pub(crate) use dispersion::{CORRELATION, DISPERSION};
 pub(crate) use hardware::{ACTUATOR, FAULT, SENSOR};
 pub(crate) use plant::{EXOSYSTEM, INPUT, NOISE, PLANT, PLANT_BLOCK, STATE, TRUTH};
@@ -56,8 +58,12 @@ pub enum Kind {
     List(&'static Kind),
     /// A map with known keys.
     Section(&'static Section),
-    /// A map from names that the user chooses.
+    /// A map from names that the user chooses, or one entry for each of those.
     Named(&'static Kind),
+    /// A map from some names that are declared elsewhere.
+    ByName(&'static Kind),
+    /// A map from paths in the specification to lists of values.
+    Sweep,
     /// Any of these.
     Either(&'static [Kind]),
 }
@@ -84,6 +90,23 @@ const fn optional(name: &'static str, kind: Kind, doc: &'static str) -> Key {
 const QUANTITY_OR_AUTO: Kind = Kind::Either(&[Kind::Choice(&["auto"]), Kind::Quantity]);
 const FORMULAS: Kind = Kind::Named(&Kind::Formula);
 
+/// What a file declares with a value of one's own.
+const ARGUMENT_KIND: Kind = Kind::Either(&[Kind::Formula, Kind::Section(&PARAMETER)]);
+const INCLUDE_KIND: Kind = Kind::Either(&[Kind::Text, Kind::Section(&INCLUDE)]);
+
+/// The long form of an included file.
+pub static INCLUDE: Section = Section {
+    noun: "an include",
+    keys: &[
+        required("file", Kind::Text, "the file"),
+        optional(
+            "with",
+            Kind::ByName(&ARGUMENT_KIND),
+            "values for constants and parameters that the file declares",
+        ),
+    ],
+};
+
 /// The whole specification.
 pub static SPECIFICATION: Section = Section {
     noun: "a specification",
@@ -105,8 +128,13 @@ pub static SPECIFICATION: Section = Section {
         ),
         optional(
             "include",
-            Kind::List(&Kind::Text),
-            "files with further sections, relative to this file and below its directory",
+            Kind::List(&INCLUDE_KIND),
+            "files with further sections, relative to this file and below its directory, each with values for what it declares if need be",
+        ),
+        optional(
+            "extends",
+            Kind::Text,
+            "specification that this one changes: its keys are laid over those of that file, maps key by key; `~` takes a key away",
         ),
         optional(
             "constants",
@@ -192,6 +220,11 @@ pub static SCENARIO: Section = Section {
             "settle",
             Kind::Quantity,
             "start of the window for rms values; default: 0 s",
+        ),
+        optional(
+            "sweep",
+            Kind::Sweep,
+            "paths with values: every combination is a variant that is checked and flown",
         ),
     ],
 };

@@ -2,7 +2,7 @@
 
 use super::dispersion::DISPERSION;
 use super::hardware::{ACTUATOR, SENSOR};
-use super::{FORMULAS, Kind, Section, optional, required};
+use super::{Kind, Section, optional, required};
 
 /// The plant.
 pub static PLANT: Section = Section {
@@ -37,7 +37,7 @@ pub static TRUTH: Section = Section {
         ),
         required(
             "rates",
-            FORMULAS,
+            Kind::ByName(&Kind::Formula),
             "rate of change of each further state, and of those states of the blocks that move otherwise than by F + G x; functions of all states, the inputs and time",
         ),
     ],

@@ -88,6 +88,8 @@ fn syntax(error: &Error, span: Span) -> Diagnostic {
     }
     let help = if message.contains("mapping values are not allowed") {
         "put a blank after `:` only between key and value, indent keys of one map alike, and quote text that contains `: `"
+    } else if message.contains("tabs disallowed") {
+        "indent with blanks instead of tabs"
     } else if message.contains("unclosed bracket") {
         "close the bracket"
     } else if message.contains("unclosed quote") {

@@ -4,9 +4,12 @@
 
 mod escape;
 mod fault;
+mod flow;
+mod format;
 mod read;
 mod text;
 
+pub use format::{Unformatted, format};
 pub use read::read;
 pub(crate) use read::{MAX_ALIASES, MAX_DEPTH, MAX_NODES};
 pub use text::{MAX_BYTES, text};

@@ -346,6 +346,31 @@ mod tests {
         );
     }
 
+    /// What is not there has no bytes, what is written as nothing has.
+    #[test]
+    fn nothing_written_differs_from_nothing_there() {
+        let Kind::Map(entries) = tree("a: ~\nb:\nc: null\nd: {e: , f: ~}\n").kind else {
+            panic!("a map")
+        };
+        let length = |node: &Node| node.span.end - node.span.start;
+        let lengths: Vec<u32> = entries
+            .iter()
+            .take(3)
+            .map(|entry| length(&entry.value))
+            .collect();
+        assert_eq!(lengths, [1, 0, 4]);
+        let Kind::Map(inner) = &entries[3].value.kind else {
+            panic!("a map")
+        };
+        assert_eq!(
+            inner
+                .iter()
+                .map(|entry| length(&entry.value))
+                .collect::<Vec<_>>(),
+            [0, 1]
+        );
+    }
+
     #[test]
     fn duplicate_keys_survive() {
         check(

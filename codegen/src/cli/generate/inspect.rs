@@ -10,6 +10,7 @@ use super::explain;
 use crate::cli::compile::{Math, Partials, load, lower};
 use crate::cli::failure::{Exit, Failure};
 use crate::cli::output;
+use crate::cli::settings::Overrides;
 
 /// What to show on standard output; no file is written then.
 #[derive(clap::Args)]
@@ -80,7 +81,12 @@ impl Args {
 }
 
 /// Shows what was asked for.
-pub(super) fn run(args: &Args, specs: &[PathBuf], math: Math) -> Result<(), Failure> {
+pub(super) fn run(
+    args: &Args,
+    specs: &[PathBuf],
+    settings: &Overrides,
+    math: Math,
+) -> Result<(), Failure> {
     let stages = stage::names(math.into());
     if !stages.contains(&args.stage.as_str()) {
         let message = format!("there is no stage `{}` in this arithmetic", args.stage);
@@ -92,7 +98,7 @@ pub(super) fn run(args: &Args, specs: &[PathBuf], math: Math) -> Result<(), Fail
         return Err(Failure::new(Exit::Usage, message)
             .with_help("`--emit` and `--explain-cost` show one at a time"));
     };
-    let model = load(spec)?;
+    let model = load(spec, settings)?;
     let programs = lower(spec, &model, Partials::Cached)?;
     if args.explain_cost {
         let explanations = explain::explanations(&programs, math);

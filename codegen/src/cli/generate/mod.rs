@@ -13,6 +13,7 @@ use super::compile::{Math, Partials, compile, load};
 use super::failure::{Exit, Failure};
 use super::files::replace;
 use super::output::note;
+use super::settings::Overrides;
 use difference::{Difference, compare};
 use target::Target;
 
@@ -22,6 +23,8 @@ pub(crate) struct Args {
     /// Specifications to compile
     #[arg(required = true, value_name = "SPEC")]
     specs: Vec<PathBuf>,
+    #[command(flatten)]
+    settings: Overrides,
     /// Folder for the modules; default: `generated/src` of the workspace around the specification
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -38,7 +41,7 @@ pub(crate) struct Args {
 /// Runs the verb.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if args.inspect.wanted() {
-        return inspect::run(&args.inspect, &args.specs, args.math);
+        return inspect::run(&args.inspect, &args.specs, &args.settings, args.math);
     }
     let partials = if args.check {
         Partials::Stored
@@ -47,7 +50,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     };
     let mut target = Target::default();
     for spec in &args.specs {
-        let model = load(spec)?;
+        let model = load(spec, &args.settings)?;
         let out = match &args.out {
             Some(out) => out.clone(),
             None => workspace_output(spec)?,

@@ -10,6 +10,7 @@ use super::compile::{Math, Partials, compile, load};
 use super::failure::{Exit, Failure};
 use super::files;
 use super::runner::{self, Cache, Campaign, Job, Package, Program, Recordings, Replay, Work};
+use super::settings::Overrides;
 use super::simulate::{Files, Flown, Format, recording};
 use crate::report::Plant;
 use header::{Header, expect_whole};
@@ -23,6 +24,8 @@ pub(crate) struct Args {
     /// Specification, if it is not where it was
     #[arg(long, value_name = "SPEC")]
     spec: Option<PathBuf>,
+    #[command(flatten)]
+    settings: Overrides,
     /// Write the signals of one run in SI units, as CSV or Parquet by the name's ending
     #[arg(long, value_name = "FILE.csv|.parquet", value_parser = recording)]
     out: Option<PathBuf>,
@@ -58,10 +61,11 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         return Err(Failure::new(Exit::Usage, words).with_help("name its file with `--spec`"));
     }
     let shown = shown(args.run, &header.campaign)?;
-    let (plant, math, program) = simulator(specification, header)?;
+    let (plant, math, program) = simulator(specification, &args.settings, header)?;
     let replay = merge(args, specification, header, &program, shown)?;
     let flown = Flown {
         specification,
+        settings: &args.settings.values,
         plant: &plant,
         campaign: &header.campaign,
         part: None,
@@ -93,8 +97,12 @@ fn shown(wanted: Option<u64>, campaign: &Campaign) -> Result<u64, Failure> {
 }
 
 /// The simulator that flew the parts, and the arithmetic that it was compiled with.
-fn simulator(specification: &Path, header: &Header) -> Result<(Plant, Math, Program), Failure> {
-    let model = load(specification)?;
+fn simulator(
+    specification: &Path,
+    settings: &Overrides,
+    header: &Header,
+) -> Result<(Plant, Math, Program), Failure> {
+    let model = load(specification, settings)?;
     let cache = Cache::open()?;
     for math in [Math::Strict, Math::Fast] {
         let compiled = compile(specification, &model, Partials::Cached, math)?;
@@ -109,7 +117,7 @@ fn simulator(specification: &Path, header: &Header) -> Result<(Plant, Math, Prog
         specification.display()
     );
     Err(Failure::new(Exit::Usage, words).with_help(
-        "the specification, nsv or the Rust compiler has changed since, or `--math` was another",
+        "give the `--set` that they were flown with; else the specification, nsv or the Rust compiler has changed since, or `--math` was another",
     ))
 }
 

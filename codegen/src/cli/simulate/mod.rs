@@ -4,6 +4,7 @@ mod progress;
 mod result;
 mod run_table;
 mod summary;
+mod sweep;
 mod trajectory;
 
 use std::ffi::OsString;
@@ -12,11 +13,12 @@ use std::path::{Path, PathBuf};
 use nsv_codegen::interrupt::Scratch;
 use nsv_spec::model::{MAX_STEPS, Model};
 
-use super::compile::{Math, Partials, compile, load};
+use super::compile::{Math, Partials, compile, compose, shown};
 use super::failure::{Exit, Failure};
 use super::files;
 use super::output::note;
 use super::runner::{self, Cache, Campaign, Event, Job, Package, Part, Recordings, Replay, Work};
+use super::settings::Overrides;
 use crate::report::Plant;
 use crate::report::number::count;
 use progress::Progress;
@@ -30,6 +32,8 @@ pub(crate) struct Args {
     /// Specification
     #[arg(value_name = "SPEC")]
     spec: PathBuf,
+    #[command(flatten)]
+    settings: Overrides,
     /// Seed of noise and dispersions; default: the scenario's
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
@@ -103,23 +107,29 @@ fn part(text: &str) -> Result<Part, String> {
 
 /// Runs the verb.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let model = load(&args.spec)?;
+    let composition = compose(&args.spec, &args.settings)?;
+    let model = shown(composition.base())?;
     // Before the campaign, which may take long.
     for path in [&args.out, &args.runs_out, &args.report, &args.checkpoint] {
         path.as_deref().map_or(Ok(()), files::expect_folder)?;
     }
-    let (campaign, shown) = campaign(args, &model)?;
+    let variants = composition.variants();
+    if !variants.is_empty() {
+        return sweep::run(args, &composition, &variants);
+    }
+    let (campaign, run) = campaign(args, &model)?;
     let compiled = compile(&args.spec, &model, Partials::Cached, args.math)?;
     let plant = Plant::from(&model);
     let package = Package::new(&compiled.files);
-    let replay = fly(&Cache::open()?, &package, &plant, &campaign, shown, args)?;
+    let replay = fly(&Cache::open()?, &package, &plant, &campaign, run, args)?;
     let flown = Flown {
         specification: &args.spec,
+        settings: &args.settings.values,
         plant: &plant,
         campaign: &campaign,
         part: args.shard,
         math: args.math,
-        shown,
+        shown: run,
         replay: &replay,
     };
     flown.write(Files {
@@ -290,6 +300,7 @@ mod tests {
             limit: 2.0,
         };
         Plant {
+            further: Vec::new(),
             name: "fixture".into(),
             title: "Fixture".into(),
             hash: "0".repeat(64),
@@ -356,6 +367,7 @@ mod tests {
 
         let flown = Flown {
             specification: Path::new("x.yaml"),
+            settings: &[],
             plant: &plant(),
             campaign: &campaign,
             part: None,

@@ -23,6 +23,8 @@ pub(crate) enum Format {
 pub(crate) struct Flown<'a> {
     /// The specification's file.
     pub specification: &'a Path,
+    /// Values that were set in it.
+    pub settings: &'a [String],
     /// Names and units.
     pub plant: &'a Plant,
     /// What was simulated.
@@ -90,6 +92,9 @@ impl Flown<'_> {
             "simulate".to_owned(),
             self.specification.to_string_lossy().into_owned(),
         ];
+        for setting in self.settings {
+            words.extend(["--set".to_owned(), setting.clone()]);
+        }
         words.extend(["--seed".to_owned(), campaign.seed.to_string()]);
         words.extend(["--horizon".to_owned(), format!("{}", campaign.horizon_s)]);
         let switches = [

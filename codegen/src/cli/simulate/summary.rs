@@ -300,6 +300,7 @@ mod tests {
         };
         shown(&Flown {
             specification: Path::new("specs/sample.yaml"),
+            settings: &["controller.norm=spectral".to_owned()],
             plant: &sample.plant,
             campaign,
             part,

@@ -111,7 +111,9 @@ impl Simulator<'_> {
             .zip(&self.interface.blocks)
             .filter(|(_, block)| !block.exosystem.is_empty())
         {
-            if self.lyapunov.arguments().contains(&format!("w{number}")) {
+            // Only the Lyapunov function asks for them, which a truth has not.
+            let asked = self.lyapunov.arguments().contains(&format!("w{number}"));
+            if asked && self.interface.truth.is_none() {
                 segments.push(segment("w", number, start, block.exosystem.len()));
             }
             start += block.exosystem.len();

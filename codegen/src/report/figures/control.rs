@@ -10,11 +10,14 @@ pub(super) fn figure(report: &Report<'_>) -> Option<Figure> {
         let u = shown(table, &format!("u_sat.{}", channel.name), channel)?;
         let limit = input.limit / channel.factor;
         let level = |label, value| line(label, Ink::Limit, vec![value; u.len()]);
-        let marks = vec![
-            level("limits", limit),
-            level("", -limit),
-            line(&channel.name, Ink::Actual, u.clone()),
-        ];
+        let mut marks = vec![level("limits", limit), level("", -limit)];
+        match shown(table, &format!("u_act.{}", channel.name), channel) {
+            None => marks.push(line(&channel.name, Ink::Actual, u.clone())),
+            Some(felt) => {
+                marks.push(line("command", Ink::Reference, u.clone()));
+                marks.push(line(&channel.name, Ink::Actual, felt));
+            }
+        }
         plot(
             table,
             format!("input {}", channel.name),
@@ -23,7 +26,7 @@ pub(super) fn figure(report: &Report<'_>) -> Option<Figure> {
         )
     });
     let caption =
-        "Each control input as the plant receives it, after saturation, between its limits."
+        "Each control input as the plant receives it, after saturation and what its actuator makes of it, between its limits."
             .to_owned();
     Some(Figure {
         number: 7,

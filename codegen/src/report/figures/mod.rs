@@ -4,6 +4,7 @@ mod campaign;
 mod control;
 mod disturbance;
 mod envelope;
+mod flown;
 mod lyapunov;
 mod tracking;
 
@@ -13,7 +14,7 @@ use super::{Report, Table};
 
 /// A numbered group of plots with its caption.
 pub(super) struct Figure {
-    /// Number in the paper; 8 and 9 are ours.
+    /// Number in the paper; those from 8 on are ours.
     pub number: u32,
     /// Heading.
     pub title: &'static str,
@@ -37,7 +38,12 @@ pub(super) fn figures(report: &Report<'_>) -> Vec<Figure> {
         lyapunov::figure(report),
     ];
     let campaign = report.band.and_then(|band| campaign::figure(report, band));
-    let figures = trajectory.into_iter().flatten().chain(campaign);
+    let flown = flown::figure(report);
+    let figures = trajectory
+        .into_iter()
+        .flatten()
+        .chain(campaign)
+        .chain(flown);
     figures.filter(|figure| !figure.plots.is_empty()).collect()
 }
 

@@ -10,8 +10,11 @@ pub(super) fn figure(report: &Report<'_>) -> Option<Figure> {
         let y = shown(table, &format!("x1.{}", channel.name), channel)?;
         let reference = shown(table, &format!("y_r.{}", channel.name), channel);
         let reference = reference.map(|reference| line("reference", Ink::Reference, reference));
-        let marks = [line(&channel.name, Ink::Actual, y)]
+        let measured = shown(table, &format!("y.{}", channel.name), channel);
+        let measured = measured.map(|measured| line("measured", Ink::Estimate, measured));
+        let marks = measured
             .into_iter()
+            .chain([line(&channel.name, Ink::Actual, y)])
             .chain(reference)
             .collect();
         plot(

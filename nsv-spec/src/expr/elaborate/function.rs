@@ -146,6 +146,7 @@ impl Elaborator<'_> {
             arena: &mut *self.arena,
             bound,
             depth: self.depth + 1,
+            unit_until: None,
             values: Vec::new(),
             faults: Vec::new(),
             unknown: BTreeSet::new(),

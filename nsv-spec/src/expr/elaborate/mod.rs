@@ -42,6 +42,7 @@ pub fn elaborate(
         values: Vec::new(),
         faults: Vec::new(),
         unknown: BTreeSet::new(),
+        unit_until: None,
     };
     let root = elaborator.root();
     let mut faults = elaborator.faults;
@@ -62,6 +63,8 @@ struct Elaborator<'a> {
     faults: Vec<Diagnostic>,
     /// Unknown names, each reported where it comes first.
     unknown: BTreeSet<String>,
+    /// End of the last name that was meant for a unit.
+    unit_until: Option<u32>,
 }
 
 impl Elaborator<'_> {

@@ -3,9 +3,9 @@
 use super::{Bits, Dimension, Elaborator, ExprId, Fault, Node, Span, Symbol, Type};
 use crate::diagnostic::{Rule, quoted};
 use crate::expr::builtin;
-use crate::expr::syntax::Name;
+use crate::expr::syntax::{self, Kind, Name};
 use crate::suggest::nearest;
-use crate::unit::parse_unit;
+use crate::unit::{self, parse_unit};
 
 impl Elaborator<'_> {
     /// The value that a name stands for.
@@ -61,11 +61,18 @@ impl Elaborator<'_> {
     }
 
     pub(super) fn unavailable(&mut self, span: Span, name: &str, why: String) -> Option<ExprId> {
-        self.report(
+        self.report::<()>(
             span,
             Fault::new(Rule::E0303, format!("`{name}` cannot be used here"), why),
             &[],
-        )
+        );
+        if let Some(origin) = self.scope.origin(name)
+            && let Some(fault) = self.faults.pop()
+        {
+            let label = format!("it is a {}, declared here", origin.noun);
+            self.faults.push(fault.with_related(origin.span, label));
+        }
+        None
     }
 
     fn function_as_value(&mut self, span: Span, name: &str) -> Option<ExprId> {
@@ -88,6 +95,9 @@ impl Elaborator<'_> {
             text: name.to_owned(),
             span,
         };
+        if self.follows_unit(span) {
+            return self.unknown_unit(&written);
+        }
         let meant = nearest(name, self.known_names());
         let message = format!("unknown name {}", quoted(name));
         let fault = Fault::unknown(
@@ -101,5 +111,36 @@ impl Elaborator<'_> {
             },
         );
         self.report(span, fault, &[])
+    }
+
+    /// Whether a name stands behind a unit and one operator without blanks, as `sec` in `3 m/sec`, or behind such a name.
+    fn follows_unit(&self, span: Span) -> bool {
+        let touches = |end: u32| end + 1 == span.start;
+        let literal = |node: &syntax::Node| match &node.kind {
+            Kind::Number(literal) => literal.unit.is_some() && touches(node.span.end),
+            _ => false,
+        };
+        self.unit_until.is_some_and(touches) || self.expr.nodes().iter().any(literal)
+    }
+
+    /// A name that was meant for a unit. What continues the unit is passed over.
+    fn unknown_unit(&mut self, name: &Name) -> Option<ExprId> {
+        let continues = self.unit_until.is_some();
+        let meant = unit::meant(&name.text);
+        if meant.is_none() && !(continues && parse_unit(&name.text).is_ok()) {
+            let message = format!("unknown name {}", quoted(&name.text));
+            let near = nearest(&name.text, self.scope.names());
+            let fault = Fault::unknown(Rule::E0301, message, name, near, || {
+                "it is neither a unit nor declared as a name".to_owned()
+            });
+            return self.report(name.span, fault, &[]);
+        }
+        self.unit_until = Some(name.span.end);
+        if let (Some(meant), false) = (meant, continues) {
+            let message = format!("unknown unit {}", quoted(&name.text));
+            let fault = Fault::unknown(Rule::E0401, message, name, Some(meant), String::new);
+            return self.report(name.span, fault, &[]);
+        }
+        None
     }
 }

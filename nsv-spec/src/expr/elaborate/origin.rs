@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, VecDeque};
 
 use super::{Elaborator, Kind, Span};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Related};
 use crate::expr::scope::{Scope, Symbol};
 use crate::expr::typing::Real;
 use crate::unit::Dimension;
@@ -40,7 +40,10 @@ pub(crate) fn with_origins<'a>(
         let (Some(real), Some(origin)) = (real(scope, &name), scope.origin(&name)) else {
             continue;
         };
-        if real.dimensions.iter().all(|one| *one == Dimension::ONE) {
+        let told = |related: &Related| related.span == origin.span;
+        if real.dimensions.iter().all(|one| *one == Dimension::ONE)
+            || diagnostic.related.iter().any(told)
+        {
             continue;
         }
         let label = format!(

@@ -209,6 +209,7 @@ fn a_wrong_kind_of_value_is_refused_at_its_place() {
             shape,
             dimensions: &dimensions,
             reasons: &[],
+            columns: &[],
         };
         match expect(&arena, id, base(text).span, &expected) {
             Ok(()) => "accepted".to_owned(),

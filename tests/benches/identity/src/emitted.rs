@@ -151,7 +151,8 @@ macro_rules! module {
         exosystems: [$($w:ident)*],
         initial: [$($last:ident)?],
         state: [$($state:ident)*],
-        control: [u u_sat violated $($control:ident)*],
+        truths: [$($truth:ident)?],
+        control: [u u_sat $($control:ident)*],
         plant: [$($plant:ident)*]
     ) => {
         #[doc = concat!("`nsv_generated::", stringify!($module), "`")]
@@ -224,7 +225,7 @@ macro_rules! module {
                 const NAME: &'static str = "control";
 
                 fn results() -> Vec<String> {
-                    let signals = ["u", "u_sat", "violated", $(stringify!($control)),*].map(str::to_owned);
+                    let signals = ["u", "u_sat", $(stringify!($truth),)? $(stringify!($control)),*].map(str::to_owned);
                     signals.into_iter().chain(Emitted::STATE.iter().map(|name| format!("next.{name}"))).collect()
                 }
 
@@ -234,10 +235,10 @@ macro_rules! module {
                     $(let $x = Flat::take(&mut x);)*
                     let mut state = state(point.state);
                     let outputs = controller::control(point.t, $($x,)* &mut state, &params(point.params));
-                    let ControlOutputs { u, u_sat, violated, $($control),* } = outputs;
+                    let ControlOutputs { u, u_sat, $($truth,)? $($control),* } = outputs;
                     u.put(results);
                     u_sat.put(results);
-                    results.truth(violated);
+                    $(results.truth($truth);)?
                     $($control.put(results);)*
                     put_state(&state, results);
                 }

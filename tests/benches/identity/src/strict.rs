@@ -112,10 +112,11 @@ impl Worker<'_> {
     /// Counts what the law met.
     fn classify(&mut self, control: usize, results: &[f64]) {
         let places = &self.functions[control].places;
-        let [u, violated] = ["u", "violated"].map(|name| &places.iter().find(|(known, _)| known == name).expect("every law has it").1);
+        let place = |name| places.iter().find(|(known, _)| known == name).map(|(_, place)| place);
+        let (u, violated) = (place("u").expect("every law has it"), place("violated"));
         for results in results.chunks(self.functions[control].size()) {
             let limited = || results[u.clone()].iter().zip(self.limits);
-            self.law[0] += u64::from(results[violated.start] != 0.0);
+            self.law[0] += u64::from(violated.is_some_and(|place| results[place.start] != 0.0));
             self.law[1] += u64::from(limited().any(|(u, limit)| u.abs() > *limit));
             self.law[2] += u64::from(limited().any(|(u, limit)| u.abs() == *limit));
         }

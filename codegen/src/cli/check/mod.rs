@@ -1,8 +1,12 @@
 //! `nsv check`: every fault of a specification.
 
+mod fix;
+mod sarif;
+
 use std::path::{Path, PathBuf};
 
-use nsv_spec::diagnostic::Diagnostics;
+use nsv_spec::compose::Composition;
+use nsv_spec::diagnostic::{Diagnostic, Diagnostics};
 use nsv_spec::model::Model;
 use serde_json::{Value, json};
 
@@ -10,6 +14,7 @@ use super::compile::show;
 use super::failure::{Exit, Failure};
 use super::output::{self, note};
 use super::render::records;
+use super::settings::Overrides;
 
 /// Check specifications: names, units, shapes, ranges; every fault at once, with its place
 #[derive(clap::Args)]
@@ -17,9 +22,17 @@ pub(crate) struct Args {
     /// Specifications to check
     #[arg(required = true, value_name = "SPEC")]
     specs: Vec<PathBuf>,
+    #[command(flatten)]
+    settings: Overrides,
     /// List the defaults that were filled in
     #[arg(short, long)]
     verbose: bool,
+    /// Apply the changes that are certain to mend a fault, and show what is left
+    #[arg(long)]
+    fix: bool,
+    /// Fail if there are warnings
+    #[arg(long)]
+    deny_warnings: bool,
     /// How faults are shown
     #[arg(long, value_enum, default_value_t = Format::Human)]
     format: Format,
@@ -33,49 +46,84 @@ enum Format {
     Short,
     /// One JSON document on standard output
     Json,
+    /// SARIF 2.1.0 on standard output, for code hosts and editors
+    Sarif,
 }
 
 struct Checked<'a> {
     path: &'a Path,
+    /// The values of a sweep, if it is not the specification itself.
+    variant: Option<String>,
     model: Option<Model>,
     faults: Diagnostics,
 }
 
 /// Runs the verb.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
-    let checked: Vec<Checked<'_>> = args.specs.iter().map(|path| check(path)).collect();
+    let mut checked: Vec<Checked<'_>> = Vec::new();
+    for path in &args.specs {
+        checked.extend(match args.fix {
+            true => fix::run(path, &args.settings)?,
+            false => check(path, &args.settings),
+        });
+    }
     match args.format {
         Format::Json => {
             output::json(&json!({ "specs": checked.iter().map(document).collect::<Vec<_>>() }))?
         }
+        Format::Sarif => output::json(&sarif::log(checked.iter().map(|one| &one.faults)))?,
         format => checked
             .iter()
             .try_for_each(|one| tell(one, format, args.verbose))?,
     }
-    match checked.iter().all(|one| one.model.is_some()) {
+    let passes = |one: &Checked<'_>| {
+        one.model.is_some() && (!args.deny_warnings || one.faults.items.is_empty())
+    };
+    match checked.iter().all(passes) {
         true => Ok(()),
         false => Err(Failure::Reported(Exit::Spec)),
     }
 }
 
-fn check(path: &Path) -> Checked<'_> {
-    match nsv_spec::load(path) {
-        Ok((model, warnings)) => {
-            let faults = Diagnostics {
-                sources: model.sources.clone(),
-                items: warnings,
-            };
-            Checked {
-                path,
-                model: Some(model),
-                faults,
-            }
+/// The specification itself; if there is no fault in it, also each variant of its sweep.
+fn check<'a>(path: &'a Path, settings: &Overrides) -> Vec<Checked<'a>> {
+    let composition = match Composition::read(path, &settings.values) {
+        Ok(composition) => composition,
+        Err(faults) => return vec![checked(path, None, Err(faults))],
+    };
+    let mut all = vec![checked(path, None, composition.base())];
+    if all[0].model.is_none() {
+        return all;
+    }
+    let known = all[0].faults.items.clone();
+    for variant in composition.variants() {
+        let mut one = composition.variant(&variant);
+        // What is said of the specification itself need not be said again.
+        if let Ok((_, warnings)) = &mut one {
+            warnings.retain(|warning| !known.contains(warning));
         }
-        Err(faults) => Checked {
-            path,
-            model: None,
-            faults,
-        },
+        all.push(checked(path, Some(variant.settings().join(", ")), one));
+    }
+    all
+}
+
+fn checked<'a>(
+    path: &'a Path,
+    variant: Option<String>,
+    outcome: Result<(Model, Vec<Diagnostic>), Diagnostics>,
+) -> Checked<'a> {
+    let (model, faults) = match outcome {
+        Ok((model, items)) => {
+            let sources = model.sources.clone();
+            (Some(model), Diagnostics { sources, items })
+        }
+        Err(faults) => (None, faults),
+    };
+    Checked {
+        path,
+        variant,
+        model,
+        faults,
     }
 }
 
@@ -84,7 +132,10 @@ fn tell(checked: &Checked<'_>, format: Format, verbose: bool) -> Result<(), Fail
         Format::Short => note(checked.faults.short().trim_end_matches('\n')),
         _ => show(&checked.faults),
     }
-    let path = checked.path.display();
+    let path = match &checked.variant {
+        Some(variant) => format!("{} with {variant}", checked.path.display()),
+        None => checked.path.display().to_string(),
+    };
     let Some(model) = &checked.model else {
         let errors = checked
             .faults
@@ -99,7 +150,7 @@ fn tell(checked: &Checked<'_>, format: Format, verbose: bool) -> Result<(), Fail
         return Ok(());
     };
     note(format_args!("{path}: ok, {}", size(model)));
-    if verbose {
+    if verbose && checked.variant.is_none() {
         let lines: String = model
             .defaults
             .iter()
@@ -124,6 +175,7 @@ fn document(checked: &Checked<'_>) -> Value {
     let model = checked.model.as_ref();
     json!({
         "path": checked.path.to_string_lossy(),
+        "variant": checked.variant,
         "ok": model.is_some(),
         "name": model.map(|model| &model.name),
         "hash": model.map(|model| &model.hash),

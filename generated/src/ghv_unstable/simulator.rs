@@ -1,0 +1,312 @@
+// SHA-256 of the text below: c0c39335389d3a63f9880649c17af3b52283c46e2a1cad8718a519139514523f
+// nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
+// specification sha256 133ae3f0312b7831c9ddba2dc983f02998784ec4e084658743b26df4ccf9e0cc
+
+//! `ghv_unstable`: closed loop of controller and plant.
+#![allow(non_snake_case, reason = "names are those of the equations")]
+#![allow(clippy::too_many_arguments, reason = "as in the equations")]
+#![allow(clippy::approx_constant, reason = "numbers are as specified")]
+#![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
+
+use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State, clock};
+use super::lyapunov;
+use super::params::Params;
+use super::plant;
+use super::plant::{INITIAL_STATE, NOISE_CHANNELS, Plant, STATES};
+use nsv_runtime::closed_loop::{ClosedLoop, Options, Runs};
+use nsv_runtime::linear::Vector;
+use nsv_runtime::noise::Noise;
+use nsv_runtime::real::{Mask, Real};
+use nsv_runtime::sde;
+use nsv_runtime::sde::Scheme;
+
+/// Length of a run, s.
+pub const HORIZON: f64 = 20.0;
+
+/// Plant steps per sample.
+pub const SUBSTEPS: u32 = 2;
+
+/// Length of a plant step, s.
+pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;
+
+/// Runs of controller and plant, one in each lane.
+#[derive(Clone, Debug)]
+pub struct Simulator<T: Real = f64> {
+    controller: Controller<T>,
+    truth: Params<T>,
+    prepared: plant::Prepared<T>,
+    x: Vector<T, STATES>,
+    state: State<T>,
+    output: Output<T>,
+    sample: u64,
+    noise: Option<Noise<T>>,
+}
+
+impl<T: Real> Simulator<T> {
+    /// Time of the sample, s.
+    #[inline(always)]
+    pub fn time(&self) -> f64 {
+        self.sample as f64 * SAMPLE_TIME
+    }
+
+    /// The plant's parameters in this run.
+    #[inline(always)]
+    pub fn params(&self) -> &Params<T> {
+        &self.truth
+    }
+
+    /// The plant's state.
+    #[inline(always)]
+    pub fn state(&self) -> &Vector<T, STATES> {
+        &self.x
+    }
+
+    /// Output of the controller at the sample.
+    #[inline(always)]
+    pub fn output(&self) -> &Output<T> {
+        &self.output
+    }
+
+    /// State of block 1.
+    #[inline(always)]
+    fn x1(&self) -> Vector<T, 3> {
+        Vector([self.x[0], self.x[1], self.x[2]])
+    }
+
+    /// State of block 2.
+    #[inline(always)]
+    fn x2(&self) -> Vector<T, 3> {
+        Vector([self.x[3], self.x[4], self.x[5]])
+    }
+
+    /// Exosystem states of block 2.
+    #[inline(always)]
+    fn w2(&self) -> Vector<T, 6> {
+        Vector([self.x[6], self.x[7], self.x[8], self.x[9], self.x[10], self.x[11]])
+    }
+
+    /// Standard normal draws of all channels; zeros in a run without noise.
+    #[inline(always)]
+    fn draw(&self, step: u64) -> Vector<T, NOISE_CHANNELS> {
+        match &self.noise {
+            Some(noise) => noise.normals(step),
+            None => Vector::zero(),
+        }
+    }
+}
+
+impl ClosedLoop for Simulator<f64> {
+    const NAME: &'static str = "ghv_unstable";
+    const SAMPLE_TIME: f64 = SAMPLE_TIME;
+    const OUTPUTS: &'static [&'static str] = &["alpha", "beta", "mu"];
+    const INPUTS: &'static [&'static str] = &["M_x", "M_y", "M_z"];
+    const SIGNALS: &'static [&'static str] = &[
+        "t",
+        "x1.alpha",
+        "x1.beta",
+        "x1.mu",
+        "e1.alpha",
+        "e1.beta",
+        "e1.mu",
+        "k1",
+        "ratio1",
+        "alpha1.p",
+        "alpha1.q",
+        "alpha1.r",
+        "h1.p",
+        "h1.q",
+        "h1.r",
+        "d1.alpha",
+        "d1.beta",
+        "d1.mu",
+        "D_hat1.alpha",
+        "D_hat1.beta",
+        "D_hat1.mu",
+        "x2.p",
+        "x2.q",
+        "x2.r",
+        "e2.p",
+        "e2.q",
+        "e2.r",
+        "k2",
+        "ratio2",
+        "d2.p",
+        "d2.q",
+        "d2.r",
+        "D_hat2.p",
+        "D_hat2.q",
+        "D_hat2.r",
+        "y_r.alpha",
+        "y_r.beta",
+        "y_r.mu",
+        "u.M_x",
+        "u.M_y",
+        "u.M_z",
+        "u_sat.M_x",
+        "u_sat.M_y",
+        "u_sat.M_z",
+        "V",
+        "LV",
+    ];
+    type Runs<T: Real> = Simulator<T>;
+}
+impl<T: Real> Runs<T> for Simulator<T> {
+    #[inline(always)]
+    fn new(options: &Options) -> Self {
+        let truth = if options.dispersion {
+            Params::dispersed(&Noise::dispersion(options.seed, options.run))
+        } else {
+            Params::plant()
+        };
+        let x = Vector::from_f64(INITIAL_STATE);
+        let mut controller = Controller::new(Params::design());
+        controller
+            .reset(T::zero(), Vector([x[0], x[1], x[2]]), Vector([x[3], x[4], x[5]]));
+        let state = *controller.state();
+        let process = Noise::process(options.seed, options.run);
+        Self {
+            prepared: plant::prepare(&truth),
+            controller,
+            truth,
+            x,
+            state,
+            output: Output::zero(),
+            sample: 0,
+            noise: options.noise.then_some(process),
+        }
+    }
+
+    #[inline(always)]
+    fn observe(&mut self) {
+        self.state = *self.controller.state();
+    }
+
+    #[inline(always)]
+    fn control(&mut self) {
+        let t = T::from_f64(self.time());
+        self.output = self
+            .controller
+            .step_at(
+                t,
+                &Clock::splat(&clock(T::Scalar::from_f64(self.time()))),
+                self.x1(),
+                self.x2(),
+            );
+    }
+
+    #[inline(always)]
+    fn advance(&mut self) {
+        let plant = Plant {
+            params: self.truth,
+            prepared: self.prepared,
+            u_sat: self.output.u_sat,
+        };
+        for substep in 0..SUBSTEPS {
+            let t = self.time() + f64::from(substep) * SUBSTEP;
+            let step = self.sample * u64::from(SUBSTEPS) + u64::from(substep);
+            let dw = self.draw(step) * T::from_f64(SUBSTEP).sqrt();
+            self.x = sde::step(Scheme::Platen, &plant, t, &self.x, SUBSTEP, &dw);
+        }
+        self.sample += 1;
+    }
+
+    #[inline(always)]
+    fn telemetry(&self, row: &mut [T]) {
+        let (t, law) = (T::from_f64(self.time()), &self.output);
+        let x1 = self.x1();
+        let x2 = self.x2();
+        let rate = plant::plant(t, self.x, law.u_sat, &self.truth);
+        let lyapunov = if T::IS_SCALAR {
+            lyapunov::lyapunov(
+                t,
+                x1,
+                x2,
+                self.w2(),
+                &self.state,
+                self.controller.params(),
+                &self.truth,
+            )
+        } else {
+            lyapunov::LyapunovOutputs {
+                V: T::from_f64(f64::NAN),
+                LV: T::from_f64(f64::NAN),
+            }
+        };
+        let values = [
+            t,
+            x1[0],
+            x1[1],
+            x1[2],
+            law.e1[0],
+            law.e1[1],
+            law.e1[2],
+            law.k1,
+            law.e1.sum_squares().sqrt() / law.k1,
+            law.alpha1[0],
+            law.alpha1[1],
+            law.alpha1[2],
+            self.state.h1[0],
+            self.state.h1[1],
+            self.state.h1[2],
+            rate.d1[0],
+            rate.d1[1],
+            rate.d1[2],
+            law.D_hat1[0],
+            law.D_hat1[1],
+            law.D_hat1[2],
+            x2[0],
+            x2[1],
+            x2[2],
+            law.e2[0],
+            law.e2[1],
+            law.e2[2],
+            law.k2,
+            law.e2.sum_squares().sqrt() / law.k2,
+            rate.d2[0],
+            rate.d2[1],
+            rate.d2[2],
+            law.D_hat2[0],
+            law.D_hat2[1],
+            law.D_hat2[2],
+            law.y_r[0],
+            law.y_r[1],
+            law.y_r[2],
+            law.u[0],
+            law.u[1],
+            law.u[2],
+            law.u_sat[0],
+            law.u_sat[1],
+            law.u_sat[2],
+            lyapunov.V,
+            lyapunov.LV,
+        ];
+        row.copy_from_slice(&values);
+    }
+
+    #[inline(always)]
+    fn constraint_ratio(&self) -> T {
+        self.output.e1.sum_squares().sqrt() / self.output.k1
+    }
+
+    #[inline(always)]
+    fn tracking_error(&self, error: &mut [T]) {
+        error.copy_from_slice(&(self.x1() - self.output.y_r).0);
+    }
+
+    #[inline(always)]
+    fn saturated(&self, saturated: &mut [T::Mask]) {
+        saturated
+            .copy_from_slice(
+                &[
+                    self.output.u[0].ne(self.output.u_sat[0]),
+                    self.output.u[1].ne(self.output.u_sat[1]),
+                    self.output.u[2].ne(self.output.u_sat[2]),
+                ],
+            );
+    }
+
+    #[inline(always)]
+    fn is_finite(&self) -> T::Mask {
+        self.output.valid.and(self.x.is_finite())
+    }
+}

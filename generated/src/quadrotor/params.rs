@@ -1,0 +1,59 @@
+// SHA-256 of the text below: 8ae5df1fd50007ba59983700e5d190e3a44049adec518207e8f84865d389c33a
+// nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
+// specification sha256 3cd74c6a44d9432abc24d8808c619aec204d90e97927d612360bef1bbe8706df
+
+//! `quadrotor`: run-time parameters.
+#![allow(non_snake_case, reason = "names are those of the equations")]
+#![allow(clippy::too_many_arguments, reason = "as in the equations")]
+#![allow(clippy::approx_constant, reason = "numbers are as specified")]
+#![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
+
+use nsv_runtime::noise::Noise;
+use nsv_runtime::real::Real;
+
+/// Run-time parameters, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub struct Params<T> {
+    /// Unit: dimensionless. Plant 1.0, dispersed uniformly between 0.8 and 1.3; controller 1.0.
+    /// Source: chosen.
+    pub roll_scale: T,
+    /// Unit: dimensionless. Plant 1.0, dispersed uniformly between 0.8 and 1.3; controller 1.0.
+    /// Source: chosen.
+    pub pitch_scale: T,
+    /// Unit: dimensionless. Plant 1.0, dispersed uniformly between 0.8 and 1.3; controller 1.0.
+    /// Source: chosen.
+    pub yaw_scale: T,
+}
+
+impl<T: Real> Params<T> {
+    /// The plant's nominal values.
+    #[inline(always)]
+    pub fn plant() -> Self {
+        Self {
+            roll_scale: T::from_f64(1.0),
+            pitch_scale: T::from_f64(1.0),
+            yaw_scale: T::from_f64(1.0),
+        }
+    }
+
+    /// The values that the controller is designed with.
+    #[inline(always)]
+    pub fn design() -> Self {
+        Self {
+            roll_scale: T::from_f64(1.0),
+            pitch_scale: T::from_f64(1.0),
+            yaw_scale: T::from_f64(1.0),
+        }
+    }
+
+    /// The plant's values in each lane's run, drawn from the dispersions of the specification.
+    #[inline(always)]
+    pub fn dispersed(noise: &Noise<T>) -> Self {
+        Self {
+            roll_scale: T::from_f64(0.8) + T::from_f64(1.3 - 0.8) * noise.uniform(0, 0),
+            pitch_scale: T::from_f64(0.8) + T::from_f64(1.3 - 0.8) * noise.uniform(0, 1),
+            yaw_scale: T::from_f64(0.8) + T::from_f64(1.3 - 0.8) * noise.uniform(0, 2),
+        }
+    }
+}

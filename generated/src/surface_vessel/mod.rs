@@ -1,0 +1,22 @@
+// SHA-256 of the text below: 86ff0c75637c417d4467e914d520ae324cfd8c0a6fd1f35f9ad65a3695187d92
+// nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
+// specification sha256 7709ac9dadc6e0d55c9f2766fd114c93b77a2eb45a027fca7fc9fa1a44d38c56
+
+//! Surface vessel in waves and a current
+
+pub mod controller;
+pub mod lyapunov;
+pub mod params;
+pub mod plant;
+pub mod polynomials;
+pub mod simulator;
+
+pub use controller::{Controller, Output, State};
+pub use params::Params;
+pub use simulator::Simulator;
+
+/// SHA-256 of the specification.
+pub const SPEC_HASH: &str = "7709ac9dadc6e0d55c9f2766fd114c93b77a2eb45a027fca7fc9fa1a44d38c56";
+
+/// Version of the generator.
+pub const GENERATOR: &str = "0.1.0";

@@ -1,0 +1,53 @@
+// SHA-256 of the text below: 01079f2a5028135b21eabda184017e6983d26f2bd88aa4be0f09fc948b4ffb97
+// nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
+// specification sha256 7709ac9dadc6e0d55c9f2766fd114c93b77a2eb45a027fca7fc9fa1a44d38c56
+
+//! `surface_vessel`: run-time parameters.
+#![allow(non_snake_case, reason = "names are those of the equations")]
+#![allow(clippy::too_many_arguments, reason = "as in the equations")]
+#![allow(clippy::approx_constant, reason = "numbers are as specified")]
+#![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
+
+use nsv_runtime::noise::Noise;
+use nsv_runtime::real::Real;
+
+/// Run-time parameters, in SI units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub struct Params<T> {
+    /// Unit: dimensionless. Plant 1.0, dispersed uniformly between 0.8 and 1.2; controller 1.0.
+    /// Source: chosen.
+    pub added_scale: T,
+    /// Unit: dimensionless. Plant 1.0, dispersed normally with mean 1.0 and standard deviation 0.15;
+    /// controller 1.0. Source: chosen.
+    pub damping_scale: T,
+}
+
+impl<T: Real> Params<T> {
+    /// The plant's nominal values.
+    #[inline(always)]
+    pub fn plant() -> Self {
+        Self {
+            added_scale: T::from_f64(1.0),
+            damping_scale: T::from_f64(1.0),
+        }
+    }
+
+    /// The values that the controller is designed with.
+    #[inline(always)]
+    pub fn design() -> Self {
+        Self {
+            added_scale: T::from_f64(1.0),
+            damping_scale: T::from_f64(1.0),
+        }
+    }
+
+    /// The plant's values in each lane's run, drawn from the dispersions of the specification.
+    #[inline(always)]
+    pub fn dispersed(noise: &Noise<T>) -> Self {
+        Self {
+            added_scale: T::from_f64(0.8) + T::from_f64(1.2 - 0.8) * noise.uniform(0, 0),
+            damping_scale: T::from_f64(1.0) + T::from_f64(0.15) * noise.normal(0, 1),
+        }
+    }
+}

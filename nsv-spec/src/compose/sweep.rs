@@ -1,0 +1,180 @@
+//! `scenario.sweep`: the same specification with several values.
+
+use super::path::{keys, set};
+use super::setting;
+use crate::diagnostic::{Diagnostic, Rule, SourceMap, Span};
+use crate::yaml::{Entry, Key, Kind, Node, excerpt};
+
+/// Most combinations. Each is compiled and flown.
+pub const MAX_VARIANTS: usize = 100;
+
+/// One key with its values.
+#[derive(Clone, Debug)]
+struct Axis {
+    path: Vec<Key>,
+    name: String,
+    values: Vec<Node>,
+}
+
+/// The keys that are swept, in the order of the specification.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Sweep {
+    axes: Vec<Axis>,
+}
+
+/// One combination of swept values: the specification as `--set` with each of them would make it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Variant {
+    /// Paths and values as text, in the order of the specification.
+    pub values: Vec<(String, String)>,
+    /// Which value of each axis.
+    chosen: Vec<usize>,
+}
+
+impl Variant {
+    /// The values as settings.
+    pub fn settings(&self) -> Vec<String> {
+        let setting = |(path, value): &(String, String)| format!("{path}={value}");
+        self.values.iter().map(setting).collect()
+    }
+}
+
+impl Sweep {
+    /// Takes the sweep out of a tree. A path in `fixed` is not swept, since it was set by hand.
+    pub(super) fn take(tree: &mut Node, fixed: &[String]) -> Result<Sweep, Vec<Diagnostic>> {
+        let Some(entry) = entry(tree) else {
+            return Ok(Sweep::default());
+        };
+        let Kind::Map(entries) = entry.value.kind else {
+            let found = entry.value.describe();
+            let message = format!("found {found}, expected a map from paths to lists of values");
+            return Err(vec![fault(entry.value.span, message, EXAMPLE)]);
+        };
+        let too_many = || {
+            let message = format!("sweep has more than {MAX_VARIANTS} combinations");
+            let help = "sweep fewer values, or fewer keys at once";
+            fault(entry.key.span, message, help)
+        };
+        let listed: usize = entries.iter().map(|entry| length(&entry.value)).sum();
+        // Each value is tried, which takes time.
+        if listed > 2 * MAX_VARIANTS {
+            return Err(vec![too_many()]);
+        }
+        let (mut axes, mut faults): (Vec<Axis>, Vec<Diagnostic>) = Default::default();
+        for entry in entries {
+            let twice = axes.iter().any(|axis| axis.name == entry.key.text);
+            match axis(tree, entry, twice) {
+                Ok(axis) => axes.push(axis),
+                Err(fault) => faults.push(*fault),
+            }
+        }
+        axes.retain(|axis| !fixed.contains(&axis.name));
+        let lengths = axes.iter().map(|axis| axis.values.len());
+        let count = lengths.fold(1_usize, usize::saturating_mul);
+        if count > MAX_VARIANTS {
+            faults.push(too_many());
+        }
+        match faults.is_empty() {
+            true => Ok(Sweep { axes }),
+            false => Err(faults),
+        }
+    }
+
+    /// Every combination, the last key changing fastest; none if nothing is swept.
+    pub(super) fn variants(&self) -> Vec<Variant> {
+        if self.axes.is_empty() {
+            return Vec::new();
+        }
+        let count: usize = self.axes.iter().map(|axis| axis.values.len()).product();
+        (0..count).map(|at| self.variant(at)).collect()
+    }
+
+    fn variant(&self, mut at: usize) -> Variant {
+        let mut chosen = Vec::new();
+        for axis in self.axes.iter().rev() {
+            chosen.push(at % axis.values.len());
+            at /= axis.values.len();
+        }
+        chosen.reverse();
+        let value = |(axis, &at): (&Axis, &usize)| (axis.name.clone(), axis.values[at].flow());
+        Variant {
+            values: self.axes.iter().zip(&chosen).map(value).collect(),
+            chosen,
+        }
+    }
+
+    /// Puts the values of a variant into a tree, and its settings among the sources as the command line would.
+    pub(super) fn apply(
+        &self,
+        variant: &Variant,
+        tree: &mut Node,
+        sources: &mut SourceMap,
+    ) -> Result<(), Vec<Diagnostic>> {
+        for (axis, &at) in self.axes.iter().zip(&variant.chosen) {
+            let value = &axis.values[at];
+            sources.add_virtual(
+                "command line",
+                setting::shown(&axis.name, &value.flow()).into(),
+            );
+            set(tree, &axis.path, value.clone()).map_err(|fault| vec![*fault])?;
+        }
+        Ok(())
+    }
+}
+
+/// What a sweep looks like.
+const EXAMPLE: &str = "write `sweep: {controller.blocks.position.K: [2, 4, 8]}`";
+
+fn fault(span: Span, message: impl Into<String>, help: &str) -> Diagnostic {
+    Diagnostic::error(Rule::E0033, span, message).with_help(help)
+}
+
+fn length(node: &Node) -> usize {
+    match &node.kind {
+        Kind::Seq(items) => items.len(),
+        _ => 1,
+    }
+}
+
+/// One key of a sweep. Every value must find its place in the tree.
+fn axis(tree: &Node, entry: Entry, twice: bool) -> Result<Axis, Box<Diagnostic>> {
+    let (name, span) = (entry.key.text, entry.key.span);
+    let Kind::Seq(values) = entry.value.kind else {
+        let message = format!(
+            "found {}, expected a list of values",
+            entry.value.describe()
+        );
+        return Err(Box::new(fault(entry.value.span, message, EXAMPLE)));
+    };
+    if values.is_empty() || twice {
+        let message = match twice {
+            true => format!("`{}` is swept twice", excerpt(&name)),
+            false => format!("`{}` is swept over no value", excerpt(&name)),
+        };
+        return Err(Box::new(fault(
+            span,
+            message,
+            "write one list with at least one value",
+        )));
+    }
+    let path = keys(&name, span);
+    for value in &values {
+        set(&mut tree.clone(), &path, value.clone())?;
+    }
+    Ok(Axis { path, name, values })
+}
+
+/// The entry `scenario.sweep`, taken out; a second one stays and is reported as a duplicate key.
+fn entry(tree: &mut Node) -> Option<Entry> {
+    let Kind::Map(sections) = &mut tree.kind else {
+        return None;
+    };
+    let scenario = sections
+        .iter_mut()
+        .find(|entry| entry.key.text == "scenario")?;
+    let Kind::Map(entries) = &mut scenario.value.kind else {
+        return None;
+    };
+    let at = entries.iter().position(|entry| entry.key.text == "sweep")?;
+    Some(entries.remove(at))
+}

@@ -1,0 +1,63 @@
+//! `extends`: a specification that is another one with changes.
+
+use std::path::Path;
+
+use super::Joiner;
+use crate::compose::overlay::overlay;
+use crate::diagnostic::{Diagnostic, Rule};
+use crate::yaml::{Entry, Kind, Node};
+
+/// What every specification says for itself.
+const OWN: [&str; 2] = ["name", "title"];
+
+impl Joiner<'_> {
+    /// Lays a tree, joined with what it includes, over the specification that it extends.
+    pub(super) fn extend(&mut self, tree: &mut Node, extends: Option<Node>, below: &Path) {
+        let Some(node) = extends else {
+            return;
+        };
+        let Kind::Scalar(scalar) = &node.kind else {
+            let message = format!(
+                "found {}, expected the name of one specification",
+                node.describe()
+            );
+            self.fault(
+                Rule::E0020,
+                node.span,
+                message,
+                "write `extends: base.yaml`",
+            );
+            return;
+        };
+        let Some(path) = self.resolve(&scalar.text, node.span, below) else {
+            return;
+        };
+        let name = below.join(&scalar.text);
+        let Some(mut base) = self.file(&name.display().to_string(), &path, node.span) else {
+            return;
+        };
+        let Kind::Map(entries) = &mut base.kind else {
+            let message = format!("found {}, expected a specification", base.describe());
+            let fault = Diagnostic::error(Rule::E0103, base.span, message)
+                .with_related(node.span, "extended here")
+                .with_help("extend a file with sections such as `plant:`");
+            self.faults.push(fault);
+            return;
+        };
+        entries.retain(|entry| !OWN.contains(&entry.key.text.as_str()));
+        self.open.push(path);
+        self.join(&mut base, name.parent().unwrap_or(below));
+        self.open.pop();
+        let top = std::mem::replace(tree, base);
+        overlay(tree, top, &mut self.faults);
+    }
+}
+
+/// Takes a key out of a tree; a second one stays, and is reported as a duplicate.
+pub(super) fn take(tree: &mut Node, key: &str) -> Option<Entry> {
+    let Kind::Map(entries) = &mut tree.kind else {
+        return None;
+    };
+    let at = entries.iter().position(|entry| entry.key.text == key)?;
+    Some(entries.remove(at))
+}
