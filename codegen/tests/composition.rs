@@ -70,7 +70,7 @@ fn every_variant_is_checked_and_options_for_one_campaign_are_refused() {
 #[test]
 fn a_new_specification_checks_clean_and_is_never_overwritten() {
     let folder = tempfile::tempdir().expect("a folder");
-    for template in ["pendulum", "chain", "attitude"] {
+    for template in ["arm", "chain", "attitude"] {
         let name = format!("my_{template}");
         let file = format!("{name}.yaml");
         check(

@@ -153,7 +153,7 @@ fn codes_are_explained_and_listed() {
     let output = nsv(&["explain", "E0101", "--format", "json"]);
     let document: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(document["severity"], "error");
-    let unknown = nsv(&["explain", "E04030"]);
+    let unknown = nsv(&["explain", "E0403x"]);
     assert_eq!(unknown.status.code(), Some(2));
     assert!(text(&unknown.stderr).contains("did you mean `E0403`?"));
 }

@@ -37,7 +37,9 @@ fn bare(settings: &[String]) -> Model {
     all.extend_from_slice(settings);
     let composition = Composition::read(Path::new("tests/good/pendulum.yaml"), &all);
     let loaded = composition.and_then(|composition| composition.base());
-    loaded.map_err(|faults| faults.short()).unwrap().0
+    loaded
+        .unwrap_or_else(|faults| panic!("{}", faults.short()))
+        .0
 }
 
 /// Defaults of the schema, with a path to where the pendulum may say them.
@@ -52,8 +54,8 @@ fn defaults() -> Vec<(String, String)> {
     ];
     let mut all = Vec::new();
     for (section, place) in places {
-        let properties = schema.pointer(section).unwrap()["properties"].clone();
-        for (key, value) in properties.as_object().unwrap() {
+        let properties = schema.pointer(section).expect("a section")["properties"].clone();
+        for (key, value) in properties.as_object().expect("a map") {
             if let Some(default) = value.get("default") {
                 let text = default
                     .as_str()

@@ -35,7 +35,7 @@ pub(crate) fn details(noun: &str, key: &str) -> Details {
 #[rustfmt::skip]
 pub(crate) const ROWS: &[Row] = &[
     ("a specification", "nsv", "", "", "1"),
-    ("a specification", "name", "", "", "pendulum"),
+    ("a specification", "name", "", "", "arm"),
     ("a specification", "title", "", "", "Single-link arm in a gusty wind"),
     ("a specification", "include", "", "", "[models/plant.yaml, {file: models/motor.yaml, with: {inertia: 0.02 kg*m^2}}]"),
     ("a specification", "extends", "", "", "base.yaml"),

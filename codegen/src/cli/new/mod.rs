@@ -28,7 +28,7 @@ pub(crate) struct Args {
 enum Template {
     /// An arm in the wind: two blocks of width 1, with a constraint, an observer and a network
     #[default]
-    Pendulum,
+    Arm,
     /// A mass on a spring with a motor: three blocks of width 1
     Chain,
     /// A rigid body: two blocks of width 3
@@ -38,7 +38,7 @@ enum Template {
 impl Template {
     fn text(self) -> &'static str {
         match self {
-            Template::Pendulum => include_str!("pendulum.yaml"),
+            Template::Arm => include_str!("arm.yaml"),
             Template::Chain => include_str!("chain.yaml"),
             Template::Attitude => include_str!("attitude.yaml"),
         }
@@ -56,7 +56,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     if args.name.is_empty() || !args.name.chars().all(plain) {
         let message = format!("`{}` is not a word in snake case", args.name.escape_debug());
         return Err(Failure::new(Exit::Usage, message)
-            .with_help("use lower-case letters, digits and `_`, such as `two_link_arm`"));
+            .with_help("use lower-case letters, digits and `_`, such as `my_robot`"));
     }
     let path = PathBuf::from(format!("{}.yaml", args.name));
     let text = args.template.named(&args.name);
