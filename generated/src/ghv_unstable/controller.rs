@@ -1,6 +1,6 @@
-// SHA-256 of the text below: a38547af312a0708fa6dabb62b03ad38fe23de350dfe46c8dbda53b60f93b992
+// SHA-256 of the text below: 3aca8098e40e41fa2a6afdd3c8395e84b12046f29f8087a4059581f7ec32f334
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 133ae3f0312b7831c9ddba2dc983f02998784ec4e084658743b26df4ccf9e0cc
+// specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 // initial: 59 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary functions, 3 comparisons and selections
 // control: 564 additions, 850 multiplications, 12 divisions, 4 square roots, 26 elementary functions, 18 comparisons and selections
 

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 3e207dbca4b2d6fef26004f442623ecbbfef6ea7b58f7e94bc77734d6fa70332
+// SHA-256 of the text below: 88fd3556a568a96acb70510e7cdccf0ee813290c21c31a5fc42d431587717ddf
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 133ae3f0312b7831c9ddba2dc983f02998784ec4e084658743b26df4ccf9e0cc
+// specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 // lyapunov: 1990 additions, 2481 multiplications, 20 divisions, 3 square roots, 30 elementary functions, 30 comparisons and selections
 
 //! `ghv_unstable`: Lyapunov function and its generator.

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 190528293eb7db64139d398de5292ba501815275ad0f16710051fc545602487c
+// SHA-256 of the text below: e105e1e3899f996eb72e425eebd2b2e486cd6f01ed2e5410de4a30324ea4f563
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 133ae3f0312b7831c9ddba2dc983f02998784ec4e084658743b26df4ccf9e0cc
+// specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 
 //! Statically unstable hypersonic vehicle
 
@@ -16,7 +16,7 @@ pub use params::Params;
 pub use simulator::Simulator;
 
 /// SHA-256 of the specification.
-pub const SPEC_HASH: &str = "133ae3f0312b7831c9ddba2dc983f02998784ec4e084658743b26df4ccf9e0cc";
+pub const SPEC_HASH: &str = "f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f";
 
 /// Version of the generator.
 pub const GENERATOR: &str = "0.1.0";

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 5e2552778d95b89ec1e48c10e2dcb13f2741d1c9e75d474bb1ea81f4c0b8e426
+// SHA-256 of the text below: 2fe144a892057992c38ad52a10f4f22f1e52aa860d4db650aa900e38b7a3b6d5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 133ae3f0312b7831c9ddba2dc983f02998784ec4e084658743b26df4ccf9e0cc
+// specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 
 //! `ghv_unstable`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

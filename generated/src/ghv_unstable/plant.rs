@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 9bd20cded19fa4c70ad63d2905a8dabb5d88c1db12d31a8a5dff175ac9213674
+// SHA-256 of the text below: c7870c25970b976ab0794a62458919ead0b6f763c340b60e2237fac3efc16ce1
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 133ae3f0312b7831c9ddba2dc983f02998784ec4e084658743b26df4ccf9e0cc
+// specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 // plant: 176 additions, 251 multiplications, 2 divisions, 0 square roots, 12 elementary functions, 0 comparisons and selections
 
 //! `ghv_unstable`: plant and disturbances.

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: f66938758e19b115ecaca016bde29bc6dbda93ddea15dc10b8bc972ec5aa0eb9
+// SHA-256 of the text below: 8e1930caff6b5516b13faceb0775c36703d77585576f8801b8adcca5c865428b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 133ae3f0312b7831c9ddba2dc983f02998784ec4e084658743b26df4ccf9e0cc
+// specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 
 //! `ghv_unstable`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: c0c39335389d3a63f9880649c17af3b52283c46e2a1cad8718a519139514523f
+// SHA-256 of the text below: dff316c0bda9c88609e3b1e163eb266851f7bb1bf0830dd2dc99918b71e93562
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 133ae3f0312b7831c9ddba2dc983f02998784ec4e084658743b26df4ccf9e0cc
+// specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 
 //! `ghv_unstable`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]
