@@ -15,11 +15,11 @@ fn replay(target: &str, read: fn(&[u8])) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../tests/fuzz/corpus")
         .join(target);
-    let files: Vec<_> = fs::read_dir(&folder).unwrap().collect();
+    let files: Vec<_> = fs::read_dir(&folder).expect("a corpus").collect();
     assert!(files.len() >= 5, "{} has no corpus", folder.display());
     for file in files {
-        let path = file.unwrap().path();
-        let bytes = fs::read(&path).unwrap();
+        let path = file.expect("an entry").path();
+        let bytes = fs::read(&path).expect("a file");
         let start = Instant::now();
         read(&bytes);
         assert!(start.elapsed() < MOMENT, "{}", path.display());

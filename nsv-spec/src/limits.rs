@@ -129,7 +129,7 @@ const TIME: &str = "
 ## Time and memory
 
 Within these limits a specification is read and checked, or refused, in less than a second by an optimised build on one core, in less than
-1 GB. That is what the fuzzer holds every input to (`-timeout=1 -rss_limit_mb=1024`, `tests/fuzz/README.md`); tests hold hostile texts that are
+1 GB. That is what the fuzzer holds every input to (`tests/fuzz/README.md`); tests hold hostile texts that are
 larger than its inputs to 5 seconds in an unoptimised build: a file of 10 MB, 100,000 brackets, an alias bomb, 10,000 definitions
 (`nsv-spec/tests/gallery.rs`).
 ";

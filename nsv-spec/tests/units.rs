@@ -46,7 +46,7 @@ fn plant(definitions: &str, reference: &str) -> Vec<Diagnostic> {
          scenario: {{horizon: 5 s, substeps: 4, scheme: rk4, noise: sampled}}\n"
     );
     let loaded = load_str("angles.yaml", &text);
-    let (_, mut warnings) = loaded.map_err(|faults| faults.short()).unwrap();
+    let (_, mut warnings) = loaded.unwrap_or_else(|faults| panic!("{}", faults.short()));
     warnings.retain(|warning| warning.rule.name() >= "W0010");
     warnings
 }

@@ -101,9 +101,9 @@ fn flow(tree: &Tree, draw: &mut Draw) -> String {
 
 /// Plain where YAML allows it, else in either kind of quotes.
 fn quoted(code: &str, in_flow: bool, draw: &mut Draw) -> String {
-    let plain = !code.starts_with(['[', '-', '"'])
-        && !(in_flow && code.contains([',', '[', ']', '{', '}']))
-        && !code.contains(": ");
+    let ends_flow = in_flow && code.contains([',', '[', ']', '{', '}']);
+    let special = code.starts_with(['[', '-', '"']) || code.contains(": ");
+    let plain = !(ends_flow || special);
     match draw.below(3) {
         0 if plain => code.to_owned(),
         1 => format!("'{code}'"),

@@ -21,9 +21,10 @@ const MAX_NAME: usize = 64;
 
 /// A unit that fills `text` up to blanks around it.
 pub(super) fn whole(text: &str) -> Result<Unit, UnitError> {
+    let text = text.trim_end();
     let start = text.len() - text.trim_start().len();
     let mut scanner = Scanner {
-        text: text.trim_end(),
+        text,
         at: start,
         start,
         depth: 0,

@@ -135,6 +135,7 @@ fn faulty_units_are_explained() {
         fault(""),
         format!("E0402 0..0 malformed unit: found the end, expected a unit; {shape}")
     );
+    assert_eq!(fault(" \t "), fault(""));
     assert_eq!(
         fault("m s"),
         format!("E0402 1..2 malformed unit: found ` `, expected `*`, `/` or `^`; {shape}")

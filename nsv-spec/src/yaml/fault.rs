@@ -3,7 +3,7 @@
 use serde_saphyr::Error;
 use serde_saphyr::budget::BudgetBreach;
 
-use super::read::{MAX_DEPTH, MAX_NODES};
+use super::read::{MAX_DEPTH, MAX_NODES, boundary};
 use crate::diagnostic::{Diagnostic, FileId, Rule, Span};
 
 /// The diagnostic for an error of the YAML library.
@@ -110,7 +110,7 @@ fn span(error: &Error, text: &str, file: FileId) -> Span {
             .nth(usize::try_from(span.offset()).unwrap_or(usize::MAX))
             .map_or(text.len(), |(byte, _)| byte),
     });
-    let start = start.min(text.len());
+    let start = boundary(text, start);
     let end = text[start..]
         .chars()
         .next()

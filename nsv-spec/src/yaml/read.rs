@@ -136,6 +136,15 @@ fn code_with_escapes(written: &str, double: bool, text: &str, span: Span) -> (St
     }
 }
 
+/// The last border of a character up to a byte.
+pub(super) fn boundary(text: &str, byte: usize) -> usize {
+    let mut byte = byte.min(text.len());
+    while !text.is_char_boundary(byte) {
+        byte -= 1;
+    }
+    byte
+}
+
 /// Turns the library's locations into spans.
 struct Placer<'a> {
     text: &'a str,
@@ -192,18 +201,20 @@ impl Placer<'_> {
             end: span.start + written.len() as u32,
             ..span
         };
-        let quoted = written.len() >= 2 && written.starts_with(['"', '\'']);
-        let (code, span) = if quoted {
-            (
-                &written[1..written.len() - 1],
+        let quotes = ['"', '\''];
+        let inner = written.strip_prefix(quotes);
+        let inner = inner.and_then(|rest| rest.strip_suffix(quotes));
+        let quoted = inner.is_some();
+        let (code, span) = match inner {
+            Some(inner) => (
+                inner,
                 Span {
                     start: span.start + 1,
                     end: span.end - 1,
                     ..span
                 },
-            )
-        } else {
-            (written, span)
+            ),
+            None => (written, span),
         };
         // Lines of block and folded scalars are joined by the library; everything else is as written, `1e999` and `.nan` included.
         let text = decoded
@@ -228,13 +239,10 @@ impl Placer<'_> {
 
     fn span(&self, location: Location) -> Span {
         let span = location.span();
-        let byte = |at: Option<u64>| {
-            at.and_then(|at| usize::try_from(at).ok())
-                .unwrap_or(0)
-                .min(self.text.len())
-        };
-        let start = byte(span.byte_offset());
-        let end = (start + byte(span.byte_len())).min(self.text.len());
+        let byte = |at: Option<u64>| at.and_then(|at| usize::try_from(at).ok()).unwrap_or(0);
+        // The library counts a byte order mark within the text as one byte.
+        let start = boundary(self.text, byte(span.byte_offset()));
+        let end = boundary(self.text, start.saturating_add(byte(span.byte_len())));
         Span {
             file: self.file,
             start: start as u32,
@@ -369,6 +377,18 @@ mod tests {
                 .collect::<Vec<_>>(),
             [0, 1]
         );
+    }
+
+    #[test]
+    fn a_byte_order_mark_within_the_text_moves_places_by_whole_characters() {
+        for text in [
+            "|\r\r'dr'ns'''\r%d\u{feff}",
+            "a: '\u{feff}'",
+            "a: \"\u{feff}x\u{e9}\"",
+            "\u{feff}a: \u{feff}b",
+        ] {
+            _ = read(text, FileId(0));
+        }
     }
 
     #[test]
