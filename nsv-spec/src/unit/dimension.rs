@@ -10,6 +10,9 @@ pub struct Dimension {
     pub halves: [i8; 7],
 }
 
+/// Largest whole exponent: half of the largest number of halves.
+const LARGEST: i16 = 63;
+
 const SYMBOLS: [&str; 7] = ["kg", "m", "s", "A", "K", "mol", "cd"];
 
 impl Dimension {
@@ -114,7 +117,7 @@ impl fmt::Display for Dimension {
                 .zip(exponents)
                 .filter(|(_, halves)| *halves > 0);
             present
-                .map(|(symbol, halves)| factor(symbol, halves))
+                .flat_map(|(symbol, halves)| power(symbol, halves))
                 .collect()
         };
         let (above, below) = (factors(1), factors(-1));
@@ -128,13 +131,17 @@ impl fmt::Display for Dimension {
     }
 }
 
-/// A base unit to a positive power given in halves.
-fn factor(symbol: &str, halves: i16) -> String {
+/// The factors of a base unit to a positive power given in halves.
+fn power(symbol: &str, halves: i16) -> Vec<String> {
+    let whole = |exponent: i16| match exponent {
+        1 => symbol.to_owned(),
+        _ => format!("{symbol}^{exponent}"),
+    };
     match halves {
-        1 => format!("sqrt({symbol})"),
-        2 => symbol.to_owned(),
-        even if even % 2 == 0 => format!("{symbol}^{}", even / 2),
-        odd => format!("sqrt({symbol}^{odd})"),
+        even if even % 2 == 0 => vec![whole(even / 2)],
+        // The power under the root has to be a dimension, too.
+        large if large > LARGEST => vec![whole(large / 2), format!("sqrt({symbol})")],
+        odd => vec![format!("sqrt({})", whole(odd))],
     }
 }
 
@@ -168,6 +175,9 @@ mod tests {
                 "m^3/sqrt(s^3)"
             ]
         );
+        let root = Dimension::new(0, 3, -3, 0).checked_sqrt().unwrap();
+        let large = root.checked_powi(33).unwrap();
+        assert_eq!(large.to_string(), "m^49*sqrt(m)/(s^49*sqrt(s))");
     }
 
     #[test]
