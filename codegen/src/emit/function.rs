@@ -10,10 +10,12 @@ use crate::emit::comment::{Comments, code, docs};
 use crate::emit::expression::Names;
 use crate::emit::names::{Fields, Scope, camel, ident, snake};
 use crate::emit::pack::packs;
+use crate::emit::parts::Whole;
 use crate::emit::plan::Plan;
 use crate::emit::polynomial::Library;
 use crate::emit::quantity;
 use crate::emit::source::prologue;
+use crate::emit::statements::Statements;
 use crate::emit::types::{literal_array, type_of, type_of_shape};
 use crate::ir::{Input, Op, Origin, Program, Shape, Type, ValueId};
 use crate::opt::cost;
@@ -67,7 +69,7 @@ impl Function<'_> {
     /// The function, after the struct of its results if that is its own.
     pub(crate) fn items(&self, comments: &mut Comments) -> Vec<TokenStream> {
         let function = self.function(comments);
-        self.own_results().into_iter().chain([function]).collect()
+        self.own_results().into_iter().chain(function).collect()
     }
 
     /// The struct of its results, if that is its own.
@@ -116,7 +118,7 @@ impl Function<'_> {
     }
 
     /// The argument that holds an input.
-    fn argument<'i>(&'i self, input: &'i Input) -> &'i str {
+    pub(super) fn argument<'i>(&'i self, input: &'i Input) -> &'i str {
         self.record(&input.name)
             .map_or(input.name.as_str(), |(record, _)| record.prefix)
     }
@@ -137,16 +139,28 @@ impl Function<'_> {
         Some(format!("{argument}.{name}"))
     }
 
-    /// The function.
-    pub(crate) fn function(&self, comments: &mut Comments) -> TokenStream {
+    /// The function, and behind it its parts, if it is long.
+    pub(crate) fn function(&self, comments: &mut Comments) -> Vec<TokenStream> {
         let plan = Plan::new(self.program);
         let (names, parameters) = self.names(&plan);
         let updates = self.update_list(&plan, &names);
-        let statements = self.statements(&plan, &names, &updates, comments);
+        let whole = Whole {
+            function: self,
+            plan: &plan,
+            names: &names,
+            updates: &updates,
+        };
+        let (parts, last) = whole.parts(comments);
+        let mut text = Statements::of(self);
+        text.add_steps(&plan.steps[last..], &names, &updates, comments);
+        text.add_updates(&names, &updates, comments);
+        let (calls, statements) = (parts.iter().map(|part| &part.call), text.written);
         let result = self.result(&names);
-        let body = quote!(#(#statements)* #result);
+        let body = quote!(#(#calls)* #(#statements)* #result);
         let prologue = prologue(&body);
-        self.with_body(&parameters, &quote!(#prologue #body))
+        let function = self.with_body(&parameters, &quote!(#prologue #body));
+        let parts = parts.into_iter().flat_map(|part| part.items);
+        std::iter::once(function).chain(parts).collect()
     }
 
     /// The function with a body that calls others.

@@ -19,6 +19,7 @@ mod module;
 mod names;
 mod pack;
 mod params;
+mod parts;
 mod pieces;
 mod plan;
 mod plant;

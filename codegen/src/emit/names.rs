@@ -128,19 +128,25 @@ pub(crate) fn type_name(name: &str) -> String {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Scope {
     taken: BTreeSet<String>,
+    /// The number behind the last identifier that was wanted by several names.
+    numbers: BTreeMap<String, usize>,
 }
 
 impl Scope {
     /// An identifier for `name`: its sanitised form, with a number behind it if that is taken.
     pub(crate) fn claim(&mut self, name: &str) -> Ident {
         let wanted = sanitised(name);
-        let mut candidates =
-            std::iter::once(wanted.clone()).chain((2..).map(|n| format!("{wanted}_{n}")));
-        let free = candidates
-            .find(|candidate| !self.taken.contains(candidate))
-            .expect("invariant: the candidates do not end");
-        self.taken.insert(free.clone());
-        ident(&free)
+        if self.taken.insert(wanted.clone()) {
+            return ident(&wanted);
+        }
+        let number = self.numbers.entry(wanted.clone()).or_insert(1);
+        loop {
+            *number += 1;
+            let numbered = format!("{wanted}_{number}");
+            if self.taken.insert(numbered.clone()) {
+                return ident(&numbered);
+            }
+        }
     }
 
     /// The first free of `t1`, `t2`, ... from number `*next`, which moves behind it.

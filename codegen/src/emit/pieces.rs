@@ -82,7 +82,7 @@ impl<'a> Split<'a> {
                     updates: self.whole.updates,
                 };
                 calls.push(call(&function, &arguments));
-                items.push(function.function(comments));
+                items.extend(function.function(comments));
             };
         if let Some(prepare) = prepare {
             items.push(definition(

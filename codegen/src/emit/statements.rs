@@ -1,5 +1,4 @@
-//! The statements of a function: values in the order of the plan under the headings of their groups, then the states that are replaced in
-//! place, so that nothing is read after it was replaced.
+//! The statements of a function: values in the order of the plan under the headings of their groups, and states that are replaced in place.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,7 +9,7 @@ use crate::emit::comment::Comments;
 use crate::emit::expression::Names;
 use crate::emit::function::{Function, Updates};
 use crate::emit::names::ident;
-use crate::emit::plan::Plan;
+use crate::emit::plan::{Plan, Step};
 use crate::ir::{Op, ValueId};
 
 /// An output that replaces a field of an argument.
@@ -26,15 +25,30 @@ pub(super) struct Update {
     before: bool,
 }
 
+/// The values that are written where they replace a field.
+pub(super) fn in_place(updates: &[Update]) -> impl Iterator<Item = ValueId> {
+    let in_place = updates.iter().filter(|update| update.in_place);
+    in_place.map(|update| update.value)
+}
+
 /// Statements under the headings of their groups and the notes of their equations.
-struct Statements<'f> {
+pub(super) struct Statements<'f> {
     function: &'f Function<'f>,
-    written: Vec<TokenStream>,
+    pub(super) written: Vec<TokenStream>,
     group: &'f str,
     equation: &'f str,
 }
 
-impl Statements<'_> {
+impl<'f> Statements<'f> {
+    pub(super) fn of(function: &'f Function<'f>) -> Self {
+        Statements {
+            function,
+            written: Vec::new(),
+            group: "",
+            equation: "",
+        }
+    }
+
     /// The heading of a value's group, where another group begins.
     fn heading(&mut self, id: ValueId, comments: &mut Comments) {
         let group = self.function.origin(id).map_or("", |origin| &origin.group);
@@ -55,66 +69,64 @@ impl Statements<'_> {
         }
         self.equation = equation;
     }
-}
 
-impl Function<'_> {
-    /// Temporaries and values in the plan's order, then the updates: no value is read after it was replaced.
-    pub(super) fn statements(
-        &self,
-        plan: &Plan,
+    /// Temporaries and values of some steps. Those that `updates` write in place have temporaries alone.
+    pub(super) fn add_steps(
+        &mut self,
+        steps: &[Step],
         names: &Names<'_>,
         updates: &[Update],
         comments: &mut Comments,
-    ) -> Vec<TokenStream> {
-        let in_place: BTreeSet<ValueId> = updates
-            .iter()
-            .filter(|update| update.in_place)
-            .map(|update| update.value)
-            .collect();
-        let mut text = Statements {
-            function: self,
-            written: Vec::new(),
-            group: "",
-            equation: "",
-        };
-        for step in &plan.steps {
+    ) {
+        let in_place: BTreeSet<ValueId> = in_place(updates).collect();
+        let function = self.function;
+        for step in steps {
             let temporaries = step.temporaries.iter();
+            let temporaries = temporaries.map(|&id| function.statement(id, names));
             if in_place.contains(&step.value) {
-                text.written
-                    .extend(temporaries.map(|&id| self.statement(id, names)));
+                self.written.extend(temporaries);
                 continue;
             }
-            text.heading(step.value, comments);
-            text.written
-                .extend(temporaries.map(|&id| self.statement(id, names)));
-            text.note(step.value, comments);
-            text.written.push(self.statement(step.value, names));
+            self.heading(step.value, comments);
+            self.written.extend(temporaries);
+            self.note(step.value, comments);
+            self.written.push(function.statement(step.value, names));
         }
+    }
+
+    /// The updates, after what is read from the fields that they replace: no value is read after it was replaced.
+    pub(super) fn add_updates(
+        &mut self,
+        names: &Names<'_>,
+        updates: &[Update],
+        comments: &mut Comments,
+    ) {
         let late = updates.iter().filter(|update| update.before);
         let late = late.map(|update| (&update.variable, update.value));
-        let returned = self.returned_early(names);
+        let returned = self.function.returned_early(names);
         let late = late.chain(returned.iter().map(|(id, variable)| (variable, *id)));
-        text.written.extend(late.map(|(variable, value)| {
+        self.written.extend(late.map(|(variable, value)| {
             let value = names.operand(value).tokens;
             quote!(let #variable = #value;)
         }));
         for update in updates {
             let place = &update.place;
             if update.in_place {
-                text.heading(update.value, comments);
-                text.note(update.value, comments);
-                text.written.push(names.replacement(place, update.value));
+                self.heading(update.value, comments);
+                self.note(update.value, comments);
+                self.written.push(names.replacement(place, update.value));
             } else if update.before {
                 let variable = &update.variable;
-                text.written.push(quote!(#place = #variable;));
+                self.written.push(quote!(#place = #variable;));
             } else {
                 let value = names.operand(update.value).tokens;
-                text.written.push(quote!(#place = #value;));
+                self.written.push(quote!(#place = #value;));
             }
         }
-        text.written
     }
+}
 
+impl Function<'_> {
     /// The updates, in the order of the plan.
     pub(super) fn update_list(&self, plan: &Plan, names: &Names<'_>) -> Vec<Update> {
         let mut uses = vec![0usize; self.program.instructions.len()];
@@ -132,7 +144,8 @@ impl Function<'_> {
         for (_, id) in &self.program.outputs {
             uses[id.0 as usize] += 1;
         }
-        let order = |id: ValueId| plan.steps.iter().position(|step| step.value == id);
+        let order: BTreeMap<ValueId, usize> =
+            plan.steps.iter().map(|step| step.value).zip(0..).collect();
         let mut updates: Vec<Update> = self
             .program
             .outputs
@@ -140,7 +153,7 @@ impl Function<'_> {
             .filter_map(|(name, id)| Some((self.updated(name)?, *id)))
             .filter_map(|(field, id)| self.update(&field, id, uses[id.0 as usize], names))
             .collect();
-        updates.sort_by_key(|update| order(update.value));
+        updates.sort_by_key(|update| order.get(&update.value));
         updates
     }
 

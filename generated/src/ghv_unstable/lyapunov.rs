@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 88fd3556a568a96acb70510e7cdccf0ee813290c21c31a5fc42d431587717ddf
+// SHA-256 of the text below: a2ddd8c9a91b1b02e0c3b8c585377f2ffc209f403d20301e3af9558e2e2d041c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 // lyapunov: 1990 additions, 2481 multiplications, 20 divisions, 3 square roots, 30 elementary functions, 30 comparisons and selections
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 
 /// Results of [`lyapunov`].
 #[derive(Clone, Copy, Debug)]
@@ -42,678 +42,211 @@ pub fn lyapunov<T: Real>(
     plant: &Params<T>,
 ) -> LyapunovOutputs<T> {
     let real = T::from_f64;
-
-    // -- plant model --
-    let alpha = x1[0];
-    let alpha_deg = alpha * real(57.29577951308232);
-    let t1 = real(97170193.3485195) * params.CL_scale;
-    let at_alpha_deg = polynomials::at_alpha_deg_3(alpha_deg);
-    let t2 = at_alpha_deg.CL_alpha + at_alpha_deg.CL_LE + at_alpha_deg.CL_RE;
-    let lift = t1 * t2;
-    let beta = x1[1];
-    let t3 = real(97170193.3485195) * params.CY_scale;
-    let t4 = at_alpha_deg.CY_beta * beta + at_alpha_deg.CY_LE + at_alpha_deg.CY_RE
-        + at_alpha_deg.CY_RUD;
-    let side = t3 * t4;
-    let q = x2[1];
-    let r = x2[2];
-    let p = x2[0];
-    let t5 = real(1777048495.9577248) * params.Cl_scale;
-    let t6 = at_alpha_deg.Cl_beta * beta + at_alpha_deg.Cl_LE + at_alpha_deg.Cl_RE
-        + at_alpha_deg.Cl_RUD
-        + at_alpha_deg.Cl_p * p * real(18.288) * real(0.00016666666666666666);
-    let t7 = t6 + at_alpha_deg.Cl_r * r * real(18.288) * real(0.00016666666666666666);
-    let roll = t5 * t7;
-    let t8 = at_alpha_deg.Cm_alpha + at_alpha_deg.Cm_LE + at_alpha_deg.Cm_RE
-        + at_alpha_deg.Cm_RUD
-        + at_alpha_deg.Cm_q * q * real(24.384) * real(0.00016666666666666666);
-    let pitch = real(2369397994.6102996) * params.Cm_scale * t8;
-    let t9 = at_alpha_deg.CD_alpha + at_alpha_deg.CD_LE + at_alpha_deg.CD_RE
-        + at_alpha_deg.CD_RUD;
-    let drag = real(97170193.3485195) * params.CD_scale * t9;
-    let t10 = at_alpha_deg.Cn_beta * beta + at_alpha_deg.Cn_LE + at_alpha_deg.Cn_RE
-        + at_alpha_deg.Cn_RUD
-        + at_alpha_deg.Cn_p * p * real(18.288) * real(0.00016666666666666666);
-    let t11 = t10 + at_alpha_deg.Cn_r * r * real(18.288) * real(0.00016666666666666666);
-    let yaw = real(1777048495.9577248) * params.Cn_scale * t11;
-    let dCl = Vector([
-        at_alpha_deg.Cl_LE_d3,
-        at_alpha_deg.Cl_RE_d3,
-        at_alpha_deg.Cl_RUD_d3,
-    ]);
-    let roll_delta = dCl * t5;
-    let dCm = Vector([at_alpha_deg.Cm_LE_d3, at_alpha_deg.Cm_RE_d3, real(0.0)]);
-    let dCD = Vector([
-        at_alpha_deg.CD_LE_d3,
-        at_alpha_deg.CD_RE_d3,
-        at_alpha_deg.CD_RUD_d3,
-    ]);
-    let dCL = Vector([at_alpha_deg.CL_LE_d3, at_alpha_deg.CL_RE_d3, real(0.0)]);
-    let [sin_alpha, sin_beta, sin_x1_2] = x1.sin().0;
-    let [cos_alpha, cos_beta, cos_x1_2] = x1.cos().0;
-    let t12 = (dCD * params.CD_scale * sin_alpha + dCL * params.CL_scale * cos_alpha)
-        * real(2.85);
-    let pitch_delta = (dCm * (real(24.384) * params.Cm_scale) + t12)
-        * real(97170193.3485195);
-    let dCn = Vector([
-        at_alpha_deg.Cn_LE_d3,
-        at_alpha_deg.Cn_RE_d3,
-        at_alpha_deg.Cn_RUD_d3,
-    ]);
-    let dCY = Vector([
-        at_alpha_deg.CY_LE_d3,
-        at_alpha_deg.CY_RE_d3,
-        at_alpha_deg.CY_RUD_d3,
-    ]);
-    let yaw_delta = (dCn * (real(18.288) * params.Cn_scale)
-        + dCY * (real(2.85) * params.CY_scale)) * real(97170193.3485195);
-
-    // -- known dynamics of block 1 (attitude) (11) --
-    let t13 = real(1332506.5352200002) * cos_x1_2;
-    let t14 = t13 - lift;
-    let t15 = real(410460000.0) * cos_beta;
-    let t16 = real(1332506.5352200002) * sin_x1_2;
-    let [_, tan_beta, _] = x1.tan().0;
-    let t17 = t13 * tan_beta;
-    // F_1(x_1 .. x_1)
-    let F1 = Vector([
-        t14 / t15,
-        (side + t16) * real(2.4362909905959168e-9),
-        (lift * tan_beta - t17) * real(2.4362909905959168e-9),
-    ]);
-    let t18 = -tan_beta;
-    let t19 = t18 * cos_alpha;
-    let t20 = t18 * sin_alpha;
-    let t21 = -cos_alpha;
-    let t22 = real(1.0) / cos_beta;
-    let t23 = cos_alpha * t22;
-    let t24 = sin_alpha * t22;
-    // G_1(x_1 .. x_1)
-    let G1 = Matrix::rows([
-        [t19, real(1.0), t20],
-        [sin_alpha, real(0.0), t21],
-        [t23, real(0.0), t24],
-    ]);
-
-    // -- known dynamics of block 2 (rates) (11) --
-    let t25 = real(12202362.0) * p * r;
-    let t26 = real(-12202362.0) * p * q;
-    // F_2(x_1 .. x_2)
-    let F2 = Vector([
-        roll * real(7.375621211696555e-7),
-        (t25 + pitch + real(2.85) * (drag * sin_alpha + lift * cos_alpha))
-            * real(7.375621211696555e-8),
-        (t26 + yaw + real(2.85) * side) * real(7.375621211696555e-8),
-    ]);
-    let t27 = roll_delta[0] * real(7.375621211696555e-7);
-    let t28 = roll_delta[1] * real(7.375621211696555e-7);
-    let t29 = roll_delta[2] * real(7.375621211696555e-7);
-    let t30 = pitch_delta[0] * real(7.375621211696555e-8);
-    let t31 = pitch_delta[1] * real(7.375621211696555e-8);
-    let t32 = pitch_delta[2] * real(7.375621211696555e-8);
-    let t33 = yaw_delta[0] * real(7.375621211696555e-8);
-    let t34 = yaw_delta[1] * real(7.375621211696555e-8);
-    let t35 = yaw_delta[2] * real(7.375621211696555e-8);
-    // H_2(x_1 .. x_2)
-    let H2 = Matrix::rows([[t27, t28, t29], [t30, t31, t32], [t33, t34, t35]]);
-
-    // -- reference and constraints --
-    let t36 = real(FRAC_PI_4) * t;
-    let t37 = real(2.0) * t;
-    let t38 = real(0.5) * t;
-    let t39 = real(0.9424777960769379) * t;
-    let t40 = Vector([t, t36, t39, t38, t37]);
-    let [cos_t, cos_t36, cos_t39, cos_t38, cos_t37] = t40.cos().0;
-    let [sin_t, sin_t36, sin_t39, sin_t38, sin_t37] = t40.sin().0;
-    let t41 = real(0.5) * cos_t38;
-    // y_r(t)
-    let y_r = Vector([
-        (real(1.5) - real(2.0) * cos_t36) * real(0.017453292519943295),
-        real(0.5) * sin_t39 * real(0.017453292519943295),
-        (real(-2.0) * sin_t + t41) * real(0.017453292519943295),
-    ]);
-    // y_r'
-    let y_r_dot = Vector([
-        real(0.017453292519943295) * (real(2.0) * (sin_t36 * real(FRAC_PI_4))),
-        real(0.017453292519943295) * (real(0.5) * (cos_t39 * real(0.9424777960769379))),
-        real(0.017453292519943295)
-            * (real(-2.0) * cos_t - real(0.5) * (sin_t38 * real(0.5))),
-    ]);
-    let t42 = -t;
-    let t43 = real(-0.1) * t;
-    let [exp_t42, exp_t43] = Vector([t42, t43]).exp().0;
-    let t44 = real(3.0) * exp_t42;
-    // k_2(t)
-    let k2 = t44 + real(0.5);
-    // k_1(t)
-    let k1 = k2 * real(0.017453292519943295);
-    // k1'
-    let k1_dot = -(real(0.017453292519943295) * t44);
-    // k2'
-    let k2_dot = -t44;
-
-    // -- error variable of block 1 (14) --
-    // e_1 = x_1 - y_r - zeta_1
-    let e1 = x1 - y_r - state.zeta1;
-
-    // -- barrier of block 1 (23) (26) --
-    // s_1 = e_1^T e_1
-    let s1 = e1.sum_squares();
-    let t45 = k1 * k1;
-    let t46 = real(1.0) / t45;
-    let t47 = s1 * t46;
-    // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t47 * t47);
-    // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
-    let E1 = E1_free.min(real(1.5697963267948967));
-
-    // -- error variable of block 2 (14) --
-    // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 - state.h1 - state.zeta2;
-
-    // -- barrier of block 2 (23) (26) --
-    // s_2 = e_2^T e_2
-    let s2 = e2.sum_squares();
-    let t48 = k2 * k2;
-    let t49 = real(1.0) / t48;
-    let t50 = s2 * t49;
-    // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t50 * t50);
-    // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
-    let E2 = E2_free.min(real(1.5697963267948967));
-    let t51 = Vector([E1, E2]);
-    let [cos_E1, cos_E2] = t51.cos().0;
-    // cos E_2
-    let cosE2 = cos_E2;
-    let t52 = cosE2 * cosE2;
-    // 1 / cos^2 E_2
-    let sec2E2 = real(1.0) / t52;
-    let t53 = s2 * sec2E2;
-    // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * t53;
-
-    // -- barrier of block 1 (23) (26) --
-    // cos E_1
-    let cosE1 = cos_E1;
-    let t54 = cosE1 * cosE1;
-    // 1 / cos^2 E_1
-    let sec2E1 = real(1.0) / t54;
-    let t55 = s1 * sec2E1;
-    // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * t55;
-
-    // -- MTPN of block 1 (4) (16) --
-    // P_1 = P_m(z_1), 19 nodes
-    let P1 = polynomials::basis1(x1);
-    let t56 = state.W1.transpose();
-    // A_hat_1 = iota_1 W_1^T P_1
-    let A_hat1 = t56 * P1 * real(0.1);
-
-    // -- disturbance observer of block 1 (20) --
-    // D_hat_1 = th_1 + S_1 x_1
-    let D_hat1 = state.th1 + x1 * real(10.0);
-
-    // -- norms of block 1 --
-    // ||G_1||^2
-    let G_norm2_1 = G1.sum_squares();
-
-    // -- robust feedback of block 1 (31) (63) --
-    let [sin_E1, sin_E2] = t51.sin().0;
-    let t57 = sin_E1 * cosE1;
-    let t58 = real(1.0) / E1_free;
-    let t59 = real(0.5) * G_norm2_1;
-    let t60 = real(2.375) * T::select(E1_free.lt(real(1e-300)), real(1.0), t57 * t58)
-        + real(2.0) + t55 * real(0.5);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1 * (t60 + t55 * t59);
-    // ||c_1||^2
-    let s_c1 = c1.sum_squares();
-
-    // -- virtual control (31) of block 1 --
-    let t61 = F1 + A_hat1;
-    let t62 = state.zeta1 * real(20.0);
-    // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t61 - y_r_dot + t62 + D_hat1 + Lam1;
-    let t63 = Matrix::rows([[sin_alpha, t21], [t23, t24]]);
-    let t64 = t63.solve(Vector([bracket1[1], bracket1[2]]));
-    let t65 = bracket1[0] - t19 * t64[0] - t20 * t64[1];
-    let t66 = Vector([t64[0], t65, t64[1]]);
-    // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t66;
-
-    // -- auxiliary system of block 1 (13) (E1) --
-    // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t62;
-
-    // -- weight law of block 1 (32) (65) --
-    // W_1' = Gamma_1 (P_1 c_1 I_1 - lambda_1 W_1)
-    let W1_dot = P1.outer(c1 * real(0.1)) - state.W1 * real(0.1);
-
-    // -- dynamic surface filter of block 1 (33) --
-    // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (alpha1 - state.h1) * real(20.0);
-
-    // -- MTPN of block 2 (4) (16) --
-    // P_2 = P_m(z_2), 19 nodes
-    let P2 = polynomials::basis2(x2);
-    let t67 = state.W2.transpose();
-    // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = t67 * P2 * real(0.1);
-
-    // -- disturbance observer of block 2 (49) --
-    let t68 = Vector([
-        real(-1.5) * e2[0],
-        real(1.5) * e2[0],
-        real(1.5) * e2[1],
-        e2[1],
-        real(-2.0) * e2[2],
-        real(4.0) * e2[2],
-    ]);
-    // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t68;
-    // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = Vector([
-        real(2.0) * w_hat2[1],
-        real(2.0) * w_hat2[2],
-        w_hat2[4] + w_hat2[5],
-    ]);
-
-    // -- noise terms of block 2 (58) (62) --
-    // ||H_2||^2
-    let H_norm2_2 = H2.sum_squares();
-    let t69 = real(3.0) * sec2E2;
-    let t70 = real(8.0) * E2_free * sin_E2 * (cosE2 * (sec2E2 * sec2E2)) + t69;
-    // ||Ybar_2||^2
-    let Ybar_square2 = t70 * t70 + real(2.0) * (t69 * t69);
-    // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = Ybar_square2.sqrt();
-    // S_2 H_2
-    let SH2 = Matrix::rows([
-        [real(-1.5) * t27, real(-1.5) * t28, real(-1.5) * t29],
-        [real(1.5) * t27, real(1.5) * t28, real(1.5) * t29],
-        [real(1.5) * t30, real(1.5) * t31, real(1.5) * t32],
-        [t30, t31, t32],
-        [real(-2.0) * t33, real(-2.0) * t34, real(-2.0) * t35],
-        [real(4.0) * t33, real(4.0) * t34, real(4.0) * t35],
-    ]);
-    // ||S_2 H_2||^2
-    let SH_norm2_2 = SH2.sum_squares();
-    // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = H_norm2_2 * H_norm2_2 * Ybar_square2 * real(0.5)
-        + real(0.030000000000000006) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
-
-    // -- robust feedback of block 2 (31) (63) --
-    let t71 = (e2 * real(0.5)).tanh();
-    // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t71 * state.eps2;
-    let t72 = s2 * s2;
-    // 1 / sqrt(s_2^2 + varsigma_2^2)
-    let s_scale2 = real(1.0) / (t72 + real(1.0)).sqrt();
-    let t73 = real(2.5)
-        * T::select(
-            E2_free.lt(real(1e-300)),
-            real(1.0),
-            sin_E2 * cosE2 * (real(1.0) / E2_free),
-        ) + real(2.0);
-    let t74 = G_norm2_1 * s_c1;
-    let t75 = H_norm2_2 * Ybar_norm2;
-    let t76 = state.phi2 * state.phi2;
-    let t77 = Psi2 / (t76 + t72);
-    let t78 = t73 + t53 * real(50.0) + real(0.5) * sec2E2 + t74 * t74 * real(0.25) * t52;
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
-    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2 = e2 * (t78 + t75 * state.sigma2 * s_scale2 + t77 * t52) + Lam2_error_bound;
-
-    // -- control (64) of block 2 --
-    let t79 = state.zeta2 * real(50.0);
-    // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 + A_hat2 - h1_dot + t79 + D_hat2 + Lam2;
-    let t80 = bracket2
-        .hadamard(Vector::<T, 3>::from_f64([1355818.0, 13558180.0, 13558180.0]));
-    // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t80;
-    // sat(u), each component limited to +-u_max (8)
-    let u_sat = u
-        .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
-        .min(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]));
-
-    // -- auxiliary system of block 2 (13) (E1) --
-    let t81: Vector<T, 3> = Vector::from_f64([
-        7.375621211696555e-7,
-        7.375621211696555e-8,
-        7.375621211696555e-8,
-    ]);
-    // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = t81.hadamard(u_sat + t80) - t79;
-
-    // -- weight law of block 2 (32) (65) --
-    // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
-    let W2_dot = P2.outer(c2 * real(0.1)) - state.W2 * real(0.1);
-
-    // -- observer dynamics of block 2 (50) --
-    let t82 = Vector([
-        real(-0.3) * w_hat2[0] + real(3.0) * w_hat2[1],
-        real(-3.0) * w_hat2[0] + real(-0.3) * w_hat2[1],
-        real(-0.3) * w_hat2[2] + real(3.0) * w_hat2[3],
-        real(-3.0) * w_hat2[2] + real(-0.3) * w_hat2[3],
-        real(-0.3) * w_hat2[4] + real(3.0) * w_hat2[5],
-        real(-3.0) * w_hat2[4] + real(-0.3) * w_hat2[5],
-    ]);
-    let t83 = Vector([
-        real(-1.5) * Lam2[0],
-        real(1.5) * Lam2[0],
-        real(1.5) * Lam2[1],
-        Lam2[1],
-        real(-2.0) * Lam2[2],
-        real(4.0) * Lam2[2],
-    ]);
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    // w_hat_2 + S_2 Lam_2
-    let th2_dot = t82 + t83;
-
-    // -- network error bound of block 2 (66) --
-    // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (t53 * e2.dot(t71) - state.eps2);
-
-    // -- noise bound of block 2 (67) --
-    // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 + varsigma_2^2))
-    // - lambda_sigma sigma_hat_2)
-    let sigma2_dot = t75 * t72 * sec2E2 * s_scale2 - real(0.1) * state.sigma2;
-
-    // -- compensation of block 2 (68) --
-    // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
-    let phi2_decay = t77 + real(2.0);
-    // phi_2' = -phi_2 Psi_2/(phi_2^2 + s_2^2) - kappa_phi phi_2 if ||e_2|| >= iota_phi, else 0
-    let phi2_dot = T::select(
-        s2.sqrt().ge(real(0.01)),
-        -state.phi2 * phi2_decay,
-        real(0.0),
-    );
-
-    // -- true dynamics of block 1 (attitude) (11) --
-    let t84 = real(97170193.3485195) * plant.CL_scale;
-    let t85 = t84 * t2;
-    let t86 = t13 - t85;
-    let t87 = real(97170193.3485195) * plant.CY_scale;
-    let t88 = t87 * t4;
-    // F_1 with the plant's parameters
-    let F1_plant = Vector([
-        t86 / t15,
-        (t88 + t16) * real(2.4362909905959168e-9),
-        (t85 * tan_beta - t17) * real(2.4362909905959168e-9),
-    ]);
-    let t89 = real(0.02) * sin_t37;
-    let t90 = t89 * exp_t43;
-    let t91 = real(0.02) * sin_t;
-    // d_1(t)
-    let d1 = Vector([t90, t91 * exp_t43, t90]);
-    let t92 = G1 * x2;
-    // F_1 + G_1 x_2 + d_1
-    let x1_flow = F1_plant + t92 + d1;
-
-    // -- true dynamics of block 2 (rates) (11) --
-    let t93 = real(1777048495.9577248) * plant.Cl_scale;
-    let t94 = real(2.85)
-        * (real(97170193.3485195) * plant.CD_scale * t9 * sin_alpha + t85 * cos_alpha);
-    // F_2 with the plant's parameters
-    let F2_plant = Vector([
-        t93 * t7 * real(7.375621211696555e-7),
-        (t25 + real(2369397994.6102996) * plant.Cm_scale * t8 + t94)
-            * real(7.375621211696555e-8),
-        (t26 + real(1777048495.9577248) * plant.Cn_scale * t11 + real(2.85) * t88)
-            * real(7.375621211696555e-8),
-    ]);
-    // d_2 = L_2 w_2 (12)
-    let d2 = Vector([real(2.0) * w2[1], real(2.0) * w2[2], w2[4] + w2[5]]);
-    // w_2' = M_2 w_2 (12)
-    let w2_flow = Vector([
-        real(-0.3) * w2[0] + real(3.0) * w2[1],
-        real(-3.0) * w2[0] + real(-0.3) * w2[1],
-        real(-0.3) * w2[2] + real(3.0) * w2[3],
-        real(-3.0) * w2[2] + real(-0.3) * w2[3],
-        real(-0.3) * w2[4] + real(3.0) * w2[5],
-        real(-3.0) * w2[4] + real(-0.3) * w2[5],
-    ]);
-    // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + t81.hadamard(u_sat) + d2;
-    let t95 = dCl * t93;
-    let t96 = (dCD * plant.CD_scale * sin_alpha + dCL * plant.CL_scale * cos_alpha)
-        * real(2.85);
-    let t97 = (dCm * (real(24.384) * plant.Cm_scale) + t96) * real(97170193.3485195);
-    let t98 = (dCn * (real(18.288) * plant.Cn_scale)
-        + dCY * (real(2.85) * plant.CY_scale)) * real(97170193.3485195);
-    let t99 = Matrix::rows([
-        [
-            t95[0] * real(7.375621211696555e-7),
-            t95[1] * real(7.375621211696555e-7),
-            t95[2] * real(7.375621211696555e-7),
-        ],
-        [
-            t97[0] * real(7.375621211696555e-8),
-            t97[1] * real(7.375621211696555e-8),
-            t97[2] * real(7.375621211696555e-8),
-        ],
-        [
-            t98[0] * real(7.375621211696555e-8),
-            t98[1] * real(7.375621211696555e-8),
-            t98[2] * real(7.375621211696555e-8),
-        ],
-    ]);
-    // H_2 Sigma_2
-    let HSigma2 = t99 * real(0.05);
-
-    // -- Lyapunov function of block 1 (23) (52) --
-    let t100 = t45 * t45 * real(0.15915494309189535);
-    let [tan_E1, tan_E2] = t51.tan().0;
-    // k_1^4/(2 pi) tan E_1
-    let V_T1 = t100 * tan_E1;
-    let t101 = t56 * state.W1;
-    // tr(W_1^T W_1)/(2 Gamma_1)
-    let V_W1 = (t101[(0, 0)] + t101[(1, 1)] + t101[(2, 2)]) * real(0.5);
-    // D_1 = d_1 + model error of block 1
-    let D1 = d1 + (F1_plant - F1);
-    // D_1 - D_hat_1
-    let D_error1 = D1 - D_hat1;
-    // 1/2 ||theta_1 - th_1||^2
-    let V_D1 = D_error1.sum_squares() * real(0.5);
-    // 1/2 ||zeta_1||^2
-    let V_zeta1 = state.zeta1.sum_squares() * real(0.5);
-    // chi_1 = h_1 - alpha_1 (34)
-    let chi1 = state.h1 + t66;
-    // 1/2 ||chi_1||^2
-    let V_chi1 = chi1.sum_squares() * real(0.5);
-
-    // -- Lyapunov function of block 2 (23) (52) --
-    let t102 = t48 * t48 * real(0.15915494309189535);
-    // k_2^4/(2 pi) tan E_2
-    let V_T2 = t102 * tan_E2;
-    let t103 = t67 * state.W2;
-    // tr(W_2^T W_2)/(2 Gamma_2)
-    let V_W2 = (t103[(0, 0)] + t103[(1, 1)] + t103[(2, 2)]) * real(0.5);
-    // w_2 - w_hat_2
-    let w_error2 = w2 - w_hat2;
-    // 1/2 ||theta_2 - th_2||^2
-    let V_D2 = w_error2.sum_squares() * real(0.5);
-    // 1/2 ||zeta_2||^2
-    let V_zeta2 = state.zeta2.sum_squares() * real(0.5);
-    // eps_hat_2^2/(2 iota_20)
-    let V_eps2 = state.eps2 * state.eps2 * real(5.0);
-    let t104 = real(0.0075000000000000015) - state.sigma2;
-    // (sigma_bar_2 - sigma_hat_2)^2/(2 taubar_2)
-    let V_sigma2 = t104 * t104 * real(0.5);
-    // phi_2^2/2
-    let V_phi2 = t76 * real(0.5);
-
-    // -- Lyapunov function (52) --
-    let t105 = V_T1 + V_W1 + V_D1 + V_zeta1 + V_chi1 + V_T2 + V_W2 + V_D2 + V_zeta2;
-    // V, sum of the parts above
-    let V = t105 + V_eps2 + V_sigma2 + V_phi2;
+    let LyapunovValues1 {
+        t1,
+        at_alpha_deg,
+        t2,
+        lift,
+        beta,
+        sin_alpha,
+        sin_beta,
+        sin_x1_2,
+        cos_alpha,
+        cos_beta,
+        cos_x1_2,
+        t13,
+        t14,
+        t15,
+        t3,
+        t4,
+        t16,
+        tan_beta,
+        t17,
+        F1,
+        t19,
+        t20,
+        t21,
+        t22,
+        t23,
+        t24,
+        G1,
+        t7,
+        t25,
+        t8,
+        t9,
+        t26,
+        t11,
+        F2,
+        dCl,
+        t27,
+        t28,
+        t29,
+        dCm,
+        dCD,
+        dCL,
+        t30,
+        t31,
+        t32,
+        dCn,
+        dCY,
+        t33,
+        t34,
+        t35,
+        H2,
+        cos_t,
+        cos_t36,
+        cos_t37,
+        sin_t,
+        sin_t39,
+        sin_t37,
+        t41,
+        y_r_dot,
+        exp_t43,
+        k2,
+        k1,
+        k1_dot,
+        k2_dot,
+        e1,
+        s1,
+        t45,
+        t46,
+        t47,
+        E1_free,
+        E1,
+        t48,
+        t49,
+        e2,
+        s2,
+        t50,
+        E2_free,
+        t51,
+        cos_E1,
+        cosE2,
+        t52,
+        sec2E2,
+    } = T::outlined(LyapunovPart1 {
+        t,
+        x1,
+        x2,
+        state,
+        params,
+    });
+    let LyapunovValues2 {
+        sin_E2,
+        zeta2_dot,
+        th2_dot,
+        eps2_dot,
+        sigma2_dot,
+        phi2_dot,
+        w2_flow,
+        HSigma2,
+        t102,
+        w_error2,
+        t104,
+        V,
+        HSigma2_1,
+        HSigma2_2,
+        HSigma2_3,
+        V_T1_flow,
+        V_W1_flow,
+        V_D1_flow,
+        V_zeta1_flow,
+        V_chi1_flow,
+        e2_flow,
+        t147,
+        t148,
+        V_T2_flow,
+        V_W2_flow,
+    } = T::outlined(LyapunovPart2 {
+        x1,
+        x2,
+        w2,
+        state,
+        plant,
+        t1,
+        at_alpha_deg,
+        t2,
+        lift,
+        beta,
+        sin_alpha,
+        sin_beta,
+        sin_x1_2,
+        cos_alpha,
+        cos_beta,
+        cos_x1_2,
+        t13,
+        t14,
+        t15,
+        t3,
+        t4,
+        t16,
+        tan_beta,
+        t17,
+        F1,
+        t19,
+        t20,
+        t21,
+        t22,
+        t23,
+        t24,
+        G1,
+        t7,
+        t25,
+        t8,
+        t9,
+        t26,
+        t11,
+        F2,
+        dCl,
+        t27,
+        t28,
+        t29,
+        dCm,
+        dCD,
+        dCL,
+        t30,
+        t31,
+        t32,
+        dCn,
+        dCY,
+        t33,
+        t34,
+        t35,
+        H2,
+        cos_t,
+        cos_t36,
+        cos_t37,
+        sin_t,
+        sin_t39,
+        sin_t37,
+        t41,
+        y_r_dot,
+        exp_t43,
+        k2,
+        k1,
+        k1_dot,
+        k2_dot,
+        e1,
+        s1,
+        t45,
+        t46,
+        t47,
+        E1_free,
+        E1,
+        t48,
+        t49,
+        e2,
+        s2,
+        t50,
+        E2_free,
+        t51,
+        cos_E1,
+        cosE2,
+        t52,
+        sec2E2,
+    });
 
     // -- Ito generator (2) --
-    // column 1 of HSigma2
-    let HSigma2_1 = Vector([HSigma2[(0, 0)], HSigma2[(1, 0)], HSigma2[(2, 0)]]);
-    // column 2 of HSigma2
-    let HSigma2_2 = Vector([HSigma2[(0, 1)], HSigma2[(1, 1)], HSigma2[(2, 1)]]);
-    // column 3 of HSigma2
-    let HSigma2_3 = Vector([HSigma2[(0, 2)], HSigma2[(1, 2)], HSigma2[(2, 2)]]);
-    // e1' along the flow
-    let e1_flow = x1_flow - y_r_dot - zeta1_dot;
-    let t106 = e1_flow.dot(e1);
-    // s1' along the flow
-    let s1_flow = t106 + t106;
-    let t107 = (t47 + t47) * (s1_flow * t46 - t47 * t46 * ((k1 + k1) * k1_dot));
-    // E1_free' along the flow
-    let E1_free_flow = real(FRAC_PI_2) * t107;
-    // E1' along the flow
-    let E1_flow = T::select(
-        E1_free.lt(real(1.5697963267948967)),
-        E1_free_flow,
-        real(0.0),
-    );
-    // V_T1' along the flow
-    let V_T1_flow = tan_E1
-        * (real(4.0) * (t45 * k1) * k1_dot * real(0.15915494309189535))
-        + t100 * (E1_flow / t54);
-    let t108 = W1_dot.transpose();
-    let t109 = t108 * state.W1 + t56 * W1_dot;
-    // V_W1' along the flow
-    let V_W1_flow = (t109[(0, 0)] + t109[(1, 1)] + t109[(2, 2)]) * real(0.5);
-    let t110 = exp_t43 * real(-0.1);
-    let t111 = exp_t43 * (real(0.02) * (cos_t37 * real(2.0))) + t89 * t110;
-    // d1'
-    let d1_dot = Vector([t111, exp_t43 * (real(0.02) * cos_t) + t91 * t110, t111]);
-    let t112 = real(1.0) / t15;
-    let t113 = sin_beta * x1_flow[1];
-    let t114 = real(410460000.0) * t113;
-    let t115 = real(1332506.5352200002) * (sin_x1_2 * x1_flow[2]);
-    let t116 = x1_flow[0] * real(57.29577951308232);
-    let t117 = real(0.0001485745427349122) * t116;
-    let t118 = at_alpha_deg.CL_alpha_d1 * t116 + t117 + t117;
-    let t119 = t84 * t118;
-    let t120 = beta * (at_alpha_deg.CY_beta_d1 * t116)
-        + at_alpha_deg.CY_beta * x1_flow[1] + at_alpha_deg.CY_LE_d1 * t116
-        + at_alpha_deg.CY_RE_d1 * t116;
-    let t121 = t120 + real(4.86e-20) * t116;
-    let t122 = real(1332506.5352200002) * (cos_x1_2 * x1_flow[2]);
-    let t123 = x1_flow[1] / (cos_beta * cos_beta);
-    let t124 = t13 * t123 - tan_beta * t115;
-    // F1_plant' along the flow
-    let F1_plant_flow = Vector([
-        t86 * t112 * t112 * t114 - (t115 + t119) * t112,
-        (t87 * t121 + t122) * real(2.4362909905959168e-9),
-        (tan_beta * t119 + t85 * t123 - t124) * real(2.4362909905959168e-9),
-    ]);
-    let t125 = t1 * t118;
-    // F1' along the flow
-    let F1_flow = Vector([
-        t14 * t112 * t112 * t114 - (t115 + t125) * t112,
-        (t3 * t121 + t122) * real(2.4362909905959168e-9),
-        (tan_beta * t125 + lift * t123 - t124) * real(2.4362909905959168e-9),
-    ]);
-    // D1' along the flow
-    let D1_flow = d1_dot + (F1_plant_flow - F1_flow);
-    // D_hat1' along the flow
-    let D_hat1_flow = x1_flow * real(10.0) - (D_hat1 + t61 + t92) * real(10.0);
-    // D_error1' along the flow
-    let D_error1_flow = D1_flow - D_hat1_flow;
-    let t126 = D_error1_flow.dot(D_error1);
-    // V_D1' along the flow
-    let V_D1_flow = (t126 + t126) * real(0.5);
-    let t127 = zeta1_dot.dot(state.zeta1);
-    // V_zeta1' along the flow
-    let V_zeta1_flow = (t127 + t127) * real(0.5);
-    let t128 = sin_alpha * x1_flow[0];
-    let t129 = cos_alpha * t123 - tan_beta * t128;
-    let t130 = cos_alpha * x1_flow[0];
-    let t131 = sin_alpha * t123 + tan_beta * t130;
-    let t132 = t23 * t22 * t113 - t128 * t22;
-    let t133 = t130 * t22 + t24 * t22 * t113;
-    // G1' along the flow
-    let G1_flow = Matrix::rows([
-        [-t129, real(0.0), -t131],
-        [t130, real(0.0), t128],
-        [t132, real(0.0), t133],
-    ]);
-    // P1' along the flow
-    let P1_flow = polynomials::basis1_rate(x1, x1_flow);
-    // A_hat1' along the flow
-    let A_hat1_flow = (t108 * P1 + t56 * P1_flow) * real(0.1);
-    // y_r''
-    let y_r_dot2 = Vector([
-        real(0.017453292519943295)
-            * (real(2.0) * (real(FRAC_PI_4) * (cos_t36 * real(FRAC_PI_4)))),
-        real(0.017453292519943295)
-            * (real(0.5)
-                * -(real(0.9424777960769379) * (sin_t39 * real(0.9424777960769379)))),
-        real(0.017453292519943295)
-            * (real(-2.0) * -sin_t - real(0.5) * (real(0.5) * t41)),
-    ]);
-    let t134 = real(1.5697963267948967) * t58;
-    let t135 = real(1.0).lt(t134);
-    let t136 = T::select(t135, real(1.0), t134);
-    let t137 = T::select(E1.eq(real(0.0)), real(1.0), t57 / E1);
-    let t138 = t136 * (kernel::sin_cos_over_d1(E1) * E1_flow)
-        + T::select(t135, real(0.0), -(t137 * (t134 * t58 * E1_free_flow)));
-    let t139 = t137 * t136;
-    // Lam0_1' along the flow
-    let Lam0_1_flow = Vector([
-        real(2.375) * e1[0] * t138 + t139 * (real(2.375) * e1_flow[0])
-            + real(2.0) * e1_flow[0],
-        real(2.375) * e1[1] * t138 + t139 * (real(2.375) * e1_flow[1])
-            + real(2.0) * e1_flow[1],
-        real(2.375) * e1[2] * t138 + t139 * (real(2.375) * e1_flow[2])
-            + real(2.0) * e1_flow[2],
-    ]);
-    // cosE1' along the flow
-    let cosE1_flow = -(sin_E1 * E1_flow);
-    let t140 = e1
-        * (s1_flow * sec2E1 - s1 * (sec2E1 * sec2E1 * ((cosE1 + cosE1) * cosE1_flow)));
-    // c1' along the flow
-    let c1_flow = t140 + e1_flow * t55;
-    // Lam1_disturbance' along the flow
-    let Lam1_disturbance_flow = c1_flow * real(0.5);
-    let t141 = -((t19 + t19) * t129) - (t20 + t20) * t131
-        + (sin_alpha + sin_alpha) * t130;
-    let t142 = t141 + (t21 - cos_alpha) * t128 + (t23 + t23) * t132;
-    // G_norm2_1' along the flow
-    let G_norm2_1_flow = t142 + (t24 + t24) * t133;
-    // Lam1_filter' along the flow
-    let Lam1_filter_flow = c1 * (real(0.5) * G_norm2_1_flow) + c1_flow * t59;
-    // Lam1' along the flow
-    let Lam1_flow = Lam0_1_flow + Lam1_disturbance_flow + Lam1_filter_flow;
-    // bracket1' along the flow
-    let bracket1_flow = F1_flow + A_hat1_flow - y_r_dot2 + zeta1_dot * real(20.0)
-        + D_hat1_flow + Lam1_flow;
-    let t143 = bracket1_flow - G1_flow * t66;
-    let t144 = t63.solve(Vector([t143[1], t143[2]]));
-    // chi1' along the flow
-    let chi1_flow = h1_dot
-        + Vector([t144[0], t143[0] - t19 * t144[0] - t20 * t144[1], t144[1]]);
-    let t145 = chi1_flow.dot(chi1);
-    // V_chi1' along the flow
-    let V_chi1_flow = (t145 + t145) * real(0.5);
-    // e2' along the flow
-    let e2_flow = x2_flow - h1_dot - zeta2_dot;
-    let t146 = e2_flow.dot(e2);
-    // s2' along the flow
-    let s2_flow = t146 + t146;
-    let t147 = t50 + t50;
-    // E2_free' along the flow
-    let E2_free_flow = real(FRAC_PI_2)
-        * (t147 * (s2_flow * t49 - t50 * t49 * ((k2 + k2) * k2_dot)));
-    let t148 = E2_free.lt(real(1.5697963267948967));
-    // E2' along the flow
-    let E2_flow = T::select(t148, E2_free_flow, real(0.0));
-    // V_T2' along the flow
-    let V_T2_flow = tan_E2
-        * (real(4.0) * (t48 * k2) * k2_dot * real(0.15915494309189535))
-        + t102 * (E2_flow / t52);
-    let t149 = W2_dot.transpose() * state.W2 + t67 * W2_dot;
-    // V_W2' along the flow
-    let V_W2_flow = (t149[(0, 0)] + t149[(1, 1)] + t149[(2, 2)]) * real(0.5);
     let t150 = Vector([
         real(-1.5) * e2_flow[0],
         real(1.5) * e2_flow[0],
@@ -848,4 +381,1116 @@ pub fn lyapunov<T: Real>(
         + real(0.0012500000000000002) + real(0.0012500000000000002)
         + real(0.0012500000000000002) + real(0.0012500000000000002);
     LyapunovOutputs { V, LV }
+}
+
+/// Part 1 of [`lyapunov`]: short functions compile faster than one long one.
+struct LyapunovPart1<'a, T: Real> {
+    t: T,
+    x1: Vector<T, 3>,
+    x2: Vector<T, 3>,
+    state: &'a State<T>,
+    params: &'a Params<T>,
+}
+
+/// What is used of the values of [`LyapunovPart1`].
+struct LyapunovValues1<T: Real> {
+    t1: T,
+    at_alpha_deg: polynomials::AtAlphaDeg3<T>,
+    t2: T,
+    lift: T,
+    beta: T,
+    sin_alpha: T,
+    sin_beta: T,
+    sin_x1_2: T,
+    cos_alpha: T,
+    cos_beta: T,
+    cos_x1_2: T,
+    t13: T,
+    t14: T,
+    t15: T,
+    t3: T,
+    t4: T,
+    t16: T,
+    tan_beta: T,
+    t17: T,
+    F1: Vector<T, 3>,
+    t19: T,
+    t20: T,
+    t21: T,
+    t22: T,
+    t23: T,
+    t24: T,
+    G1: Matrix<T, 3, 3>,
+    t7: T,
+    t25: T,
+    t8: T,
+    t9: T,
+    t26: T,
+    t11: T,
+    F2: Vector<T, 3>,
+    dCl: Vector<T, 3>,
+    t27: T,
+    t28: T,
+    t29: T,
+    dCm: Vector<T, 3>,
+    dCD: Vector<T, 3>,
+    dCL: Vector<T, 3>,
+    t30: T,
+    t31: T,
+    t32: T,
+    dCn: Vector<T, 3>,
+    dCY: Vector<T, 3>,
+    t33: T,
+    t34: T,
+    t35: T,
+    H2: Matrix<T, 3, 3>,
+    cos_t: T,
+    cos_t36: T,
+    cos_t37: T,
+    sin_t: T,
+    sin_t39: T,
+    sin_t37: T,
+    t41: T,
+    y_r_dot: Vector<T, 3>,
+    exp_t43: T,
+    k2: T,
+    k1: T,
+    k1_dot: T,
+    k2_dot: T,
+    e1: Vector<T, 3>,
+    s1: T,
+    t45: T,
+    t46: T,
+    t47: T,
+    E1_free: T,
+    E1: T,
+    t48: T,
+    t49: T,
+    e2: Vector<T, 3>,
+    s2: T,
+    t50: T,
+    E2_free: T,
+    t51: Vector<T, 2>,
+    cos_E1: T,
+    cosE2: T,
+    t52: T,
+    sec2E2: T,
+}
+
+impl<T: Real> Part for LyapunovPart1<'_, T> {
+    type Output = LyapunovValues1<T>;
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let Self { t, x1, x2, state, params } = self;
+        let real = T::from_f64;
+
+        // -- plant model --
+        let alpha = x1[0];
+        let alpha_deg = alpha * real(57.29577951308232);
+        let t1 = real(97170193.3485195) * params.CL_scale;
+        let at_alpha_deg = polynomials::at_alpha_deg_3(alpha_deg);
+        let t2 = at_alpha_deg.CL_alpha + at_alpha_deg.CL_LE + at_alpha_deg.CL_RE;
+        let lift = t1 * t2;
+        let beta = x1[1];
+        let t3 = real(97170193.3485195) * params.CY_scale;
+        let t4 = at_alpha_deg.CY_beta * beta + at_alpha_deg.CY_LE + at_alpha_deg.CY_RE
+            + at_alpha_deg.CY_RUD;
+        let side = t3 * t4;
+        let q = x2[1];
+        let r = x2[2];
+        let p = x2[0];
+        let t5 = real(1777048495.9577248) * params.Cl_scale;
+        let t6 = at_alpha_deg.Cl_beta * beta + at_alpha_deg.Cl_LE + at_alpha_deg.Cl_RE
+            + at_alpha_deg.Cl_RUD
+            + at_alpha_deg.Cl_p * p * real(18.288) * real(0.00016666666666666666);
+        let t7 = t6
+            + at_alpha_deg.Cl_r * r * real(18.288) * real(0.00016666666666666666);
+        let roll = t5 * t7;
+        let t8 = at_alpha_deg.Cm_alpha + at_alpha_deg.Cm_LE + at_alpha_deg.Cm_RE
+            + at_alpha_deg.Cm_RUD
+            + at_alpha_deg.Cm_q * q * real(24.384) * real(0.00016666666666666666);
+        let pitch = real(2369397994.6102996) * params.Cm_scale * t8;
+        let t9 = at_alpha_deg.CD_alpha + at_alpha_deg.CD_LE + at_alpha_deg.CD_RE
+            + at_alpha_deg.CD_RUD;
+        let drag = real(97170193.3485195) * params.CD_scale * t9;
+        let t10 = at_alpha_deg.Cn_beta * beta + at_alpha_deg.Cn_LE + at_alpha_deg.Cn_RE
+            + at_alpha_deg.Cn_RUD
+            + at_alpha_deg.Cn_p * p * real(18.288) * real(0.00016666666666666666);
+        let t11 = t10
+            + at_alpha_deg.Cn_r * r * real(18.288) * real(0.00016666666666666666);
+        let yaw = real(1777048495.9577248) * params.Cn_scale * t11;
+        let dCl = Vector([
+            at_alpha_deg.Cl_LE_d3,
+            at_alpha_deg.Cl_RE_d3,
+            at_alpha_deg.Cl_RUD_d3,
+        ]);
+        let roll_delta = dCl * t5;
+        let dCm = Vector([at_alpha_deg.Cm_LE_d3, at_alpha_deg.Cm_RE_d3, real(0.0)]);
+        let dCD = Vector([
+            at_alpha_deg.CD_LE_d3,
+            at_alpha_deg.CD_RE_d3,
+            at_alpha_deg.CD_RUD_d3,
+        ]);
+        let dCL = Vector([at_alpha_deg.CL_LE_d3, at_alpha_deg.CL_RE_d3, real(0.0)]);
+        let [sin_alpha, sin_beta, sin_x1_2] = x1.sin().0;
+        let [cos_alpha, cos_beta, cos_x1_2] = x1.cos().0;
+        let t12 = (dCD * params.CD_scale * sin_alpha + dCL * params.CL_scale * cos_alpha)
+            * real(2.85);
+        let pitch_delta = (dCm * (real(24.384) * params.Cm_scale) + t12)
+            * real(97170193.3485195);
+        let dCn = Vector([
+            at_alpha_deg.Cn_LE_d3,
+            at_alpha_deg.Cn_RE_d3,
+            at_alpha_deg.Cn_RUD_d3,
+        ]);
+        let dCY = Vector([
+            at_alpha_deg.CY_LE_d3,
+            at_alpha_deg.CY_RE_d3,
+            at_alpha_deg.CY_RUD_d3,
+        ]);
+        let yaw_delta = (dCn * (real(18.288) * params.Cn_scale)
+            + dCY * (real(2.85) * params.CY_scale)) * real(97170193.3485195);
+
+        // -- known dynamics of block 1 (attitude) (11) --
+        let t13 = real(1332506.5352200002) * cos_x1_2;
+        let t14 = t13 - lift;
+        let t15 = real(410460000.0) * cos_beta;
+        let t16 = real(1332506.5352200002) * sin_x1_2;
+        let [_, tan_beta, _] = x1.tan().0;
+        let t17 = t13 * tan_beta;
+        // F_1(x_1 .. x_1)
+        let F1 = Vector([
+            t14 / t15,
+            (side + t16) * real(2.4362909905959168e-9),
+            (lift * tan_beta - t17) * real(2.4362909905959168e-9),
+        ]);
+        let t18 = -tan_beta;
+        let t19 = t18 * cos_alpha;
+        let t20 = t18 * sin_alpha;
+        let t21 = -cos_alpha;
+        let t22 = real(1.0) / cos_beta;
+        let t23 = cos_alpha * t22;
+        let t24 = sin_alpha * t22;
+        // G_1(x_1 .. x_1)
+        let G1 = Matrix::rows([
+            [t19, real(1.0), t20],
+            [sin_alpha, real(0.0), t21],
+            [t23, real(0.0), t24],
+        ]);
+
+        // -- known dynamics of block 2 (rates) (11) --
+        let t25 = real(12202362.0) * p * r;
+        let t26 = real(-12202362.0) * p * q;
+        // F_2(x_1 .. x_2)
+        let F2 = Vector([
+            roll * real(7.375621211696555e-7),
+            (t25 + pitch + real(2.85) * (drag * sin_alpha + lift * cos_alpha))
+                * real(7.375621211696555e-8),
+            (t26 + yaw + real(2.85) * side) * real(7.375621211696555e-8),
+        ]);
+        let t27 = roll_delta[0] * real(7.375621211696555e-7);
+        let t28 = roll_delta[1] * real(7.375621211696555e-7);
+        let t29 = roll_delta[2] * real(7.375621211696555e-7);
+        let t30 = pitch_delta[0] * real(7.375621211696555e-8);
+        let t31 = pitch_delta[1] * real(7.375621211696555e-8);
+        let t32 = pitch_delta[2] * real(7.375621211696555e-8);
+        let t33 = yaw_delta[0] * real(7.375621211696555e-8);
+        let t34 = yaw_delta[1] * real(7.375621211696555e-8);
+        let t35 = yaw_delta[2] * real(7.375621211696555e-8);
+        // H_2(x_1 .. x_2)
+        let H2 = Matrix::rows([[t27, t28, t29], [t30, t31, t32], [t33, t34, t35]]);
+
+        // -- reference and constraints --
+        let t36 = real(FRAC_PI_4) * t;
+        let t37 = real(2.0) * t;
+        let t38 = real(0.5) * t;
+        let t39 = real(0.9424777960769379) * t;
+        let t40 = Vector([t, t36, t39, t38, t37]);
+        let [cos_t, cos_t36, cos_t39, cos_t38, cos_t37] = t40.cos().0;
+        let [sin_t, sin_t36, sin_t39, sin_t38, sin_t37] = t40.sin().0;
+        let t41 = real(0.5) * cos_t38;
+        // y_r(t)
+        let y_r = Vector([
+            (real(1.5) - real(2.0) * cos_t36) * real(0.017453292519943295),
+            real(0.5) * sin_t39 * real(0.017453292519943295),
+            (real(-2.0) * sin_t + t41) * real(0.017453292519943295),
+        ]);
+        // y_r'
+        let y_r_dot = Vector([
+            real(0.017453292519943295) * (real(2.0) * (sin_t36 * real(FRAC_PI_4))),
+            real(0.017453292519943295)
+                * (real(0.5) * (cos_t39 * real(0.9424777960769379))),
+            real(0.017453292519943295)
+                * (real(-2.0) * cos_t - real(0.5) * (sin_t38 * real(0.5))),
+        ]);
+        let t42 = -t;
+        let t43 = real(-0.1) * t;
+        let [exp_t42, exp_t43] = Vector([t42, t43]).exp().0;
+        let t44 = real(3.0) * exp_t42;
+        // k_2(t)
+        let k2 = t44 + real(0.5);
+        // k_1(t)
+        let k1 = k2 * real(0.017453292519943295);
+        // k1'
+        let k1_dot = -(real(0.017453292519943295) * t44);
+        // k2'
+        let k2_dot = -t44;
+
+        // -- error variable of block 1 (14) --
+        // e_1 = x_1 - y_r - zeta_1
+        let e1 = x1 - y_r - state.zeta1;
+
+        // -- barrier of block 1 (23) (26) --
+        // s_1 = e_1^T e_1
+        let s1 = e1.sum_squares();
+        let t45 = k1 * k1;
+        let t46 = real(1.0) / t45;
+        let t47 = s1 * t46;
+        // pi s_1^2 / (2 k_1^4), before the clamp
+        let E1_free = real(FRAC_PI_2) * (t47 * t47);
+        // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
+        let E1 = E1_free.min(real(1.5697963267948967));
+
+        // -- error variable of block 2 (14) --
+        // e_2 = x_2 - h_1 - zeta_2
+        let e2 = x2 - state.h1 - state.zeta2;
+
+        // -- barrier of block 2 (23) (26) --
+        // s_2 = e_2^T e_2
+        let s2 = e2.sum_squares();
+        let t48 = k2 * k2;
+        let t49 = real(1.0) / t48;
+        let t50 = s2 * t49;
+        // pi s_2^2 / (2 k_2^4), before the clamp
+        let E2_free = real(FRAC_PI_2) * (t50 * t50);
+        // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
+        let E2 = E2_free.min(real(1.5697963267948967));
+        let t51 = Vector([E1, E2]);
+        let [cos_E1, cos_E2] = t51.cos().0;
+        // cos E_2
+        let cosE2 = cos_E2;
+        let t52 = cosE2 * cosE2;
+        // 1 / cos^2 E_2
+        let sec2E2 = real(1.0) / t52;
+        LyapunovValues1 {
+            t1,
+            at_alpha_deg,
+            t2,
+            lift,
+            beta,
+            sin_alpha,
+            sin_beta,
+            sin_x1_2,
+            cos_alpha,
+            cos_beta,
+            cos_x1_2,
+            t13,
+            t14,
+            t15,
+            t3,
+            t4,
+            t16,
+            tan_beta,
+            t17,
+            F1,
+            t19,
+            t20,
+            t21,
+            t22,
+            t23,
+            t24,
+            G1,
+            t7,
+            t25,
+            t8,
+            t9,
+            t26,
+            t11,
+            F2,
+            dCl,
+            t27,
+            t28,
+            t29,
+            dCm,
+            dCD,
+            dCL,
+            t30,
+            t31,
+            t32,
+            dCn,
+            dCY,
+            t33,
+            t34,
+            t35,
+            H2,
+            cos_t,
+            cos_t36,
+            cos_t37,
+            sin_t,
+            sin_t39,
+            sin_t37,
+            t41,
+            y_r_dot,
+            exp_t43,
+            k2,
+            k1,
+            k1_dot,
+            k2_dot,
+            e1,
+            s1,
+            t45,
+            t46,
+            t47,
+            E1_free,
+            E1,
+            t48,
+            t49,
+            e2,
+            s2,
+            t50,
+            E2_free,
+            t51,
+            cos_E1,
+            cosE2,
+            t52,
+            sec2E2,
+        }
+    }
+}
+
+/// Part 2 of [`lyapunov`]: short functions compile faster than one long one.
+struct LyapunovPart2<'a, T: Real> {
+    x1: Vector<T, 3>,
+    x2: Vector<T, 3>,
+    w2: Vector<T, 6>,
+    state: &'a State<T>,
+    plant: &'a Params<T>,
+    t1: T,
+    at_alpha_deg: polynomials::AtAlphaDeg3<T>,
+    t2: T,
+    lift: T,
+    beta: T,
+    sin_alpha: T,
+    sin_beta: T,
+    sin_x1_2: T,
+    cos_alpha: T,
+    cos_beta: T,
+    cos_x1_2: T,
+    t13: T,
+    t14: T,
+    t15: T,
+    t3: T,
+    t4: T,
+    t16: T,
+    tan_beta: T,
+    t17: T,
+    F1: Vector<T, 3>,
+    t19: T,
+    t20: T,
+    t21: T,
+    t22: T,
+    t23: T,
+    t24: T,
+    G1: Matrix<T, 3, 3>,
+    t7: T,
+    t25: T,
+    t8: T,
+    t9: T,
+    t26: T,
+    t11: T,
+    F2: Vector<T, 3>,
+    dCl: Vector<T, 3>,
+    t27: T,
+    t28: T,
+    t29: T,
+    dCm: Vector<T, 3>,
+    dCD: Vector<T, 3>,
+    dCL: Vector<T, 3>,
+    t30: T,
+    t31: T,
+    t32: T,
+    dCn: Vector<T, 3>,
+    dCY: Vector<T, 3>,
+    t33: T,
+    t34: T,
+    t35: T,
+    H2: Matrix<T, 3, 3>,
+    cos_t: T,
+    cos_t36: T,
+    cos_t37: T,
+    sin_t: T,
+    sin_t39: T,
+    sin_t37: T,
+    t41: T,
+    y_r_dot: Vector<T, 3>,
+    exp_t43: T,
+    k2: T,
+    k1: T,
+    k1_dot: T,
+    k2_dot: T,
+    e1: Vector<T, 3>,
+    s1: T,
+    t45: T,
+    t46: T,
+    t47: T,
+    E1_free: T,
+    E1: T,
+    t48: T,
+    t49: T,
+    e2: Vector<T, 3>,
+    s2: T,
+    t50: T,
+    E2_free: T,
+    t51: Vector<T, 2>,
+    cos_E1: T,
+    cosE2: T,
+    t52: T,
+    sec2E2: T,
+}
+
+/// What is used of the values of [`LyapunovPart2`].
+struct LyapunovValues2<T: Real> {
+    sin_E2: T,
+    zeta2_dot: Vector<T, 3>,
+    th2_dot: Vector<T, 6>,
+    eps2_dot: T,
+    sigma2_dot: T,
+    phi2_dot: T,
+    w2_flow: Vector<T, 6>,
+    HSigma2: Matrix<T, 3, 3>,
+    t102: T,
+    w_error2: Vector<T, 6>,
+    t104: T,
+    V: T,
+    HSigma2_1: Vector<T, 3>,
+    HSigma2_2: Vector<T, 3>,
+    HSigma2_3: Vector<T, 3>,
+    V_T1_flow: T,
+    V_W1_flow: T,
+    V_D1_flow: T,
+    V_zeta1_flow: T,
+    V_chi1_flow: T,
+    e2_flow: Vector<T, 3>,
+    t147: T,
+    t148: T::Mask,
+    V_T2_flow: T,
+    V_W2_flow: T,
+}
+
+impl<T: Real> Part for LyapunovPart2<'_, T> {
+    type Output = LyapunovValues2<T>;
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let Self {
+            x1,
+            x2,
+            w2,
+            state,
+            plant,
+            t1,
+            at_alpha_deg,
+            t2,
+            lift,
+            beta,
+            sin_alpha,
+            sin_beta,
+            sin_x1_2,
+            cos_alpha,
+            cos_beta,
+            cos_x1_2,
+            t13,
+            t14,
+            t15,
+            t3,
+            t4,
+            t16,
+            tan_beta,
+            t17,
+            F1,
+            t19,
+            t20,
+            t21,
+            t22,
+            t23,
+            t24,
+            G1,
+            t7,
+            t25,
+            t8,
+            t9,
+            t26,
+            t11,
+            F2,
+            dCl,
+            t27,
+            t28,
+            t29,
+            dCm,
+            dCD,
+            dCL,
+            t30,
+            t31,
+            t32,
+            dCn,
+            dCY,
+            t33,
+            t34,
+            t35,
+            H2,
+            cos_t,
+            cos_t36,
+            cos_t37,
+            sin_t,
+            sin_t39,
+            sin_t37,
+            t41,
+            y_r_dot,
+            exp_t43,
+            k2,
+            k1,
+            k1_dot,
+            k2_dot,
+            e1,
+            s1,
+            t45,
+            t46,
+            t47,
+            E1_free,
+            E1,
+            t48,
+            t49,
+            e2,
+            s2,
+            t50,
+            E2_free,
+            t51,
+            cos_E1,
+            cosE2,
+            t52,
+            sec2E2,
+        } = self;
+        let real = T::from_f64;
+
+        // -- barrier of block 2 (23) (26) --
+        let t53 = s2 * sec2E2;
+        // c_2 = s_2 e_2^T / cos^2 E_2
+        let c2 = e2 * t53;
+
+        // -- barrier of block 1 (23) (26) --
+        // cos E_1
+        let cosE1 = cos_E1;
+        let t54 = cosE1 * cosE1;
+        // 1 / cos^2 E_1
+        let sec2E1 = real(1.0) / t54;
+        let t55 = s1 * sec2E1;
+        // c_1 = s_1 e_1^T / cos^2 E_1
+        let c1 = e1 * t55;
+
+        // -- MTPN of block 1 (4) (16) --
+        // P_1 = P_m(z_1), 19 nodes
+        let P1 = polynomials::basis1(x1);
+        let t56 = state.W1.transpose();
+        // A_hat_1 = iota_1 W_1^T P_1
+        let A_hat1 = t56 * P1 * real(0.1);
+
+        // -- disturbance observer of block 1 (20) --
+        // D_hat_1 = th_1 + S_1 x_1
+        let D_hat1 = state.th1 + x1 * real(10.0);
+
+        // -- norms of block 1 --
+        // ||G_1||^2
+        let G_norm2_1 = G1.sum_squares();
+
+        // -- robust feedback of block 1 (31) (63) --
+        let [sin_E1, sin_E2] = t51.sin().0;
+        let t57 = sin_E1 * cosE1;
+        let t58 = real(1.0) / E1_free;
+        let t59 = real(0.5) * G_norm2_1;
+        let t60 = real(2.375) * T::select(E1_free.lt(real(1e-300)), real(1.0), t57 * t58)
+            + real(2.0) + t55 * real(0.5);
+        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
+        // + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+        let Lam1 = e1 * (t60 + t55 * t59);
+        // ||c_1||^2
+        let s_c1 = c1.sum_squares();
+
+        // -- virtual control (31) of block 1 --
+        let t61 = F1 + A_hat1;
+        let t62 = state.zeta1 * real(20.0);
+        // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
+        let bracket1 = t61 - y_r_dot + t62 + D_hat1 + Lam1;
+        let t63 = Matrix::rows([[sin_alpha, t21], [t23, t24]]);
+        let t64 = t63.solve(Vector([bracket1[1], bracket1[2]]));
+        let t65 = bracket1[0] - t19 * t64[0] - t20 * t64[1];
+        let t66 = Vector([t64[0], t65, t64[1]]);
+        // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
+        let alpha1 = -t66;
+
+        // -- auxiliary system of block 1 (13) (E1) --
+        // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
+        let zeta1_dot = G1 * state.zeta2 - t62;
+
+        // -- weight law of block 1 (32) (65) --
+        // W_1' = Gamma_1 (P_1 c_1 I_1 - lambda_1 W_1)
+        let W1_dot = P1.outer(c1 * real(0.1)) - state.W1 * real(0.1);
+
+        // -- dynamic surface filter of block 1 (33) --
+        // h_1' = (alpha_1 - h_1) / Fl_1
+        let h1_dot = (alpha1 - state.h1) * real(20.0);
+
+        // -- MTPN of block 2 (4) (16) --
+        // P_2 = P_m(z_2), 19 nodes
+        let P2 = polynomials::basis2(x2);
+        let t67 = state.W2.transpose();
+        // A_hat_2 = iota_2 W_2^T P_2
+        let A_hat2 = t67 * P2 * real(0.1);
+
+        // -- disturbance observer of block 2 (49) --
+        let t68 = Vector([
+            real(-1.5) * e2[0],
+            real(1.5) * e2[0],
+            real(1.5) * e2[1],
+            e2[1],
+            real(-2.0) * e2[2],
+            real(4.0) * e2[2],
+        ]);
+        // w_hat_2 = th_2 + S_2 e_2
+        let w_hat2 = state.th2 + t68;
+        // d_hat_2 = L_2 w_hat_2
+        let D_hat2 = Vector([
+            real(2.0) * w_hat2[1],
+            real(2.0) * w_hat2[2],
+            w_hat2[4] + w_hat2[5],
+        ]);
+
+        // -- noise terms of block 2 (58) (62) --
+        // ||H_2||^2
+        let H_norm2_2 = H2.sum_squares();
+        let t69 = real(3.0) * sec2E2;
+        let t70 = real(8.0) * E2_free * sin_E2 * (cosE2 * (sec2E2 * sec2E2)) + t69;
+        // ||Ybar_2||^2
+        let Ybar_square2 = t70 * t70 + real(2.0) * (t69 * t69);
+        // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I
+        // (58)
+        let Ybar_norm2 = Ybar_square2.sqrt();
+        // S_2 H_2
+        let SH2 = Matrix::rows([
+            [real(-1.5) * t27, real(-1.5) * t28, real(-1.5) * t29],
+            [real(1.5) * t27, real(1.5) * t28, real(1.5) * t29],
+            [real(1.5) * t30, real(1.5) * t31, real(1.5) * t32],
+            [t30, t31, t32],
+            [real(-2.0) * t33, real(-2.0) * t34, real(-2.0) * t35],
+            [real(4.0) * t33, real(4.0) * t34, real(4.0) * t35],
+        ]);
+        // ||S_2 H_2||^2
+        let SH_norm2_2 = SH2.sum_squares();
+        // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4
+        // (62)
+        let Psi2 = H_norm2_2 * H_norm2_2 * Ybar_square2 * real(0.5)
+            + real(0.030000000000000006) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
+
+        // -- robust feedback of block 2 (31) (63) --
+        let t71 = (e2 * real(0.5)).tanh();
+        // eps_hat Tanh(e / b) (64)
+        let Lam2_error_bound = t71 * state.eps2;
+        let t72 = s2 * s2;
+        // 1 / sqrt(s_2^2 + varsigma_2^2)
+        let s_scale2 = real(1.0) / (t72 + real(1.0)).sqrt();
+        let t73 = real(2.5)
+            * T::select(
+                E2_free.lt(real(1e-300)),
+                real(1.0),
+                sin_E2 * cosE2 * (real(1.0) / E2_free),
+            ) + real(2.0);
+        let t74 = G_norm2_1 * s_c1;
+        let t75 = H_norm2_2 * Ybar_norm2;
+        let t76 = state.phi2 * state.phi2;
+        let t77 = Psi2 / (t76 + t72);
+        let t78 = t73 + t53 * real(50.0) + real(0.5) * sec2E2
+            + t74 * t74 * real(0.25) * t52;
+        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
+        // + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
+        // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
+        // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+        let Lam2 = e2 * (t78 + t75 * state.sigma2 * s_scale2 + t77 * t52)
+            + Lam2_error_bound;
+
+        // -- control (64) of block 2 --
+        let t79 = state.zeta2 * real(50.0);
+        // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
+        let bracket2 = F2 + A_hat2 - h1_dot + t79 + D_hat2 + Lam2;
+        let t80 = bracket2
+            .hadamard(Vector::<T, 3>::from_f64([1355818.0, 13558180.0, 13558180.0]));
+        // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
+        let u = -t80;
+        // sat(u), each component limited to +-u_max (8)
+        let u_sat = u
+            .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
+            .min(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]));
+
+        // -- auxiliary system of block 2 (13) (E1) --
+        let t81: Vector<T, 3> = Vector::from_f64([
+            7.375621211696555e-7,
+            7.375621211696555e-8,
+            7.375621211696555e-8,
+        ]);
+        // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
+        let zeta2_dot = t81.hadamard(u_sat + t80) - t79;
+
+        // -- weight law of block 2 (32) (65) --
+        // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
+        let W2_dot = P2.outer(c2 * real(0.1)) - state.W2 * real(0.1);
+
+        // -- observer dynamics of block 2 (50) --
+        let t82 = Vector([
+            real(-0.3) * w_hat2[0] + real(3.0) * w_hat2[1],
+            real(-3.0) * w_hat2[0] + real(-0.3) * w_hat2[1],
+            real(-0.3) * w_hat2[2] + real(3.0) * w_hat2[3],
+            real(-3.0) * w_hat2[2] + real(-0.3) * w_hat2[3],
+            real(-0.3) * w_hat2[4] + real(3.0) * w_hat2[5],
+            real(-3.0) * w_hat2[4] + real(-0.3) * w_hat2[5],
+        ]);
+        let t83 = Vector([
+            real(-1.5) * Lam2[0],
+            real(1.5) * Lam2[0],
+            real(1.5) * Lam2[1],
+            Lam2[1],
+            real(-2.0) * Lam2[2],
+            real(4.0) * Lam2[2],
+        ]);
+        // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+        // w_hat_2 + S_2 Lam_2
+        let th2_dot = t82 + t83;
+
+        // -- network error bound of block 2 (66) --
+        // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
+        let eps2_dot = real(0.1) * (t53 * e2.dot(t71) - state.eps2);
+
+        // -- noise bound of block 2 (67) --
+        // sigma_hat_2' = taubar_2 (||H_2||^2 ||Ybar_2|| s_2^2 / (cos^2 E_2 sqrt(s_2^2 +
+        // varsigma_2^2)) - lambda_sigma sigma_hat_2)
+        let sigma2_dot = t75 * t72 * sec2E2 * s_scale2 - real(0.1) * state.sigma2;
+
+        // -- compensation of block 2 (68) --
+        // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
+        let phi2_decay = t77 + real(2.0);
+        // phi_2' = -phi_2 Psi_2/(phi_2^2 + s_2^2) - kappa_phi phi_2 if ||e_2|| >= iota_phi, else 0
+        let phi2_dot = T::select(
+            s2.sqrt().ge(real(0.01)),
+            -state.phi2 * phi2_decay,
+            real(0.0),
+        );
+
+        // -- true dynamics of block 1 (attitude) (11) --
+        let t84 = real(97170193.3485195) * plant.CL_scale;
+        let t85 = t84 * t2;
+        let t86 = t13 - t85;
+        let t87 = real(97170193.3485195) * plant.CY_scale;
+        let t88 = t87 * t4;
+        // F_1 with the plant's parameters
+        let F1_plant = Vector([
+            t86 / t15,
+            (t88 + t16) * real(2.4362909905959168e-9),
+            (t85 * tan_beta - t17) * real(2.4362909905959168e-9),
+        ]);
+        let t89 = real(0.02) * sin_t37;
+        let t90 = t89 * exp_t43;
+        let t91 = real(0.02) * sin_t;
+        // d_1(t)
+        let d1 = Vector([t90, t91 * exp_t43, t90]);
+        let t92 = G1 * x2;
+        // F_1 + G_1 x_2 + d_1
+        let x1_flow = F1_plant + t92 + d1;
+
+        // -- true dynamics of block 2 (rates) (11) --
+        let t93 = real(1777048495.9577248) * plant.Cl_scale;
+        let t94 = real(2.85)
+            * (real(97170193.3485195) * plant.CD_scale * t9 * sin_alpha
+                + t85 * cos_alpha);
+        // F_2 with the plant's parameters
+        let F2_plant = Vector([
+            t93 * t7 * real(7.375621211696555e-7),
+            (t25 + real(2369397994.6102996) * plant.Cm_scale * t8 + t94)
+                * real(7.375621211696555e-8),
+            (t26 + real(1777048495.9577248) * plant.Cn_scale * t11 + real(2.85) * t88)
+                * real(7.375621211696555e-8),
+        ]);
+        // d_2 = L_2 w_2 (12)
+        let d2 = Vector([real(2.0) * w2[1], real(2.0) * w2[2], w2[4] + w2[5]]);
+        // w_2' = M_2 w_2 (12)
+        let w2_flow = Vector([
+            real(-0.3) * w2[0] + real(3.0) * w2[1],
+            real(-3.0) * w2[0] + real(-0.3) * w2[1],
+            real(-0.3) * w2[2] + real(3.0) * w2[3],
+            real(-3.0) * w2[2] + real(-0.3) * w2[3],
+            real(-0.3) * w2[4] + real(3.0) * w2[5],
+            real(-3.0) * w2[4] + real(-0.3) * w2[5],
+        ]);
+        // F_2 + G_2 x_3 + d_2
+        let x2_flow = F2_plant + t81.hadamard(u_sat) + d2;
+        let t95 = dCl * t93;
+        let t96 = (dCD * plant.CD_scale * sin_alpha + dCL * plant.CL_scale * cos_alpha)
+            * real(2.85);
+        let t97 = (dCm * (real(24.384) * plant.Cm_scale) + t96) * real(97170193.3485195);
+        let t98 = (dCn * (real(18.288) * plant.Cn_scale)
+            + dCY * (real(2.85) * plant.CY_scale)) * real(97170193.3485195);
+        let t99 = Matrix::rows([
+            [
+                t95[0] * real(7.375621211696555e-7),
+                t95[1] * real(7.375621211696555e-7),
+                t95[2] * real(7.375621211696555e-7),
+            ],
+            [
+                t97[0] * real(7.375621211696555e-8),
+                t97[1] * real(7.375621211696555e-8),
+                t97[2] * real(7.375621211696555e-8),
+            ],
+            [
+                t98[0] * real(7.375621211696555e-8),
+                t98[1] * real(7.375621211696555e-8),
+                t98[2] * real(7.375621211696555e-8),
+            ],
+        ]);
+        // H_2 Sigma_2
+        let HSigma2 = t99 * real(0.05);
+
+        // -- Lyapunov function of block 1 (23) (52) --
+        let t100 = t45 * t45 * real(0.15915494309189535);
+        let [tan_E1, tan_E2] = t51.tan().0;
+        // k_1^4/(2 pi) tan E_1
+        let V_T1 = t100 * tan_E1;
+        let t101 = t56 * state.W1;
+        // tr(W_1^T W_1)/(2 Gamma_1)
+        let V_W1 = (t101[(0, 0)] + t101[(1, 1)] + t101[(2, 2)]) * real(0.5);
+        // D_1 = d_1 + model error of block 1
+        let D1 = d1 + (F1_plant - F1);
+        // D_1 - D_hat_1
+        let D_error1 = D1 - D_hat1;
+        // 1/2 ||theta_1 - th_1||^2
+        let V_D1 = D_error1.sum_squares() * real(0.5);
+        // 1/2 ||zeta_1||^2
+        let V_zeta1 = state.zeta1.sum_squares() * real(0.5);
+        // chi_1 = h_1 - alpha_1 (34)
+        let chi1 = state.h1 + t66;
+        // 1/2 ||chi_1||^2
+        let V_chi1 = chi1.sum_squares() * real(0.5);
+
+        // -- Lyapunov function of block 2 (23) (52) --
+        let t102 = t48 * t48 * real(0.15915494309189535);
+        // k_2^4/(2 pi) tan E_2
+        let V_T2 = t102 * tan_E2;
+        let t103 = t67 * state.W2;
+        // tr(W_2^T W_2)/(2 Gamma_2)
+        let V_W2 = (t103[(0, 0)] + t103[(1, 1)] + t103[(2, 2)]) * real(0.5);
+        // w_2 - w_hat_2
+        let w_error2 = w2 - w_hat2;
+        // 1/2 ||theta_2 - th_2||^2
+        let V_D2 = w_error2.sum_squares() * real(0.5);
+        // 1/2 ||zeta_2||^2
+        let V_zeta2 = state.zeta2.sum_squares() * real(0.5);
+        // eps_hat_2^2/(2 iota_20)
+        let V_eps2 = state.eps2 * state.eps2 * real(5.0);
+        let t104 = real(0.0075000000000000015) - state.sigma2;
+        // (sigma_bar_2 - sigma_hat_2)^2/(2 taubar_2)
+        let V_sigma2 = t104 * t104 * real(0.5);
+        // phi_2^2/2
+        let V_phi2 = t76 * real(0.5);
+
+        // -- Lyapunov function (52) --
+        let t105 = V_T1 + V_W1 + V_D1 + V_zeta1 + V_chi1 + V_T2 + V_W2 + V_D2 + V_zeta2;
+        // V, sum of the parts above
+        let V = t105 + V_eps2 + V_sigma2 + V_phi2;
+
+        // -- Ito generator (2) --
+        // column 1 of HSigma2
+        let HSigma2_1 = Vector([HSigma2[(0, 0)], HSigma2[(1, 0)], HSigma2[(2, 0)]]);
+        // column 2 of HSigma2
+        let HSigma2_2 = Vector([HSigma2[(0, 1)], HSigma2[(1, 1)], HSigma2[(2, 1)]]);
+        // column 3 of HSigma2
+        let HSigma2_3 = Vector([HSigma2[(0, 2)], HSigma2[(1, 2)], HSigma2[(2, 2)]]);
+        // e1' along the flow
+        let e1_flow = x1_flow - y_r_dot - zeta1_dot;
+        let t106 = e1_flow.dot(e1);
+        // s1' along the flow
+        let s1_flow = t106 + t106;
+        let t107 = (t47 + t47) * (s1_flow * t46 - t47 * t46 * ((k1 + k1) * k1_dot));
+        // E1_free' along the flow
+        let E1_free_flow = real(FRAC_PI_2) * t107;
+        // E1' along the flow
+        let E1_flow = T::select(
+            E1_free.lt(real(1.5697963267948967)),
+            E1_free_flow,
+            real(0.0),
+        );
+        // V_T1' along the flow
+        let V_T1_flow = tan_E1
+            * (real(4.0) * (t45 * k1) * k1_dot * real(0.15915494309189535))
+            + t100 * (E1_flow / t54);
+        let t108 = W1_dot.transpose();
+        let t109 = t108 * state.W1 + t56 * W1_dot;
+        // V_W1' along the flow
+        let V_W1_flow = (t109[(0, 0)] + t109[(1, 1)] + t109[(2, 2)]) * real(0.5);
+        let t110 = exp_t43 * real(-0.1);
+        let t111 = exp_t43 * (real(0.02) * (cos_t37 * real(2.0))) + t89 * t110;
+        // d1'
+        let d1_dot = Vector([t111, exp_t43 * (real(0.02) * cos_t) + t91 * t110, t111]);
+        let t112 = real(1.0) / t15;
+        let t113 = sin_beta * x1_flow[1];
+        let t114 = real(410460000.0) * t113;
+        let t115 = real(1332506.5352200002) * (sin_x1_2 * x1_flow[2]);
+        let t116 = x1_flow[0] * real(57.29577951308232);
+        let t117 = real(0.0001485745427349122) * t116;
+        let t118 = at_alpha_deg.CL_alpha_d1 * t116 + t117 + t117;
+        let t119 = t84 * t118;
+        let t120 = beta * (at_alpha_deg.CY_beta_d1 * t116)
+            + at_alpha_deg.CY_beta * x1_flow[1] + at_alpha_deg.CY_LE_d1 * t116
+            + at_alpha_deg.CY_RE_d1 * t116;
+        let t121 = t120 + real(4.86e-20) * t116;
+        let t122 = real(1332506.5352200002) * (cos_x1_2 * x1_flow[2]);
+        let t123 = x1_flow[1] / (cos_beta * cos_beta);
+        let t124 = t13 * t123 - tan_beta * t115;
+        // F1_plant' along the flow
+        let F1_plant_flow = Vector([
+            t86 * t112 * t112 * t114 - (t115 + t119) * t112,
+            (t87 * t121 + t122) * real(2.4362909905959168e-9),
+            (tan_beta * t119 + t85 * t123 - t124) * real(2.4362909905959168e-9),
+        ]);
+        let t125 = t1 * t118;
+        // F1' along the flow
+        let F1_flow = Vector([
+            t14 * t112 * t112 * t114 - (t115 + t125) * t112,
+            (t3 * t121 + t122) * real(2.4362909905959168e-9),
+            (tan_beta * t125 + lift * t123 - t124) * real(2.4362909905959168e-9),
+        ]);
+        // D1' along the flow
+        let D1_flow = d1_dot + (F1_plant_flow - F1_flow);
+        // D_hat1' along the flow
+        let D_hat1_flow = x1_flow * real(10.0) - (D_hat1 + t61 + t92) * real(10.0);
+        // D_error1' along the flow
+        let D_error1_flow = D1_flow - D_hat1_flow;
+        let t126 = D_error1_flow.dot(D_error1);
+        // V_D1' along the flow
+        let V_D1_flow = (t126 + t126) * real(0.5);
+        let t127 = zeta1_dot.dot(state.zeta1);
+        // V_zeta1' along the flow
+        let V_zeta1_flow = (t127 + t127) * real(0.5);
+        let t128 = sin_alpha * x1_flow[0];
+        let t129 = cos_alpha * t123 - tan_beta * t128;
+        let t130 = cos_alpha * x1_flow[0];
+        let t131 = sin_alpha * t123 + tan_beta * t130;
+        let t132 = t23 * t22 * t113 - t128 * t22;
+        let t133 = t130 * t22 + t24 * t22 * t113;
+        // G1' along the flow
+        let G1_flow = Matrix::rows([
+            [-t129, real(0.0), -t131],
+            [t130, real(0.0), t128],
+            [t132, real(0.0), t133],
+        ]);
+        // P1' along the flow
+        let P1_flow = polynomials::basis1_rate(x1, x1_flow);
+        // A_hat1' along the flow
+        let A_hat1_flow = (t108 * P1 + t56 * P1_flow) * real(0.1);
+        // y_r''
+        let y_r_dot2 = Vector([
+            real(0.017453292519943295)
+                * (real(2.0) * (real(FRAC_PI_4) * (cos_t36 * real(FRAC_PI_4)))),
+            real(0.017453292519943295)
+                * (real(0.5)
+                    * -(real(0.9424777960769379)
+                        * (sin_t39 * real(0.9424777960769379)))),
+            real(0.017453292519943295)
+                * (real(-2.0) * -sin_t - real(0.5) * (real(0.5) * t41)),
+        ]);
+        let t134 = real(1.5697963267948967) * t58;
+        let t135 = real(1.0).lt(t134);
+        let t136 = T::select(t135, real(1.0), t134);
+        let t137 = T::select(E1.eq(real(0.0)), real(1.0), t57 / E1);
+        let t138 = t136 * (kernel::sin_cos_over_d1(E1) * E1_flow)
+            + T::select(t135, real(0.0), -(t137 * (t134 * t58 * E1_free_flow)));
+        let t139 = t137 * t136;
+        // Lam0_1' along the flow
+        let Lam0_1_flow = Vector([
+            real(2.375) * e1[0] * t138 + t139 * (real(2.375) * e1_flow[0])
+                + real(2.0) * e1_flow[0],
+            real(2.375) * e1[1] * t138 + t139 * (real(2.375) * e1_flow[1])
+                + real(2.0) * e1_flow[1],
+            real(2.375) * e1[2] * t138 + t139 * (real(2.375) * e1_flow[2])
+                + real(2.0) * e1_flow[2],
+        ]);
+        // cosE1' along the flow
+        let cosE1_flow = -(sin_E1 * E1_flow);
+        let t140 = e1
+            * (s1_flow * sec2E1
+                - s1 * (sec2E1 * sec2E1 * ((cosE1 + cosE1) * cosE1_flow)));
+        // c1' along the flow
+        let c1_flow = t140 + e1_flow * t55;
+        // Lam1_disturbance' along the flow
+        let Lam1_disturbance_flow = c1_flow * real(0.5);
+        let t141 = -((t19 + t19) * t129) - (t20 + t20) * t131
+            + (sin_alpha + sin_alpha) * t130;
+        let t142 = t141 + (t21 - cos_alpha) * t128 + (t23 + t23) * t132;
+        // G_norm2_1' along the flow
+        let G_norm2_1_flow = t142 + (t24 + t24) * t133;
+        // Lam1_filter' along the flow
+        let Lam1_filter_flow = c1 * (real(0.5) * G_norm2_1_flow) + c1_flow * t59;
+        // Lam1' along the flow
+        let Lam1_flow = Lam0_1_flow + Lam1_disturbance_flow + Lam1_filter_flow;
+        // bracket1' along the flow
+        let bracket1_flow = F1_flow + A_hat1_flow - y_r_dot2 + zeta1_dot * real(20.0)
+            + D_hat1_flow + Lam1_flow;
+        let t143 = bracket1_flow - G1_flow * t66;
+        let t144 = t63.solve(Vector([t143[1], t143[2]]));
+        // chi1' along the flow
+        let chi1_flow = h1_dot
+            + Vector([t144[0], t143[0] - t19 * t144[0] - t20 * t144[1], t144[1]]);
+        let t145 = chi1_flow.dot(chi1);
+        // V_chi1' along the flow
+        let V_chi1_flow = (t145 + t145) * real(0.5);
+        // e2' along the flow
+        let e2_flow = x2_flow - h1_dot - zeta2_dot;
+        let t146 = e2_flow.dot(e2);
+        // s2' along the flow
+        let s2_flow = t146 + t146;
+        let t147 = t50 + t50;
+        // E2_free' along the flow
+        let E2_free_flow = real(FRAC_PI_2)
+            * (t147 * (s2_flow * t49 - t50 * t49 * ((k2 + k2) * k2_dot)));
+        let t148 = E2_free.lt(real(1.5697963267948967));
+        // E2' along the flow
+        let E2_flow = T::select(t148, E2_free_flow, real(0.0));
+        // V_T2' along the flow
+        let V_T2_flow = tan_E2
+            * (real(4.0) * (t48 * k2) * k2_dot * real(0.15915494309189535))
+            + t102 * (E2_flow / t52);
+        let t149 = W2_dot.transpose() * state.W2 + t67 * W2_dot;
+        // V_W2' along the flow
+        let V_W2_flow = (t149[(0, 0)] + t149[(1, 1)] + t149[(2, 2)]) * real(0.5);
+        LyapunovValues2 {
+            sin_E2,
+            zeta2_dot,
+            th2_dot,
+            eps2_dot,
+            sigma2_dot,
+            phi2_dot,
+            w2_flow,
+            HSigma2,
+            t102,
+            w_error2,
+            t104,
+            V,
+            HSigma2_1,
+            HSigma2_2,
+            HSigma2_3,
+            V_T1_flow,
+            V_W1_flow,
+            V_D1_flow,
+            V_zeta1_flow,
+            V_chi1_flow,
+            e2_flow,
+            t147,
+            t148,
+            V_T2_flow,
+            V_W2_flow,
+        }
+    }
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: f15b151cca3ef35da64b2e7e6994a8311e4c8322cf7a7af41ac5f0d212366a7a
+// SHA-256 of the text below: 0209b4ee48463879b964f4fd6f580561cfa0956b0a1e1eadb78d8f05c7e2c6ce
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 7709ac9dadc6e0d55c9f2766fd114c93b77a2eb45a027fca7fc9fa1a44d38c56
 // lyapunov: 747 additions, 945 multiplications, 17 divisions, 2 square roots, 13 elementary functions, 19 comparisons and selections
@@ -15,7 +15,7 @@ use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
 use nsv_runtime::kernel;
 use nsv_runtime::linear::{Matrix, Vector};
-use nsv_runtime::real::Real;
+use nsv_runtime::real::{Part, Real};
 
 /// Results of [`lyapunov`].
 #[derive(Clone, Copy, Debug)]
@@ -42,252 +42,73 @@ pub fn lyapunov<T: Real>(
     plant: &Params<T>,
 ) -> LyapunovOutputs<T> {
     let real = T::from_f64;
-
-    // -- plant model --
-    let psi = x1[2];
-    let m_11 = real(23.8) + params.added_scale * real(2.0);
-    let m_33 = real(1.76) + params.added_scale;
-    let m_22 = real(23.8) + params.added_scale * real(10.0);
-    let m_23 = real(1.0948);
-    let det_M = m_22 * m_33 - real(1.19858704);
-    let t1 = real(1.0) / m_11;
-    let t2 = real(1.0) / det_M;
-    let t3 = m_33 * t2;
-    let t4 = real(-1.0948) * t2;
-    let t5 = m_22 * t2;
-    let inverse_M = Matrix::rows([
-        [t1, real(0.0), real(0.0)],
-        [real(0.0), t3, t4],
-        [real(0.0), t4, t5],
-    ]);
-    let sway = x2[1];
-    let r = x2[2];
-    let sway_momentum = m_22 * sway + m_23 * r;
-    let surge = x2[0];
-    let d_11 = real(0.72253) - real(-1.32742) * surge.abs()
-        - real(-5.86643) * (surge * surge);
-    let t6 = sway.abs();
-    let t7 = r.abs();
-    let d_22 = real(0.88965) - real(-36.47287) * t6 - real(-0.805) * t7;
-    let d_23 = real(7.25) - real(-0.845) * t6 - real(-3.45) * t7;
-    let d_32 = real(-0.0313) - real(3.95645) * t6 - real(0.13) * t7;
-    let d_33 = real(1.9) - real(0.08) * t6 - real(-0.75) * t7;
-    let t8 = m_11 * surge;
-    let t9 = d_22 * sway + d_23 * r;
-    let t10 = d_32 * sway + d_33 * r;
-    let resistance = Vector([
-        params.damping_scale * d_11 * surge - sway_momentum * r,
-        t8 * r + params.damping_scale * t9,
-        sway_momentum * surge - t8 * sway + params.damping_scale * t10,
-    ]);
-    let t11 = (real(-0.1) * t).exp();
-    let turn = real(0.05) * (t - real(10.0) * (real(1.0) - t11));
-
-    // -- known dynamics of block 1 (pose) (11) --
-    let t12 = psi.cos();
-    let t13 = psi.sin();
-    let t14 = -t13;
-    // G_1(x_1 .. x_1)
-    let G1 = Matrix::rows([
-        [t12, t14, real(0.0)],
-        [t13, t12, real(0.0)],
-        [real(0.0), real(0.0), real(1.0)],
-    ]);
-
-    // -- known dynamics of block 2 (velocity) (11) --
-    // F_2(x_1 .. x_2)
-    let F2 = -inverse_M * resistance;
-    let t15 = t1 * real(0.02);
-    let t16 = t3 * real(0.02);
-    let t17 = t4 * real(0.005);
-    let t18 = t4 * real(0.02);
-    let t19 = t5 * real(0.005);
-    // H_2(x_1 .. x_2)
-    let H2 = Matrix::rows([
-        [t15, real(0.0), real(0.0)],
-        [real(0.0), t16, t17],
-        [real(0.0), t18, t19],
-    ]);
-
-    // -- reference and constraints --
-    // t'
-    let one = real(1.0);
-    let t20 = turn.sin();
-    let t21 = turn.cos();
-    // y_r(t)
-    let y_r = Vector([real(4.0) * t20, real(4.0) * (real(1.0) - t21), turn]);
-    let t22 = t11 * real(-0.1);
-    let t23 = real(0.05) * (one + real(10.0) * t22);
-    let t24 = t21 * t23;
-    let t25 = t20 * t23;
-    // y_r'
-    let y_r_dot = Vector([real(4.0) * t24, real(4.0) * t25, t23]);
-    // k_1(t)
-    let k1 = real(0.25) * t11 + real(0.02);
-    // k1'
-    let k1_dot = real(0.25) * t22;
-
-    // -- error variable of block 1 (14) --
-    // e_1 = x_1 - y_r - zeta_1
-    let e1 = x1 - y_r - state.zeta1;
-
-    // -- barrier of block 1 (23) (26) --
-    // s_1 = e_1^T e_1
-    let s1 = e1.sum_squares();
-    let t26 = k1 * k1;
-    let t27 = real(1.0) / t26;
-    let t28 = s1 * t27;
-    // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t28 * t28);
-    // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
-    let E1 = E1_free.min(real(1.5697963267948967));
-    // cos E_1
-    let cosE1 = E1.cos();
-    let t29 = cosE1 * cosE1;
-    // 1 / cos^2 E_1
-    let sec2E1 = real(1.0) / t29;
-    let t30 = s1 * sec2E1;
-    // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * t30;
-
-    // -- disturbance observer of block 1 (20) --
-    let t31: Vector<T, 3> = Vector::from_f64([0.5, 0.5, 1.0]);
-    // D_hat_1 = th_1 + S_1 x_1
-    let D_hat1 = state.th1 + t31.hadamard(x1);
-
-    // -- norms of block 1 --
-    // ||G_1||^2
-    let G_norm2_1 = G1.sum_squares();
-
-    // -- robust feedback of block 1 (31) (63) --
-    let t32 = E1.sin();
-    let t33 = t32 * cosE1;
-    let t34 = real(1.0) / E1_free;
-    let t35 = Vector::<T, 3>::from_f64([0.55, 0.55, 0.75]).hadamard(e1)
-        * T::select(E1_free.lt(real(1e-300)), real(1.0), t33 * t34);
-    // Lam0 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-    let Lam0_1 = t35 + e1 * real(0.25);
-    let t36 = real(0.5) * G_norm2_1;
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = Lam0_1 + e1 * (t30 * real(0.5) + t30 * t36);
-    // ||c_1||^2
-    let s_c1 = c1.sum_squares();
-
-    // -- virtual control (31) of block 1 --
-    let t37: Vector<T, 3> = Vector::from_f64([2.0, 2.0, 4.0]);
-    let t38 = t37.hadamard(state.zeta1);
-    // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t38 - y_r_dot + D_hat1 + Lam1;
-    let t39 = Matrix::rows([[t12, t14], [t13, t12]]);
-    let t40 = t39.solve(Vector([bracket1[0], bracket1[1]]));
-    let t41 = Vector([t40[0], t40[1], bracket1[2]]);
-    // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
-    let alpha1 = -t41;
-
-    // -- auxiliary system of block 1 (13) (E1) --
-    // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = G1 * state.zeta2 - t38;
-
-    // -- dynamic surface filter of block 1 (33) --
-    // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = Vector::<T, 3>::from_f64([5.0, 5.0, 10.0]).hadamard(alpha1 - state.h1);
-
-    // -- error variable of block 2 (14) --
-    // e_2 = x_2 - h_1 - zeta_2
-    let e2 = x2 - state.h1 - state.zeta2;
-
-    // -- barrier of block 2 (23) (26) --
-    // s_2 = e_2^T e_2
-    let s2 = e2.sum_squares();
-    // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * s2;
-
-    // -- MTPN of block 2 (4) (16) --
-    // z_2, network inputs
-    let z2 = Vector([surge * real(5.0), sway * real(10.0), r * real(10.0)]);
-    // P_2 = P_m(z_2), 10 nodes
-    let P2 = polynomials::basis2(z2);
-    let t42: Vector<T, 3> = Vector::from_f64([0.02, 0.02, 0.1]);
-    let t43 = state.W2.transpose();
-    // A_hat_2 = iota_2 W_2^T P_2
-    let A_hat2 = t42.hadamard(t43 * P2);
-
-    // -- disturbance observer of block 2 (49) --
-    let t44 = Vector([
-        real(-3.0) * e2[0],
-        real(22.8) * e2[0],
-        real(-3.0) * e2[1],
-        real(22.8) * e2[1],
-        real(-3.0) * e2[2],
-        real(22.8) * e2[2],
-    ]);
-    // w_hat_2 = th_2 + S_2 e_2
-    let w_hat2 = state.th2 + t44;
-    // d_hat_2 = L_2 w_hat_2
-    let D_hat2 = Vector([w_hat2[1], w_hat2[3], w_hat2[5]]);
-
-    // -- noise terms of block 2 (58) (62) --
-    // ||H_2||^2
-    let H_norm2_2 = H2.sum_squares();
-    // ||Ybar_2||^2
-    let Ybar_square2 = real(27.0);
-    // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
-    let Ybar_norm2 = real(5.196152422706632);
-    // S_2 H_2
-    let SH2 = Matrix::rows([
-        [real(-3.0) * t15, real(0.0), real(0.0)],
-        [real(22.8) * t15, real(0.0), real(0.0)],
-        [real(0.0), real(-3.0) * t16, real(-3.0) * t17],
-        [real(0.0), real(22.8) * t16, real(22.8) * t17],
-        [real(0.0), real(-3.0) * t18, real(-3.0) * t19],
-        [real(0.0), real(22.8) * t18, real(22.8) * t19],
-    ]);
-    // ||S_2 H_2||^2
-    let SH_norm2_2 = SH2.sum_squares();
-    let t45 = H_norm2_2 * real(0.1);
-    // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)
-    let Psi2 = t45 * t45 * Ybar_square2 * real(0.5) + real(0.019200000000000002)
-        + real(0.1) * (SH_norm2_2 * SH_norm2_2);
-
-    // -- robust feedback of block 2 (31) (63) --
-    let t46 = (e2 * real(10.0)).tanh();
-    // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t46 * state.eps2;
-    let t47 = s2 * s2;
-    // 1 / sqrt(s_2^2 + varsigma_2^2)
-    let s_scale2 = real(1.0) / (t47 + real(0.010000000000000002)).sqrt();
-    let t48 = G_norm2_1 * s_c1;
-    let t49 = H_norm2_2 * Ybar_norm2;
-    let t50 = state.phi2 * state.phi2;
-    let t51 = Psi2 / (t50 + t47);
-    let t52 = real(3.5) + s2 * real(1.5) + real(0.5) + t48 * t48 * real(0.25);
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
-    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
-    let Lam2 = e2 * (t52 + t49 * state.sigma2 * s_scale2 + t51) + Lam2_error_bound;
-
-    // -- control (64) of block 2 --
-    let t53 = state.zeta2 * real(10.0);
-    // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 + A_hat2 - h1_dot + t53 + D_hat2 + Lam2;
-    let t54 = bracket2[0] * (real(1.0) / t1);
-    let t55 = real(1.0) / (t3 * t5 - t4 * t4);
-    let t56 = -t4 * t55;
-    let t57 = Matrix::rows([[t5 * t55, t56], [t56, t3 * t55]])
-        * Vector([bracket2[1], bracket2[2]]);
-    let t58 = Vector([t54, t57[0], t57[1]]);
-    // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t58;
-    // sat(u), each component limited to +-u_max (8)
-    let u_sat = u
-        .max(Vector::<T, 3>::from_f64([-2.0, -2.0, -1.5]))
-        .min(Vector::<T, 3>::from_f64([2.0, 2.0, 1.5]));
-
-    // -- auxiliary system of block 2 (13) (E1) --
-    // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = inverse_M * (u_sat + t58) - t53;
+    let LyapunovValues1 {
+        t12,
+        t13,
+        t14,
+        G1,
+        sway,
+        r,
+        surge,
+        d_11,
+        t9,
+        t10,
+        t20,
+        t21,
+        t22,
+        t23,
+        t24,
+        t25,
+        y_r_dot,
+        k1,
+        k1_dot,
+        e1,
+        s1,
+        t26,
+        t27,
+        t28,
+        E1_free,
+        E1,
+        cosE1,
+        t29,
+        sec2E1,
+        t30,
+        c1,
+        t31,
+        D_hat1,
+        t32,
+        t33,
+        t34,
+        t36,
+        t37,
+        t39,
+        t40,
+        t41,
+        zeta1_dot,
+        h1_dot,
+        e2,
+        s2,
+        c2,
+        P2,
+        t42,
+        t43,
+        w_hat2,
+        t46,
+        t47,
+        s_scale2,
+        t49,
+        t50,
+        t51,
+        Lam2,
+        u_sat,
+        zeta2_dot,
+    } = T::outlined(LyapunovPart1 {
+        t,
+        x1,
+        x2,
+        state,
+        params,
+    });
 
     // -- weight law of block 2 (32) (65) --
     // W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
@@ -623,4 +444,395 @@ pub fn lyapunov<T: Real>(
     // LV = V_t + V_x f + 1/2 sum_j g_j^T V_xx g_j
     let LV = t130 + real(0.0032);
     LyapunovOutputs { V, LV }
+}
+
+/// Part 1 of [`lyapunov`]: short functions compile faster than one long one.
+struct LyapunovPart1<'a, T: Real> {
+    t: T,
+    x1: Vector<T, 3>,
+    x2: Vector<T, 3>,
+    state: &'a State<T>,
+    params: &'a Params<T>,
+}
+
+/// What is used of the values of [`LyapunovPart1`].
+struct LyapunovValues1<T: Real> {
+    t12: T,
+    t13: T,
+    t14: T,
+    G1: Matrix<T, 3, 3>,
+    sway: T,
+    r: T,
+    surge: T,
+    d_11: T,
+    t9: T,
+    t10: T,
+    t20: T,
+    t21: T,
+    t22: T,
+    t23: T,
+    t24: T,
+    t25: T,
+    y_r_dot: Vector<T, 3>,
+    k1: T,
+    k1_dot: T,
+    e1: Vector<T, 3>,
+    s1: T,
+    t26: T,
+    t27: T,
+    t28: T,
+    E1_free: T,
+    E1: T,
+    cosE1: T,
+    t29: T,
+    sec2E1: T,
+    t30: T,
+    c1: Vector<T, 3>,
+    t31: Vector<T, 3>,
+    D_hat1: Vector<T, 3>,
+    t32: T,
+    t33: T,
+    t34: T,
+    t36: T,
+    t37: Vector<T, 3>,
+    t39: Matrix<T, 2, 2>,
+    t40: Vector<T, 2>,
+    t41: Vector<T, 3>,
+    zeta1_dot: Vector<T, 3>,
+    h1_dot: Vector<T, 3>,
+    e2: Vector<T, 3>,
+    s2: T,
+    c2: Vector<T, 3>,
+    P2: Vector<T, 10>,
+    t42: Vector<T, 3>,
+    t43: Matrix<T, 3, 10>,
+    w_hat2: Vector<T, 6>,
+    t46: Vector<T, 3>,
+    t47: T,
+    s_scale2: T,
+    t49: T,
+    t50: T,
+    t51: T,
+    Lam2: Vector<T, 3>,
+    u_sat: Vector<T, 3>,
+    zeta2_dot: Vector<T, 3>,
+}
+
+impl<T: Real> Part for LyapunovPart1<'_, T> {
+    type Output = LyapunovValues1<T>;
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let Self { t, x1, x2, state, params } = self;
+        let real = T::from_f64;
+
+        // -- plant model --
+        let psi = x1[2];
+        let m_11 = real(23.8) + params.added_scale * real(2.0);
+        let m_33 = real(1.76) + params.added_scale;
+        let m_22 = real(23.8) + params.added_scale * real(10.0);
+        let m_23 = real(1.0948);
+        let det_M = m_22 * m_33 - real(1.19858704);
+        let t1 = real(1.0) / m_11;
+        let t2 = real(1.0) / det_M;
+        let t3 = m_33 * t2;
+        let t4 = real(-1.0948) * t2;
+        let t5 = m_22 * t2;
+        let inverse_M = Matrix::rows([
+            [t1, real(0.0), real(0.0)],
+            [real(0.0), t3, t4],
+            [real(0.0), t4, t5],
+        ]);
+        let sway = x2[1];
+        let r = x2[2];
+        let sway_momentum = m_22 * sway + m_23 * r;
+        let surge = x2[0];
+        let d_11 = real(0.72253) - real(-1.32742) * surge.abs()
+            - real(-5.86643) * (surge * surge);
+        let t6 = sway.abs();
+        let t7 = r.abs();
+        let d_22 = real(0.88965) - real(-36.47287) * t6 - real(-0.805) * t7;
+        let d_23 = real(7.25) - real(-0.845) * t6 - real(-3.45) * t7;
+        let d_32 = real(-0.0313) - real(3.95645) * t6 - real(0.13) * t7;
+        let d_33 = real(1.9) - real(0.08) * t6 - real(-0.75) * t7;
+        let t8 = m_11 * surge;
+        let t9 = d_22 * sway + d_23 * r;
+        let t10 = d_32 * sway + d_33 * r;
+        let resistance = Vector([
+            params.damping_scale * d_11 * surge - sway_momentum * r,
+            t8 * r + params.damping_scale * t9,
+            sway_momentum * surge - t8 * sway + params.damping_scale * t10,
+        ]);
+        let t11 = (real(-0.1) * t).exp();
+        let turn = real(0.05) * (t - real(10.0) * (real(1.0) - t11));
+
+        // -- known dynamics of block 1 (pose) (11) --
+        let t12 = psi.cos();
+        let t13 = psi.sin();
+        let t14 = -t13;
+        // G_1(x_1 .. x_1)
+        let G1 = Matrix::rows([
+            [t12, t14, real(0.0)],
+            [t13, t12, real(0.0)],
+            [real(0.0), real(0.0), real(1.0)],
+        ]);
+
+        // -- known dynamics of block 2 (velocity) (11) --
+        // F_2(x_1 .. x_2)
+        let F2 = -inverse_M * resistance;
+        let t15 = t1 * real(0.02);
+        let t16 = t3 * real(0.02);
+        let t17 = t4 * real(0.005);
+        let t18 = t4 * real(0.02);
+        let t19 = t5 * real(0.005);
+        // H_2(x_1 .. x_2)
+        let H2 = Matrix::rows([
+            [t15, real(0.0), real(0.0)],
+            [real(0.0), t16, t17],
+            [real(0.0), t18, t19],
+        ]);
+
+        // -- reference and constraints --
+        // t'
+        let one = real(1.0);
+        let t20 = turn.sin();
+        let t21 = turn.cos();
+        // y_r(t)
+        let y_r = Vector([real(4.0) * t20, real(4.0) * (real(1.0) - t21), turn]);
+        let t22 = t11 * real(-0.1);
+        let t23 = real(0.05) * (one + real(10.0) * t22);
+        let t24 = t21 * t23;
+        let t25 = t20 * t23;
+        // y_r'
+        let y_r_dot = Vector([real(4.0) * t24, real(4.0) * t25, t23]);
+        // k_1(t)
+        let k1 = real(0.25) * t11 + real(0.02);
+        // k1'
+        let k1_dot = real(0.25) * t22;
+
+        // -- error variable of block 1 (14) --
+        // e_1 = x_1 - y_r - zeta_1
+        let e1 = x1 - y_r - state.zeta1;
+
+        // -- barrier of block 1 (23) (26) --
+        // s_1 = e_1^T e_1
+        let s1 = e1.sum_squares();
+        let t26 = k1 * k1;
+        let t27 = real(1.0) / t26;
+        let t28 = s1 * t27;
+        // pi s_1^2 / (2 k_1^4), before the clamp
+        let E1_free = real(FRAC_PI_2) * (t28 * t28);
+        // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
+        let E1 = E1_free.min(real(1.5697963267948967));
+        // cos E_1
+        let cosE1 = E1.cos();
+        let t29 = cosE1 * cosE1;
+        // 1 / cos^2 E_1
+        let sec2E1 = real(1.0) / t29;
+        let t30 = s1 * sec2E1;
+        // c_1 = s_1 e_1^T / cos^2 E_1
+        let c1 = e1 * t30;
+
+        // -- disturbance observer of block 1 (20) --
+        let t31: Vector<T, 3> = Vector::from_f64([0.5, 0.5, 1.0]);
+        // D_hat_1 = th_1 + S_1 x_1
+        let D_hat1 = state.th1 + t31.hadamard(x1);
+
+        // -- norms of block 1 --
+        // ||G_1||^2
+        let G_norm2_1 = G1.sum_squares();
+
+        // -- robust feedback of block 1 (31) (63) --
+        let t32 = E1.sin();
+        let t33 = t32 * cosE1;
+        let t34 = real(1.0) / E1_free;
+        let t35 = Vector::<T, 3>::from_f64([0.55, 0.55, 0.75]).hadamard(e1)
+            * T::select(E1_free.lt(real(1e-300)), real(1.0), t33 * t34);
+        // Lam0 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
+        let Lam0_1 = t35 + e1 * real(0.25);
+        let t36 = real(0.5) * G_norm2_1;
+        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
+        // + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+        let Lam1 = Lam0_1 + e1 * (t30 * real(0.5) + t30 * t36);
+        // ||c_1||^2
+        let s_c1 = c1.sum_squares();
+
+        // -- virtual control (31) of block 1 --
+        let t37: Vector<T, 3> = Vector::from_f64([2.0, 2.0, 4.0]);
+        let t38 = t37.hadamard(state.zeta1);
+        // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
+        let bracket1 = t38 - y_r_dot + D_hat1 + Lam1;
+        let t39 = Matrix::rows([[t12, t14], [t13, t12]]);
+        let t40 = t39.solve(Vector([bracket1[0], bracket1[1]]));
+        let t41 = Vector([t40[0], t40[1], bracket1[2]]);
+        // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
+        let alpha1 = -t41;
+
+        // -- auxiliary system of block 1 (13) (E1) --
+        // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
+        let zeta1_dot = G1 * state.zeta2 - t38;
+
+        // -- dynamic surface filter of block 1 (33) --
+        // h_1' = (alpha_1 - h_1) / Fl_1
+        let h1_dot = Vector::<T, 3>::from_f64([5.0, 5.0, 10.0])
+            .hadamard(alpha1 - state.h1);
+
+        // -- error variable of block 2 (14) --
+        // e_2 = x_2 - h_1 - zeta_2
+        let e2 = x2 - state.h1 - state.zeta2;
+
+        // -- barrier of block 2 (23) (26) --
+        // s_2 = e_2^T e_2
+        let s2 = e2.sum_squares();
+        // c_2 = s_2 e_2^T / cos^2 E_2
+        let c2 = e2 * s2;
+
+        // -- MTPN of block 2 (4) (16) --
+        // z_2, network inputs
+        let z2 = Vector([surge * real(5.0), sway * real(10.0), r * real(10.0)]);
+        // P_2 = P_m(z_2), 10 nodes
+        let P2 = polynomials::basis2(z2);
+        let t42: Vector<T, 3> = Vector::from_f64([0.02, 0.02, 0.1]);
+        let t43 = state.W2.transpose();
+        // A_hat_2 = iota_2 W_2^T P_2
+        let A_hat2 = t42.hadamard(t43 * P2);
+
+        // -- disturbance observer of block 2 (49) --
+        let t44 = Vector([
+            real(-3.0) * e2[0],
+            real(22.8) * e2[0],
+            real(-3.0) * e2[1],
+            real(22.8) * e2[1],
+            real(-3.0) * e2[2],
+            real(22.8) * e2[2],
+        ]);
+        // w_hat_2 = th_2 + S_2 e_2
+        let w_hat2 = state.th2 + t44;
+        // d_hat_2 = L_2 w_hat_2
+        let D_hat2 = Vector([w_hat2[1], w_hat2[3], w_hat2[5]]);
+
+        // -- noise terms of block 2 (58) (62) --
+        // ||H_2||^2
+        let H_norm2_2 = H2.sum_squares();
+        // ||Ybar_2||^2
+        let Ybar_square2 = real(27.0);
+        // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I
+        // (58)
+        let Ybar_norm2 = real(5.196152422706632);
+        // S_2 H_2
+        let SH2 = Matrix::rows([
+            [real(-3.0) * t15, real(0.0), real(0.0)],
+            [real(22.8) * t15, real(0.0), real(0.0)],
+            [real(0.0), real(-3.0) * t16, real(-3.0) * t17],
+            [real(0.0), real(22.8) * t16, real(22.8) * t17],
+            [real(0.0), real(-3.0) * t18, real(-3.0) * t19],
+            [real(0.0), real(22.8) * t18, real(22.8) * t19],
+        ]);
+        // ||S_2 H_2||^2
+        let SH_norm2_2 = SH2.sum_squares();
+        let t45 = H_norm2_2 * real(0.1);
+        // Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4
+        // (62)
+        let Psi2 = t45 * t45 * Ybar_square2 * real(0.5) + real(0.019200000000000002)
+            + real(0.1) * (SH_norm2_2 * SH_norm2_2);
+
+        // -- robust feedback of block 2 (31) (63) --
+        let t46 = (e2 * real(10.0)).tanh();
+        // eps_hat Tanh(e / b) (64)
+        let Lam2_error_bound = t46 * state.eps2;
+        let t47 = s2 * s2;
+        // 1 / sqrt(s_2^2 + varsigma_2^2)
+        let s_scale2 = real(1.0) / (t47 + real(0.010000000000000002)).sqrt();
+        let t48 = G_norm2_1 * s_c1;
+        let t49 = H_norm2_2 * Ybar_norm2;
+        let t50 = state.phi2 * state.phi2;
+        let t51 = Psi2 / (t50 + t47);
+        let t52 = real(3.5) + s2 * real(1.5) + real(0.5) + t48 * t48 * real(0.25);
+        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
+        // + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
+        // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
+        // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+        let Lam2 = e2 * (t52 + t49 * state.sigma2 * s_scale2 + t51) + Lam2_error_bound;
+
+        // -- control (64) of block 2 --
+        let t53 = state.zeta2 * real(10.0);
+        // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
+        let bracket2 = F2 + A_hat2 - h1_dot + t53 + D_hat2 + Lam2;
+        let t54 = bracket2[0] * (real(1.0) / t1);
+        let t55 = real(1.0) / (t3 * t5 - t4 * t4);
+        let t56 = -t4 * t55;
+        let t57 = Matrix::rows([[t5 * t55, t56], [t56, t3 * t55]])
+            * Vector([bracket2[1], bracket2[2]]);
+        let t58 = Vector([t54, t57[0], t57[1]]);
+        // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
+        let u = -t58;
+        // sat(u), each component limited to +-u_max (8)
+        let u_sat = u
+            .max(Vector::<T, 3>::from_f64([-2.0, -2.0, -1.5]))
+            .min(Vector::<T, 3>::from_f64([2.0, 2.0, 1.5]));
+
+        // -- auxiliary system of block 2 (13) (E1) --
+        // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
+        let zeta2_dot = inverse_M * (u_sat + t58) - t53;
+        LyapunovValues1 {
+            t12,
+            t13,
+            t14,
+            G1,
+            sway,
+            r,
+            surge,
+            d_11,
+            t9,
+            t10,
+            t20,
+            t21,
+            t22,
+            t23,
+            t24,
+            t25,
+            y_r_dot,
+            k1,
+            k1_dot,
+            e1,
+            s1,
+            t26,
+            t27,
+            t28,
+            E1_free,
+            E1,
+            cosE1,
+            t29,
+            sec2E1,
+            t30,
+            c1,
+            t31,
+            D_hat1,
+            t32,
+            t33,
+            t34,
+            t36,
+            t37,
+            t39,
+            t40,
+            t41,
+            zeta1_dot,
+            h1_dot,
+            e2,
+            s2,
+            c2,
+            P2,
+            t42,
+            t43,
+            w_hat2,
+            t46,
+            t47,
+            s_scale2,
+            t49,
+            t50,
+            t51,
+            Lam2,
+            u_sat,
+            zeta2_dot,
+        }
+    }
 }
