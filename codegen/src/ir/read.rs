@@ -264,14 +264,22 @@ fn read_type(text: &str) -> Expected<Type> {
     const EXPECTED: &str = "a type: bool, real, vecN or matRxC";
     if let Some(size) = text.strip_prefix("mat") {
         let (rows, columns) = size.split_once('x').ok_or(EXPECTED)?;
-        return Ok(Type::Real(Shape::Matrix(number(rows)?, number(columns)?)));
+        return Ok(Type::Real(Shape::Matrix(extent(rows)?, extent(columns)?)));
     }
     match (text, text.strip_prefix("vec")) {
         ("bool", _) => Ok(Type::Bool),
         ("real", _) => Ok(Type::Real(Shape::Scalar)),
-        (_, Some(size)) => Ok(Type::Real(Shape::Vector(number(size)?))),
+        (_, Some(size)) => Ok(Type::Real(Shape::Vector(extent(size)?))),
         _ => Err(EXPECTED),
     }
+}
+
+/// Rows, columns or entries: so few that the product of two of them is a number.
+fn extent(digits: &str) -> Expected<usize> {
+    let extent: Expected<u16> = number(digits);
+    extent
+        .map(usize::from)
+        .map_err(|_| "a size of at most 65535")
 }
 
 /// Position of a name, or the number after `#`.
@@ -387,6 +395,11 @@ mod tests {
             "%0: rael = const 1.0",
             1,
             "a type: bool, real, vecN or matRxC",
+        );
+        check(
+            "input x: mat4x80000000000000000000",
+            1,
+            "a size of at most 65535",
         );
         check("%0: real = input x", 1, "a declared name");
         check("%0: real = neg %1, %2", 1, "an operation with its operands");
