@@ -15,6 +15,8 @@ pub(super) enum Difference {
     Missing,
     /// nsv wrote it, from another specification.
     Stale,
+    /// nsv wrote it, with the other `--math`.
+    OtherMath,
     /// nsv wrote it, and no longer does.
     LeftOver,
     /// nsv wrote it, and somebody changed it.
@@ -29,6 +31,7 @@ impl Difference {
         match self {
             Difference::Missing => "is missing",
             Difference::Stale => "is stale",
+            Difference::OtherMath => "was generated with the other `--math`",
             Difference::LeftOver => "is left over from another version of the specification",
             Difference::Edited => "was edited by hand",
             Difference::Foreign => "was not written by nsv",
@@ -54,6 +57,7 @@ pub(super) fn compare(target: &Target) -> Result<BTreeMap<PathBuf, Difference>, 
             None => Difference::Missing,
             Some(found) if found == *text => continue,
             Some(found) => match inspect(&found) {
+                Seal::Intact if is_fast(&found) != is_fast(text) => Difference::OtherMath,
                 Seal::Intact => Difference::Stale,
                 Seal::Broken => Difference::Edited,
                 Seal::Missing if target.blank.contains(path) => Difference::Stale,
@@ -76,6 +80,12 @@ pub(super) fn compare(target: &Target) -> Result<BTreeMap<PathBuf, Difference>, 
         }
     }
     Ok(differences)
+}
+
+/// Whether the header of a generated file says that its arithmetic is `--math fast`.
+fn is_fast(text: &str) -> bool {
+    let mut header = text.lines().take_while(|line| line.starts_with("//"));
+    header.any(|line| line.starts_with("// math fast"))
 }
 
 /// Every Rust file below a folder that may not be there.

@@ -95,8 +95,12 @@ pub(super) fn table(model: &Model, explanations: &[Explanation]) -> String {
         equations(&mut text, model, explanation);
         text.push('\n');
     }
+    text.push_str(LEGEND);
     text
 }
+
+const LEGEND: &str = "Operations on numbers, those of arrays counted entry by entry: add also subtracts, a fused multiply-add is an add \
+and a mul, call is an elementary function, select a comparison or a choice. `a > b`: a before the optimiser, b after it.\n";
 
 /// Width of a count, and of a pair of counts.
 const COUNT: usize = 7;

@@ -94,9 +94,13 @@ fn verdict(differences: &BTreeMap<PathBuf, Difference>) -> Result<(), Failure> {
         note("generated code is up to date");
         return Ok(());
     }
-    let help = match differences.values().any(|difference| difference.precious()) {
-        true => "what was written by hand is lost when you remove it and run `nsv generate`",
-        false => "run `nsv generate`",
+    let any = |found: fn(Difference) -> bool| differences.values().any(|one| found(*one));
+    let help = if any(Difference::precious) {
+        "what was written by hand is lost when you remove it and run `nsv generate`"
+    } else if any(|difference| difference == Difference::OtherMath) {
+        "check with the `--math` that the code has, or run `nsv generate` with this one"
+    } else {
+        "run `nsv generate`"
     };
     Err(refuse(differences.iter(), help))
 }
@@ -236,6 +240,16 @@ mod tests {
         output.check(&newer, &[("plant.rs", Difference::Stale)]);
         output.write(&newer).unwrap();
         output.check(&newer, &[]);
+    }
+
+    #[test]
+    fn code_of_the_other_math_is_told_from_stale_code() {
+        let output = Output::new();
+        output
+            .write(&output.target("// math fast: as said\n// 1\n"))
+            .unwrap();
+        let strict = output.target("// 1\n");
+        output.check(&strict, &[("plant.rs", Difference::OtherMath)]);
     }
 
     #[test]
