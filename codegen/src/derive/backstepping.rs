@@ -93,7 +93,7 @@ impl Law<'_> {
         let (e, s, c) = (quantity("e"), quantity("s"), quantity("c"));
         let feedback = self.barrier_feedback(i);
         let mut text =
-            "(4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)  (31)"
+            "(4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before the clamp of E  (31)"
                 .to_string();
         let mut sum = self.define(format!("Lam0_{i}"), format!("Lam0 = {text}"), feedback);
         let mut add = |law: &mut Self, part: &str, equation: &str, term: Symbol| {

@@ -7,7 +7,7 @@
 use nsv_spec::model::{Disturbance, Integration, Matrix, Network, NoiseBound, PhiFloor};
 
 use super::law::Law;
-use super::observer::{assemble, closed_observer, rate_equation};
+use super::observer::{assemble, closed_observer, compound_rate, rate_equation};
 use super::symbol::{Symbol, name, number, vector};
 use crate::ir::Function;
 
@@ -34,7 +34,16 @@ impl Law<'_> {
                     ),
                     _ => (s.clone(), format!("S_{i}")),
                 };
-                self.advance(format!("th{i}"), &leak, &symbol, rate_equation(block));
+                // The rate of a compound observer is taken together with its step.
+                let law = match block.disturbance {
+                    Disturbance::Exosystem(_) => rate_equation(block).to_owned(),
+                    _ => format!(
+                        "{}: {}",
+                        rate_equation(block),
+                        compound_rate(i, i == self.order())
+                    ),
+                };
+                self.advance(format!("th{i}"), &leak, &symbol, &law);
             }
             if let Some(network) = &block.network {
                 self.advance_weights(i, network);
@@ -94,7 +103,7 @@ impl Law<'_> {
         );
         let next = number(1.0 - step * leak) * w + p.outer(vector(&drive) * c);
         let text = format!(
-            "W_{i}(t + dt) = (1 - g Gamma_{i} lambda_{i}) W_{i} + g Gamma_{i} P_{i} c_{i} I_{i}, {}  {}",
+            "W_{i}(t + dt) = (1 - g Gamma_{i} lambda_{i}) W_{i} + g Gamma_{i} P_{i} c_{i} I_{i}, {}  {}: W_{i}' = Gamma_{i} (P_{i} c_{i} I_{i} - lambda_{i} W_{i})",
             self.weight(&format!("Gamma_{i} lambda_{i}")),
             if i < self.order() { "(32)" } else { "(65)" }
         );

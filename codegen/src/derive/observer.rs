@@ -59,7 +59,7 @@ impl Law<'_> {
                 let l = self.constant(format!("L{i}"), &format!("L_{i}"), &assemble(channels).l);
                 self.define(
                     format!("D_hat{i}"),
-                    format!("d_hat_{i} = L_{i} w_hat_{i}"),
+                    format!("D_hat_{i} = L_{i} w_hat_{i}"),
                     l.times(w),
                 );
             }
@@ -90,12 +90,8 @@ impl Law<'_> {
                     name(format!("x{}", i + 1))
                 };
                 let flow = name(format!("D_hat{i}")) + known + g.times(next);
-                let text = format!(
-                    "th_{i}' = -S_{i} (D_hat_{i} + F_{i} + G_{i} x_{} + A_hat_{i})",
-                    i + 1
-                );
                 let rate = -self.observed(i, s, flow);
-                self.define(format!("th{i}_dot"), text, rate);
+                self.define(format!("th{i}_dot"), compound_rate(i, last), rate);
             }
             Disturbance::Exosystem(channels) => {
                 let parts = assemble(channels);
@@ -131,7 +127,8 @@ impl Law<'_> {
         );
         let rate = free + self.observed(i, s, name(format!("Lam{i}")));
         let text = format!(
-            "th_{i}' = (M_{i} - S_{i} L_{i}) w_hat_{i} - S_{i} (F_{i} + G_{i} u - h_{}' + C_{i} zeta_{i} + A_hat_{i}) = M_{i} w_hat_{i} + S_{i} Lam_{i}",
+            "th_{i}' = (M_{i} - S_{i} L_{i}) w_hat_{i} - S_{i} (F_{i} + G_{i} u - h_{}' + C_{i} zeta_{i} + A_hat_{i}) = M_{i} w_hat_{i} + S_{i} Lam_{i}, \
+             since the sum in brackets is -(D_hat_{i} + Lam_{i}) under (64)",
             i - 1
         );
         self.define(format!("th{i}_dot"), text, rate);
@@ -141,6 +138,15 @@ impl Law<'_> {
     fn observed(&mut self, i: usize, s: &Matrix, of: Symbol) -> Symbol {
         self.gain(format!("S{i}"), &format!("S_{i}, observer gain"), s, of)
     }
+}
+
+/// The rate of a compound observer (21), in words.
+pub(super) fn compound_rate(i: usize, last: bool) -> String {
+    let next = match last {
+        true => "sat(u)".to_owned(),
+        false => format!("x_{}", i + 1),
+    };
+    format!("th_{i}' = -S_{i} (D_hat_{i} + F_{i} + G_{i} {next} + A_hat_{i})")
 }
 
 /// Block-diagonal M, N, L of one exosystem per channel.

@@ -60,10 +60,7 @@ impl Controller<'_> {
             },
         ];
         let initial_docs = ["The controller's states at its first sample.".to_owned()];
-        let control_docs = [
-            "One sample of the control law: control and the signals on the way; the states become those of the next sample."
-                .to_owned(),
-        ];
+        let control_docs = self.law_docs();
         let initial = Function {
             program: self.initial,
             docs: &initial_docs,
@@ -99,6 +96,19 @@ impl Controller<'_> {
         items.extend(initial.items(comments));
         items.extend(law.items(comments));
         items
+    }
+
+    /// What the law does, and the gains that are numbers in its formulas.
+    fn law_docs(&self) -> Vec<String> {
+        let about = "One sample of the control law: control and the signals on the way; the states become those of the next sample.";
+        let blocks = (1..).zip(&self.interface.blocks);
+        let gains = blocks.flat_map(|(i, block): (usize, _)| {
+            let (name, gains) = (code(&block.name), code(&block.gains));
+            let line =
+                format!("Gains of block {i}, {name}, which are numbers in the formulas: {gains}.");
+            [String::new(), line]
+        });
+        std::iter::once(about.to_owned()).chain(gains).collect()
     }
 
     fn constants(&self) -> Vec<TokenStream> {

@@ -4,6 +4,7 @@ pub(crate) use nsv_spec::model::{Actuator, Dispersion, Sensor};
 use nsv_spec::model::{Disturbance, Model, NoiseModel, Scheme};
 use nsv_spec::unit::Dimension;
 
+use crate::emit::gains::gains;
 use crate::opt::Arithmetic;
 
 /// The model as far as emission is concerned.
@@ -67,6 +68,8 @@ pub(crate) struct Block {
     pub(crate) states: Vec<State>,
     /// Initial states of its exosystems, one after another.
     pub(crate) exosystem: Vec<f64>,
+    /// Its gains, in words.
+    pub(crate) gains: String,
 }
 
 /// A state channel.
@@ -109,7 +112,10 @@ impl Interface {
             version: version.to_owned(),
             arithmetic,
             parameters: model.parameters.iter().map(parameter).collect(),
-            blocks: model.blocks.iter().map(block).collect(),
+            blocks: (1..)
+                .zip(&model.blocks)
+                .map(|(i, own)| block(i, model.blocks.len(), own))
+                .collect(),
             truth: (model.truth.as_ref()).map(|truth| truth.states.iter().map(state).collect()),
             inputs: model.inputs.iter().map(input).collect(),
             sample_time: model.controller.sample_time,
@@ -160,7 +166,7 @@ fn parameter(parameter: &nsv_spec::model::Parameter) -> Parameter {
     }
 }
 
-fn block(block: &nsv_spec::model::Block) -> Block {
+fn block(i: usize, order: usize, block: &nsv_spec::model::Block) -> Block {
     let exosystem = match &block.disturbance {
         Disturbance::Exosystem(systems) => systems
             .iter()
@@ -172,6 +178,7 @@ fn block(block: &nsv_spec::model::Block) -> Block {
         name: block.name.clone(),
         states: block.states.iter().map(state).collect(),
         exosystem,
+        gains: gains(i, order, block),
     }
 }
 

@@ -11,6 +11,7 @@ mod dispersion;
 mod expression;
 mod family;
 mod function;
+mod gains;
 mod interface;
 mod literal;
 mod lyapunov;

@@ -83,12 +83,14 @@ impl<'f> Statements<'f> {
         for step in steps {
             let temporaries = step.temporaries.iter();
             let temporaries = temporaries.map(|&id| function.statement(id, names));
-            if in_place.contains(&step.value) {
-                self.written.extend(temporaries);
+            let in_place = in_place.contains(&step.value);
+            if !in_place || !step.temporaries.is_empty() {
+                self.heading(step.value, comments);
+            }
+            self.written.extend(temporaries);
+            if in_place {
                 continue;
             }
-            self.heading(step.value, comments);
-            self.written.extend(temporaries);
             self.note(step.value, comments);
             self.written.push(function.statement(step.value, names));
         }

@@ -57,11 +57,13 @@ fn interface() -> Interface {
                 name: "attitude".to_owned(),
                 states: vec![state("alpha", "rad"), state("beta", "rad")],
                 exosystem: vec![],
+                gains: String::new(),
             },
             Block {
                 name: "rates".to_owned(),
                 states: vec![state("p", "rad s^-1"), state("q", "rad s^-1")],
                 exosystem: vec![0.1, 0.0],
+                gains: String::new(),
             },
         ],
         inputs: vec![input("M_y"), input("M_z")],

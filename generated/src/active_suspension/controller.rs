@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 37fa2f4e41efcf13bee0e60407d8210ff3956f863f1cd33ec9e2a51d46f6ee8d
+// SHA-256 of the text below: 53754736a50a5179208db3e133a9bddc6039f11e7789c3e7916a3052e55996ea
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f
 // initial: 22 additions, 47 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
@@ -49,7 +49,7 @@ pub struct State<T> {
     /// Network weights W_hat (32) (65), one row per monomial and one column per channel: speed (v).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
-    /// a = Gamma_2 lambda_2 (32)`
+    /// a = Gamma_2 lambda_2 (32): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
     ///
     /// Rows: `one, z, v, z2, z_v, v2, z3, z2_v, z_v2, v3`.
     pub W2: Matrix<T, 10, 1>,
@@ -155,7 +155,7 @@ pub struct Output<T: Real> {
     pub e2: Vector<T, 1>,
     /// `alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]`
     pub alpha2: Vector<T, 1>,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `D_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 1>,
     /// `e_3 = x_3 - h_2 - zeta_3`
     pub e3: Vector<T, 1>,
@@ -452,8 +452,8 @@ pub fn initial<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(4.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t7 + t6 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -484,7 +484,7 @@ pub fn initial<T: Real>(
     let w_hat2 = t8 - t8;
     // L_2
     let L2: Matrix<T, 1, 3> = Matrix::from_f64([[53.3, 53.3, 3.33]]);
-    // d_hat_2 = L_2 w_hat_2
+    // D_hat_2 = L_2 w_hat_2
     let D_hat2 = L2 * w_hat2;
 
     // -- given --
@@ -497,9 +497,10 @@ pub fn initial<T: Real>(
     // -- robust feedback of block 2 (31) (63) --
     let t9 = real(30.0) + s2 * real(2846.4344499999997) + s2 * (real(0.05) * G_norm2_2)
         + real(0.5);
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e
-    // / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E)
+    // (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of
+    // the outer block (38)
     let Lam2 = e2 * (t9 + s_c1 * s_c1 * real(0.25));
 
     // -- virtual control (31) of block 2 --
@@ -642,7 +643,7 @@ pub struct ControlOutputs<T: Real> {
     pub e2: Vector<T, 1>,
     /// `alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]`
     pub alpha2: Vector<T, 1>,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `D_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 1>,
     /// `e_3 = x_3 - h_2 - zeta_3`
     pub e3: Vector<T, 1>,
@@ -650,6 +651,16 @@ pub struct ControlOutputs<T: Real> {
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `height`, which are numbers in the formulas: `K = 8, kbar = 4, C = 20, Fl = 0.005
+/// s, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 40, kbar = 10, C = 50, Fl = 0.001
+/// s, S = (2; -0.18; 14), eta_1 = 1, eta_2 = 0.1, eta_3 = 1, Gamma = 1, lambda = 0.1, iota = 1,
+/// iota_0 = 0.1, b = 0.1`.
+///
+/// Gains of block 3, `actuator`, which are numbers in the formulas: `K = 200, kbar = 50, C = 100,
+/// taubar = 1, lambda_sigma = 0.1, varsigma = 0.1, kappa_phi = 0.5, iota_phi = 0.02`.
 ///
 /// Operations: 92 additions, 131 multiplications, 4 divisions, 2 square roots, 4 elementary
 /// functions, 9 comparisons and selections.
@@ -709,8 +720,8 @@ pub fn law<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(4.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t3 + t2 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -755,7 +766,7 @@ pub fn law<T: Real>(
     let w_hat2 = state.th2 + S2 * e2;
     // L_2
     let L2: Matrix<T, 1, 3> = Matrix::from_f64([[53.3, 53.3, 3.33]]);
-    // d_hat_2 = L_2 w_hat_2
+    // D_hat_2 = L_2 w_hat_2
     let D_hat2 = L2 * w_hat2;
 
     // -- robust feedback of block 2 (31) (63) --
@@ -764,9 +775,10 @@ pub fn law<T: Real>(
     let Lam2_error_bound = t5 * state.eps2;
     let t6 = real(30.0) + s2 * real(2846.4344499999997) + s2 * prepared.Lam2_1
         + real(0.5) + s_c1 * s_c1 * real(0.25);
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e
-    // / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E)
+    // (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of
+    // the outer block (38)
     let Lam2 = e2 * t6 + Lam2_error_bound;
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
@@ -820,10 +832,10 @@ pub fn law<T: Real>(
     let s_scale3 = real(1.0) / (t9 + real(0.010000000000000002)).sqrt();
     let t10 = prepared.G_norm2_2 * s_c2;
     let t11 = Psi3 / (state.phi3 * state.phi3 + t9);
-    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2
-    // ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2)
-    // (64)
+    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
+    // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi
+    // cos^2 E / (phi^2 + s^2) (64)
     let Lam3 = e3
         * (real(150.0) + t10 * t10 * real(0.25) + real(4.32) * state.sigma3 * s_scale3
             + t11);
@@ -877,7 +889,7 @@ pub fn law<T: Real>(
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
     state.th2 = state.th2 + th2_step * th2_dot;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
-    // = Gamma_2 lambda_2 (32)
+    // = Gamma_2 lambda_2 (32): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state
         .W2
         .scale_add_outer(real(0.9999000049998333), P2, c2 * real(0.000999950001666625));
@@ -914,6 +926,16 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `height`, which are numbers in the formulas: `K = 8, kbar = 4, C = 20, Fl = 0.005
+/// s, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 40, kbar = 10, C = 50, Fl = 0.001
+/// s, S = (2; -0.18; 14), eta_1 = 1, eta_2 = 0.1, eta_3 = 1, Gamma = 1, lambda = 0.1, iota = 1,
+/// iota_0 = 0.1, b = 0.1`.
+///
+/// Gains of block 3, `actuator`, which are numbers in the formulas: `K = 200, kbar = 50, C = 100,
+/// taubar = 1, lambda_sigma = 0.1, varsigma = 0.1, kappa_phi = 0.5, iota_phi = 0.02`.
 ///
 /// Operations: 94 additions, 145 multiplications, 7 divisions, 2 square roots, 8 elementary
 /// functions, 9 comparisons and selections.

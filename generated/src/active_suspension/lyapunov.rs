@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0796c54ce1f9dd4a720eceb909008c6943c0e049281c3f98fd564f4e67b265f9
+// SHA-256 of the text below: 55fe4c27caa4ffc58ccc6edbecea1f89150813b351bc99903decde412b166a58
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f
 // lyapunov: 252 additions, 356 multiplications, 10 divisions, 2 square roots, 9 elementary functions, 15 comparisons and selections
@@ -107,8 +107,8 @@ pub fn lyapunov<T: Real>(
     let t17 = E1.sin();
     let t18 = t17 * cosE1;
     let t19 = real(1.0) / E1_free;
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1
         * (real(6.0) * T::select(E1_free.lt(real(1e-300)), real(1.0), t18 * t19)
             + real(4.0) + t16 * real(0.5));
@@ -156,7 +156,7 @@ pub fn lyapunov<T: Real>(
     let w_hat2 = state.th2 + S2 * e2;
     // L_2
     let L2: Matrix<T, 1, 3> = Matrix::from_f64([[53.3, 53.3, 3.33]]);
-    // d_hat_2 = L_2 w_hat_2
+    // D_hat_2 = L_2 w_hat_2
     let D_hat2 = L2 * w_hat2;
 
     // -- norms of block 2 --
@@ -172,9 +172,10 @@ pub fn lyapunov<T: Real>(
     let t25 = e2
         * (real(30.0) + s2 * real(2846.4344499999997) + s2 * t23 + real(0.5)
             + t24 * real(0.25));
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e
-    // / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E)
+    // (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of
+    // the outer block (38)
     let Lam2 = t25 + Lam2_error_bound;
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
@@ -235,10 +236,10 @@ pub fn lyapunov<T: Real>(
     let t31 = G_norm2_2 * s_c2;
     let t32 = state.phi3 * state.phi3;
     let t33 = Psi3 / (t32 + t30);
-    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2
-    // ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2)
-    // (64)
+    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
+    // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi
+    // cos^2 E / (phi^2 + s^2) (64)
     let Lam3 = e3
         * (real(150.0) + t31 * t31 * real(0.25) + real(4.32) * state.sigma3 * s_scale3
             + t33);

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: b1e2895f8912b38e85f3023842a35895cf3c7b8e76a0ff0f762c103a5acd07bd
+// SHA-256 of the text below: f5dba08f60416aab7c0ff925fe8b58236a4306c2866dbda8b3586d792813d8d9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 427d2bea2c6b43ae65f749fa7cfe60bd4e96b4b1966ea0acf1940e759453d1f2
 // initial: 0 additions, 1 multiplications, 0 divisions, 0 square roots, 0 elementary functions, 0 comparisons and selections
@@ -45,14 +45,15 @@ pub struct State<T> {
     /// acceleration (w).
     ///
     /// `W_3(t + dt) = (1 - g Gamma_3 lambda_3) W_3 + g Gamma_3 P_3 c_3 I_3, g = (1 - exp(-a dt))/a,
-    /// a = Gamma_3 lambda_3 (65)`
+    /// a = Gamma_3 lambda_3 (65): W_3' = Gamma_3 (P_3 c_3 I_3 - lambda_3 W_3)`
     ///
     /// Rows: `one, x, v, w, x2, x_v, x_w, v2, v_w, w2`.
     pub W3: Matrix<T, 10, 1>,
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// acceleration (w).
     ///
-    /// `th3(t + dt) = th3 + g th3', g = (1 - exp(-a dt))/a, a = S_3 (21)`
+    /// `th3(t + dt) = th3 + g th3', g = (1 - exp(-a dt))/a, a = S_3 (21): th_3' = -S_3 (D_hat_3 +
+    /// F_3 + G_3 sat(u) + A_hat_3)`
     pub th3: Vector<T, 1>,
 }
 
@@ -462,6 +463,15 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
+/// Gains of block 1, `position`, which are numbers in the formulas: `K = 4, kbar = 1, C = 10,
+/// eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 4, kbar = 1, C = 10,
+/// eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 3, `acceleration`, which are numbers in the formulas: `K = 4, kbar = 1, C = 20,
+/// S = 10, eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1`.
+///
 /// Operations: 82 additions, 93 multiplications, 0 divisions, 0 square roots, 0 elementary
 /// functions, 2 comparisons and selections.
 #[inline(always)]
@@ -495,8 +505,8 @@ pub fn law<T: Real>(
     let c1 = e1 * s1;
 
     // -- robust feedback of block 1 (31) (63) --
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (real(3.0) + s1 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -542,9 +552,9 @@ pub fn law<T: Real>(
 
     // -- robust feedback of block 2 (31) (63) --
     let t4 = s_c1 * s_c1;
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-    // block (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G,
+    // c, eta_3 of the outer block (38)
     let Lam2 = e2 * (real(3.0) + s2 * real(0.5) + t4 * real(0.25));
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
@@ -624,9 +634,9 @@ pub fn law<T: Real>(
     let D_hat3 = state.th3 + x3 * real(10.0);
 
     // -- robust feedback of block 3 (31) (63) --
-    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block
-    // (38)
+    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
+    // eta_3 of the outer block (38)
     let Lam3 = e3 * (real(3.0) + s3 * real(0.5) + s_c2 * s_c2 * real(0.25));
 
     // -- control (64) of block 3 --
@@ -654,11 +664,12 @@ pub fn law<T: Real>(
     // -- states of block 3, one sample later --
     // zeta3(t + dt) = zeta3 + g zeta3', g = (1 - exp(-a dt))/a, a = C_3 (13)
     state.zeta3 = state.zeta3 + zeta3_dot * real(0.004758129098202022);
-    // th3(t + dt) = th3 + g th3', g = (1 - exp(-a dt))/a, a = S_3 (21)
+    // th3(t + dt) = th3 + g th3', g = (1 - exp(-a dt))/a, a = S_3 (21): th_3' = -S_3 (D_hat_3 + F_3
+    // + G_3 sat(u) + A_hat_3)
     state.th3 = state.th3
         - (D_hat3 + t9 + u_sat) * real(10.0) * real(0.004877057549928599);
     // W_3(t + dt) = (1 - g Gamma_3 lambda_3) W_3 + g Gamma_3 P_3 c_3 I_3, g = (1 - exp(-a dt))/a, a
-    // = Gamma_3 lambda_3 (65)
+    // = Gamma_3 lambda_3 (65): W_3' = Gamma_3 (P_3 c_3 I_3 - lambda_3 W_3)
     state
         .W3
         .scale_add_outer(real(0.9995001249791693), P3, c3 * real(0.004998750208307295));
@@ -677,6 +688,15 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `position`, which are numbers in the formulas: `K = 4, kbar = 1, C = 10,
+/// eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 4, kbar = 1, C = 10,
+/// eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 3, `acceleration`, which are numbers in the formulas: `K = 4, kbar = 1, C = 20,
+/// S = 10, eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1`.
 ///
 /// Operations: 98 additions, 120 multiplications, 0 divisions, 0 square roots, 3 elementary
 /// functions, 2 comparisons and selections.

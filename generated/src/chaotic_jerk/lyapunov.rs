@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0625146e9972bb0f00abb86dc84b537aa548bf2dc2202ad82ce6c60fc1fa5055
+// SHA-256 of the text below: 227948a57022a01895602b7ede2c2dcddf3a516d275fcbf07dba76f2ded6d95f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 427d2bea2c6b43ae65f749fa7cfe60bd4e96b4b1966ea0acf1940e759453d1f2
 // lyapunov: 190 additions, 212 multiplications, 0 divisions, 0 square roots, 3 elementary functions, 2 comparisons and selections
@@ -77,8 +77,8 @@ pub fn lyapunov<T: Real>(
     let c1 = e1 * s1;
 
     // -- robust feedback of block 1 (31) (63) --
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (real(3.0) + s1 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -129,9 +129,9 @@ pub fn lyapunov<T: Real>(
 
     // -- robust feedback of block 2 (31) (63) --
     let t19 = s_c1 * s_c1;
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-    // block (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G,
+    // c, eta_3 of the outer block (38)
     let Lam2 = e2 * (real(3.0) + s2 * real(0.5) + t19 * real(0.25));
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
@@ -221,9 +221,9 @@ pub fn lyapunov<T: Real>(
     let D_hat3 = state.th3 + x3 * real(10.0);
 
     // -- robust feedback of block 3 (31) (63) --
-    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block
-    // (38)
+    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
+    // eta_3 of the outer block (38)
     let Lam3 = e3 * (real(3.0) + s3 * real(0.5) + s_c2 * s_c2 * real(0.25));
 
     // -- control (64) of block 3 --

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 11c33389b9b681e634d3b162f2d414a9172018a32bd663e747eee0ce2e75bbb4
+// SHA-256 of the text below: 3621d68ee6859d935e42f177afa210d788be4fba9b49e7fed94d8da7ae85fb27
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // initial: 21 additions, 54 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
@@ -54,14 +54,15 @@ pub struct State<T> {
     /// (v1).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
-    /// a = Gamma_2 lambda_2 (32)`
+    /// a = Gamma_2 lambda_2 (32): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
     ///
     /// Rows: `one, z1, v1, z12, z1_v1, v12`.
     pub W2: Matrix<T, 6, 1>,
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// link_rate (v1).
     ///
-    /// `th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21)`
+    /// `th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21): th_2' = -S_2 (D_hat_2 +
+    /// F_2 + G_2 x_3 + A_hat_2)`
     pub th2: Vector<T, 1>,
     /// Filtered virtual control h (33): motor_angle (q2).
     ///
@@ -75,7 +76,7 @@ pub struct State<T> {
     /// motor_rate (v2).
     ///
     /// `th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 u - h_3' + C_4 zeta_4 + A_hat_4) = M_4
-    /// w_hat_4 + S_4 Lam_4`
+    /// w_hat_4 + S_4 Lam_4, since the sum in brackets is -(D_hat_4 + Lam_4) under (64)`
     pub th4: Vector<T, 3>,
 }
 
@@ -164,7 +165,7 @@ pub struct Output<T: Real> {
     pub alpha3: Vector<T, 1>,
     /// `e_4 = x_4 - h_3 - zeta_4`
     pub e4: Vector<T, 1>,
-    /// `d_hat_4 = L_4 w_hat_4`
+    /// `D_hat_4 = L_4 w_hat_4`
     pub D_hat4: Vector<T, 1>,
 }
 impl<T: Real> Output<T> {
@@ -497,8 +498,8 @@ pub fn initial<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(4.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t8 + t7 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -530,9 +531,9 @@ pub fn initial<T: Real>(
     // -- robust feedback of block 2 (31) (63) --
     let t9 = real(34.5) + s2 * real(0.5) + s2 * (real(5e-5) * G_norm2_2)
         + s_c1 * s_c1 * real(0.25);
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
-    // eta_3 of the outer block (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E)
+    // e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
     let Lam2 = e2 * t9;
     // ||c_2||^2
     let s_c2 = c2.sum_squares();
@@ -558,9 +559,9 @@ pub fn initial<T: Real>(
 
     // -- robust feedback of block 3 (31) (63) --
     let t11 = G_norm2_2 * s_c2;
-    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-    // block (38)
+    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G,
+    // c, eta_3 of the outer block (38)
     let Lam3 = e3 * (real(100.0) + s3 * real(0.5) + t11 * t11 * real(2.5e-9));
 
     // -- virtual control (31) of block 3 --
@@ -721,12 +722,24 @@ pub struct ControlOutputs<T: Real> {
     pub alpha3: Vector<T, 1>,
     /// `e_4 = x_4 - h_3 - zeta_4`
     pub e4: Vector<T, 1>,
-    /// `d_hat_4 = L_4 w_hat_4`
+    /// `D_hat_4 = L_4 w_hat_4`
     pub D_hat4: Vector<T, 1>,
 }
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `link_angle`, which are numbers in the formulas: `K = 4, kbar = 4, C = 20,
+/// Fl = 0.01 s, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `link_rate`, which are numbers in the formulas: `K = 10, kbar = 16, C = 50,
+/// Fl = 0.002 s, S = 40, eta_1 = 1, eta_2 = 0.0001, eta_3 = 100, Gamma = 1, lambda = 0.1, iota = 1`.
+///
+/// Gains of block 3, `motor_angle`, which are numbers in the formulas: `K = 40, kbar = 45, C = 100,
+/// Fl = 0.001 s, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 4, `motor_rate`, which are numbers in the formulas: `K = 100, kbar = 120, C = 200,
+/// S = (40; 20; 60), eta_1 = 1`.
 ///
 /// Operations: 80 additions, 103 multiplications, 2 divisions, 0 square roots, 3 elementary
 /// functions, 6 comparisons and selections.
@@ -789,8 +802,8 @@ pub fn law<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(4.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t4 + t3 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -833,9 +846,9 @@ pub fn law<T: Real>(
     let D_hat2 = state.th2 + x2 * real(40.0);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
-    // eta_3 of the outer block (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E)
+    // e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
     let Lam2 = e2
         * (real(34.5) + s2 * real(0.5) + s2 * prepared.Lam2_1
             + s_c1 * s_c1 * real(0.25));
@@ -870,9 +883,9 @@ pub fn law<T: Real>(
 
     // -- robust feedback of block 3 (31) (63) --
     let t8 = prepared.G_norm2_2 * s_c2;
-    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-    // block (38)
+    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G,
+    // c, eta_3 of the outer block (38)
     let Lam3 = e3 * (real(100.0) + s3 * real(0.5) + t8 * t8 * real(2.5e-9));
     // ||c_3||^2
     let s_c3 = c3.sum_squares();
@@ -907,13 +920,13 @@ pub fn law<T: Real>(
     let w_hat4 = state.th4 + S4 * e4;
     // L_4
     let L4: Matrix<T, 1, 3> = Matrix::from_f64([[1.0, 1.0, 0.0]]);
-    // d_hat_4 = L_4 w_hat_4
+    // D_hat_4 = L_4 w_hat_4
     let D_hat4 = L4 * w_hat4;
 
     // -- robust feedback of block 4 (31) (63) --
-    // Lam_4 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||L||^2/(2 eta_1) c^T (63) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the
-    // outer block (38)
+    // Lam_4 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4),
+    // G, c, eta_3 of the outer block (38)
     let Lam4 = e4 * (real(265.0) + s4 + s_c3 * s_c3 * real(0.25));
 
     // -- control (64) of block 4 --
@@ -932,7 +945,7 @@ pub fn law<T: Real>(
 
     // -- observer dynamics of block 4 (50) --
     // th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 u - h_3' + C_4 zeta_4 + A_hat_4) = M_4
-    // w_hat_4 + S_4 Lam_4
+    // w_hat_4 + S_4 Lam_4, since the sum in brackets is -(D_hat_4 + Lam_4) under (64)
     let th4_dot = Vector([real(0.0), real(20.0) * w_hat4[2], real(-20.0) * w_hat4[1]])
         + S4 * Lam4;
 
@@ -955,11 +968,12 @@ pub fn law<T: Real>(
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.0004938017594333467);
     // h2(t + dt) = h2 + g h2', g = (1 - exp(-a dt))/a, a = 1/Fl_2 (33)
     state.h2 = state.h2 + h2_dot * real(0.00044239843385719023);
-    // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21)
+    // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21): th_2' = -S_2 (D_hat_2 + F_2
+    // + G_2 x_3 + A_hat_2)
     state.th2 = state.th2
         - (D_hat2 + t6 + prepared.G2 * x3) * real(40.0) * real(0.0004950331673311175);
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
-    // = Gamma_2 lambda_2 (32)
+    // = Gamma_2 lambda_2 (32): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state
         .W2
         .scale_add_outer(real(0.9999500012499791), P2, c2 * real(0.0004999875002083307));
@@ -995,6 +1009,18 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `link_angle`, which are numbers in the formulas: `K = 4, kbar = 4, C = 20,
+/// Fl = 0.01 s, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `link_rate`, which are numbers in the formulas: `K = 10, kbar = 16, C = 50,
+/// Fl = 0.002 s, S = 40, eta_1 = 1, eta_2 = 0.0001, eta_3 = 100, Gamma = 1, lambda = 0.1, iota = 1`.
+///
+/// Gains of block 3, `motor_angle`, which are numbers in the formulas: `K = 40, kbar = 45, C = 100,
+/// Fl = 0.001 s, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 4, `motor_rate`, which are numbers in the formulas: `K = 100, kbar = 120, C = 200,
+/// S = (40; 20; 60), eta_1 = 1`.
 ///
 /// Operations: 83 additions, 120 multiplications, 4 divisions, 0 square roots, 7 elementary
 /// functions, 6 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: aa8ba01accd63daac8452e6b14d657856157bf19397694bc996b045688901869
+// SHA-256 of the text below: ddd896488c5c42f50fc5d3e8fcfe855d35207254b69d6bc4dcbc5f86523090f6
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // lyapunov: 237 additions, 315 multiplications, 6 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
@@ -272,8 +272,8 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let t20 = E1.sin();
         let t21 = t20 * cosE1;
         let t22 = real(1.0) / E1_free;
-        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + eta_2/2 ||G||^2 c^T (37)
+        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
         let Lam1 = e1
             * (real(5.0) * T::select(E1_free.lt(real(1e-300)), real(1.0), t21 * t22)
                 + real(4.0) + t19 * real(0.5));
@@ -325,9 +325,9 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // -- robust feedback of block 2 (31) (63) --
         let t25 = real(5e-5) * G_norm2_2;
         let t26 = s_c1 * s_c1;
-        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4),
-        // G, c, eta_3 of the outer block (38)
+        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37) + ||G||^4
+        // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
         let Lam2 = e2 * (real(34.5) + s2 * real(0.5) + s2 * t25 + t26 * real(0.25));
         // ||c_2||^2
         let s_c2 = c2.sum_squares();
@@ -367,9 +367,9 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // -- robust feedback of block 3 (31) (63) --
         let t31 = G_norm2_2 * s_c2;
         let t32 = t31 * t31;
-        // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the
-        // outer block (38)
+        // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4
+        // eta_3^4), G, c, eta_3 of the outer block (38)
         let Lam3 = e3 * (real(100.0) + s3 * real(0.5) + t32 * real(2.5e-9));
         // ||c_3||^2
         let s_c3 = c3.sum_squares();
@@ -404,13 +404,13 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let w_hat4 = state.th4 + S4 * e4;
         // L_4
         let L4: Matrix<T, 1, 3> = Matrix::from_f64([[1.0, 1.0, 0.0]]);
-        // d_hat_4 = L_4 w_hat_4
+        // D_hat_4 = L_4 w_hat_4
         let D_hat4 = L4 * w_hat4;
 
         // -- robust feedback of block 4 (31) (63) --
-        // Lam_4 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + ||L||^2/(2 eta_1) c^T (63) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of
-        // the outer block (38)
+        // Lam_4 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + ||G||^4 ||c||^4 cos^2(E) e / (4
+        // eta_3^4), G, c, eta_3 of the outer block (38)
         let Lam4 = e4 * (real(265.0) + s4 + s_c3 * s_c3 * real(0.25));
 
         // -- control (64) of block 4 --
@@ -429,7 +429,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
 
         // -- observer dynamics of block 4 (50) --
         // th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 u - h_3' + C_4 zeta_4 + A_hat_4) = M_4
-        // w_hat_4 + S_4 Lam_4
+        // w_hat_4 + S_4 Lam_4, since the sum in brackets is -(D_hat_4 + Lam_4) under (64)
         let th4_dot = Vector([
             real(0.0),
             real(20.0) * w_hat4[2],

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 3aca8098e40e41fa2a6afdd3c8395e84b12046f29f8087a4059581f7ec32f334
+// SHA-256 of the text below: e0a76478953aba6c513f7bab7b177ec011151aa6851a5160da7153a8428a8cde
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 // initial: 59 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary functions, 3 comparisons and selections
@@ -43,7 +43,7 @@ pub struct State<T> {
     /// (alpha, beta, mu).
     ///
     /// `W_1(t + dt) = (1 - g Gamma_1 lambda_1) W_1 + g Gamma_1 P_1 c_1 I_1, g = (1 - exp(-a dt))/a,
-    /// a = Gamma_1 lambda_1 (32)`
+    /// a = Gamma_1 lambda_1 (32): W_1' = Gamma_1 (P_1 c_1 I_1 - lambda_1 W_1)`
     ///
     /// Rows: `one, alpha, beta, mu, alpha2, alpha_beta, alpha_mu, beta2, beta_mu, mu2, alpha3,
     /// alpha2_beta, alpha2_mu, alpha_beta2, alpha_mu2, beta3, beta2_mu, beta_mu2, mu3`.
@@ -51,7 +51,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// attitude (alpha, beta, mu).
     ///
-    /// `th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21)`
+    /// `th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21): th_1' = -S_1 (D_hat_1 +
+    /// F_1 + G_1 x_2 + A_hat_1)`
     pub th1: Vector<T, 3>,
     /// Filtered virtual control h (33): rates (p, q, r).
     ///
@@ -61,7 +62,7 @@ pub struct State<T> {
     /// q, r).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
-    /// a = Gamma_2 lambda_2 (65)`
+    /// a = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
     ///
     /// Rows: `one, p, q, r, p2, p_q, p_r, q2, q_r, r2, p3, p2_q, p2_r, p_q2, p_r2, q3, q2_r, q_r2,
     /// r3`.
@@ -70,7 +71,7 @@ pub struct State<T> {
     /// rates (p, q, r).
     ///
     /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    /// w_hat_2 + S_2 Lam_2`
+    /// w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
     pub th2: Vector<T, 6>,
     /// Bound eps_hat of the approximation error (66): rates (p, q, r).
     ///
@@ -167,7 +168,7 @@ pub struct Output<T: Real> {
     pub e2: Vector<T, 3>,
     /// `k_2(t)`
     pub k2: T,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `D_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 3>,
 }
 impl<T: Real> Output<T> {
@@ -478,8 +479,8 @@ pub fn initial<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(2.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t15 + t14 * real(0.5) + t14 * (real(0.5) * G_norm2_1));
 
     // -- virtual control (31) of block 1 --
@@ -671,12 +672,20 @@ pub struct ControlOutputs<T: Real> {
     pub e2: Vector<T, 3>,
     /// `k_2(t)`
     pub k2: T,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `D_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 3>,
 }
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5, kbar = 2, C = 20,
+/// Fl = 0.05 s, S = 10, eta_1 = 1, eta_2 = 1, eta_3 = 1, Gamma = 1, lambda = 0.1, iota = 0.1`.
+///
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2, kbar = 2, C = 50, S =
+/// (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4), eta_1 = 0.1, Gamma = 1, lambda = 0.1,
+/// iota = 0.1, iota_0 = 0.1, b = 2, eta_noise = 0.1, taubar = 1, lambda_sigma = 0.1, varsigma = 1,
+/// kappa_phi = 2, iota_phi = 0.01`.
 ///
 /// Operations: 560 additions, 817 multiplications, 10 divisions, 4 square roots, 17 elementary
 /// functions, 18 comparisons and selections.
@@ -869,8 +878,8 @@ pub fn law<T: Real>(
             real(1.0),
             sin_E1 * cosE1 * (real(1.0) / E1_free),
         ) + real(2.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t28 + t27 * real(0.5) + t27 * (real(0.5) * G_norm2_1));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -911,7 +920,7 @@ pub fn law<T: Real>(
     ]);
     // w_hat_2 = th_2 + S_2 e_2
     let w_hat2 = state.th2 + t33;
-    // d_hat_2 = L_2 w_hat_2
+    // D_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([
         real(2.0) * w_hat2[1],
         real(2.0) * w_hat2[2],
@@ -959,10 +968,11 @@ pub fn law<T: Real>(
     let t40 = H_norm2_2 * Ybar_norm2;
     let t41 = Psi2 / (state.phi2 * state.phi2 + t37);
     let t42 = t38 + t26 * real(50.0) + real(0.5) * sec2E2 + t39 * t39 * real(0.25) * t25;
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
-    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b)
+    // (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) +
+    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2
+    // + s^2) (64)
     let Lam2 = e2 * (t42 + t40 * state.sigma2 * s_scale2 + t41 * t25) + Lam2_error_bound;
 
     // -- control (64) of block 2 --
@@ -1004,7 +1014,7 @@ pub fn law<T: Real>(
         real(4.0) * Lam2[2],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    // w_hat_2 + S_2 Lam_2
+    // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
     let th2_dot = t45 + t46;
 
     // -- network error bound of block 2 (66) --
@@ -1023,6 +1033,8 @@ pub fn law<T: Real>(
     // -- status --
     // some E_i >= pi/2 - delta
     let violated = violated1.or(violated2);
+
+    // -- states of block 2, one sample later --
     let t47 = Vector([
         real(0.001999376166805184) * th2_dot[0]
             + real(1.197117602400319e-5) * th2_dot[1],
@@ -1035,8 +1047,6 @@ pub fn law<T: Real>(
         real(-1.3975635896124432e-5) * th2_dot[4]
             + real(0.001991378094671188) * th2_dot[5],
     ]);
-
-    // -- states of block 2, one sample later --
     // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
     let phi2_min = (Psi2 * real(0.02)).sqrt();
 
@@ -1045,11 +1055,12 @@ pub fn law<T: Real>(
     state.zeta1 = state.zeta1 + zeta1_dot * real(0.0019605280423838395);
     // h1(t + dt) = h1 + g h1', g = (1 - exp(-a dt))/a, a = 1/Fl_1 (33)
     state.h1 = state.h1 + h1_dot * real(0.0019605280423838395);
-    // th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21)
+    // th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21): th_1' = -S_1 (D_hat_1 + F_1
+    // + G_1 x_2 + A_hat_1)
     state.th1 = state.th1
         - (D_hat1 + t29 + G1 * x2) * real(10.0) * real(0.00198013266932447);
     // W_1(t + dt) = (1 - g Gamma_1 lambda_1) W_1 + g Gamma_1 P_1 c_1 I_1, g = (1 - exp(-a dt))/a, a
-    // = Gamma_1 lambda_1 (32)
+    // = Gamma_1 lambda_1 (32): W_1' = Gamma_1 (P_1 c_1 I_1 - lambda_1 W_1)
     state
         .W1
         .scale_add_outer(
@@ -1064,7 +1075,7 @@ pub fn law<T: Real>(
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
     state.th2 = state.th2 + t47;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
-    // = Gamma_2 lambda_2 (65)
+    // = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state
         .W2
         .scale_add_outer(
@@ -1101,6 +1112,14 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5, kbar = 2, C = 20,
+/// Fl = 0.05 s, S = 10, eta_1 = 1, eta_2 = 1, eta_3 = 1, Gamma = 1, lambda = 0.1, iota = 0.1`.
+///
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2, kbar = 2, C = 50, S =
+/// (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4), eta_1 = 0.1, Gamma = 1, lambda = 0.1,
+/// iota = 0.1, iota_0 = 0.1, b = 2, eta_noise = 0.1, taubar = 1, lambda_sigma = 0.1, varsigma = 1,
+/// kappa_phi = 2, iota_phi = 0.01`.
 ///
 /// Operations: 564 additions, 850 multiplications, 12 divisions, 4 square roots, 26 elementary
 /// functions, 18 comparisons and selections.

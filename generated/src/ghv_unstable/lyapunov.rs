@@ -1,4 +1,4 @@
-// SHA-256 of the text below: a2ddd8c9a91b1b02e0c3b8c585377f2ffc209f403d20301e3af9558e2e2d041c
+// SHA-256 of the text below: 68b22d3cbafa971001c1573f6056d1395a0b2d1d101fae29a74de5afb55b17de
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 // lyapunov: 1990 additions, 2481 multiplications, 20 divisions, 3 square roots, 30 elementary functions, 30 comparisons and selections
@@ -1008,8 +1008,8 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         let t59 = real(0.5) * G_norm2_1;
         let t60 = real(2.375) * T::select(E1_free.lt(real(1e-300)), real(1.0), t57 * t58)
             + real(2.0) + t55 * real(0.5);
-        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
         let Lam1 = e1 * (t60 + t55 * t59);
         // ||c_1||^2
         let s_c1 = c1.sum_squares();
@@ -1056,7 +1056,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         ]);
         // w_hat_2 = th_2 + S_2 e_2
         let w_hat2 = state.th2 + t68;
-        // d_hat_2 = L_2 w_hat_2
+        // D_hat_2 = L_2 w_hat_2
         let D_hat2 = Vector([
             real(2.0) * w_hat2[1],
             real(2.0) * w_hat2[2],
@@ -1108,10 +1108,11 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         let t77 = Psi2 / (t76 + t72);
         let t78 = t73 + t53 * real(50.0) + real(0.5) * sec2E2
             + t74 * t74 * real(0.25) * t52;
-        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-        // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
-        // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat
+        // Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
+        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi
+        // cos^2 E / (phi^2 + s^2) (64)
         let Lam2 = e2 * (t78 + t75 * state.sigma2 * s_scale2 + t77 * t52)
             + Lam2_error_bound;
 
@@ -1159,7 +1160,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
             real(4.0) * Lam2[2],
         ]);
         // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-        // w_hat_2 + S_2 Lam_2
+        // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
         let th2_dot = t82 + t83;
 
         // -- network error bound of block 2 (66) --

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: c5a48241db1d25080814f4b97a5ae28b6ccfa4c2be3a4c506655eb9a0c0d2612
+// SHA-256 of the text below: 16eda5b21c840dff4e7c22ed00c1eb2e5fed385208cbeb2abf234c4cfc01f1cc
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05be5535c7cae8b2a3cd9cf8d24ef194e692cec7b4e1301264df6a109708a2c9
 // initial: 67 additions, 99 multiplications, 3 divisions, 0 square roots, 4 elementary functions, 31 comparisons and selections
@@ -41,7 +41,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// incidence (alpha).
     ///
-    /// `th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21)`
+    /// `th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21): th_1' = -S_1 (D_hat_1 +
+    /// F_1 + G_1 x_2 + A_hat_1)`
     pub th1: Vector<T, 1>,
     /// Filtered virtual control h (33): rate (q).
     ///
@@ -50,14 +51,15 @@ pub struct State<T> {
     /// Network weights W_hat (32) (65), one row per monomial and one column per channel: rate (q).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
-    /// a = Gamma_2 lambda_2 (65)`
+    /// a = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
     ///
     /// Rows: `one, alpha, q, alpha2, alpha_q, q2`.
     pub W2: Matrix<T, 6, 1>,
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// rate (q).
     ///
-    /// `th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21)`
+    /// `th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21): th_2' = -S_2 (D_hat_2 +
+    /// F_2 + G_2 sat(u) + A_hat_2)`
     pub th2: Vector<T, 1>,
 }
 
@@ -424,8 +426,8 @@ pub fn initial<T: Real>(
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(8.0);
     let t28 = s1 * sec2E1 * real(0.5);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t27 + t28 + t28);
 
     // -- virtual control (31) of block 1 --
@@ -593,6 +595,12 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
+/// Gains of block 1, `incidence`, which are numbers in the formulas: `K = 8, kbar = 8, C = 20,
+/// Fl = 0.02 s, S = 10, eta_1 = 1, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `rate`, which are numbers in the formulas: `K = 20, kbar = 20, C = 50, S = 30,
+/// eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1`.
+///
 /// Operations: 126 additions, 147 multiplications, 2 divisions, 0 square roots, 3 elementary
 /// functions, 14 comparisons and selections.
 #[inline(always)]
@@ -651,8 +659,8 @@ pub fn law<T: Real>(
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(8.0);
     let t4 = t2 * real(0.5);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t3 + t4 + t4);
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -695,9 +703,9 @@ pub fn law<T: Real>(
     let D_hat2 = state.th2 + x2 * real(30.0);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block
-    // (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
+    // eta_3 of the outer block (38)
     let Lam2 = e2 * (real(45.0) + s2 * real(0.5) + s_c1 * s_c1 * real(0.25));
 
     // -- control (64) of block 2 --
@@ -722,18 +730,20 @@ pub fn law<T: Real>(
     state.zeta1 = state.zeta1 + zeta1_dot * real(0.000990066334662235);
     // h1(t + dt) = h1 + g h1', g = (1 - exp(-a dt))/a, a = 1/Fl_1 (33)
     state.h1 = state.h1 + h1_dot * real(0.0009754115099857198);
-    // th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21)
+    // th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21): th_1' = -S_1 (D_hat_1 + F_1
+    // + G_1 x_2 + A_hat_1)
     state.th1 = state.th1
         - (D_hat1 + F1 + x2) * real(10.0) * real(0.0009950166250831947);
 
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.0009754115099857198);
-    // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21)
+    // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21): th_2' = -S_2 (D_hat_2 + F_2
+    // + G_2 sat(u) + A_hat_2)
     state.th2 = state.th2
         - (D_hat2 + t6 + prepared.G2 * u_sat) * real(30.0) * real(0.0009851488817163943);
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
-    // = Gamma_2 lambda_2 (65)
+    // = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state
         .W2
         .scale_add_outer(real(0.9999000049998333), P2, c2 * real(0.000999950001666625));
@@ -753,6 +763,12 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `incidence`, which are numbers in the formulas: `K = 8, kbar = 8, C = 20,
+/// Fl = 0.02 s, S = 10, eta_1 = 1, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `rate`, which are numbers in the formulas: `K = 20, kbar = 20, C = 50, S = 30,
+/// eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1`.
 ///
 /// Operations: 146 additions, 191 multiplications, 4 divisions, 0 square roots, 4 elementary
 /// functions, 38 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: be699a2d60c54745b795b5d8084b28257714d286f297ee4c8e3404dab59d972e
+// SHA-256 of the text below: 954f2b90a74bdbefed38aeda26187fb1d68bd90d0481b462bddf3148b43c7c12
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 05be5535c7cae8b2a3cd9cf8d24ef194e692cec7b4e1301264df6a109708a2c9
 // lyapunov: 342 additions, 436 multiplications, 6 divisions, 0 square roots, 10 elementary functions, 82 comparisons and selections
@@ -217,8 +217,8 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let t44 = t43 * cosE1;
         let t45 = real(1.0) / E1_free;
         let t46 = t42 * real(0.5);
-        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
         let Lam1 = e1
             * (real(10.0) * T::select(E1_free.lt(real(1e-300)), real(1.0), t44 * t45)
                 + real(8.0) + t46 + t46);
@@ -265,9 +265,9 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
 
         // -- robust feedback of block 2 (31) (63) --
         let t49 = s_c1 * s_c1;
-        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-        // block (38)
+        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4),
+        // G, c, eta_3 of the outer block (38)
         let Lam2 = e2 * (real(45.0) + s2 * real(0.5) + t49 * real(0.25));
 
         // -- control (64) of block 2 --

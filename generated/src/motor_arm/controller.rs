@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0105c6fa00de083a380c286b1dbf79e2616a1cc5347356e40b6f5724bd8553ee
+// SHA-256 of the text below: 9358c060eddbb39870d2eb8d8aad09ce93bcf6cdb899a0a32821b4bdfcc7aee9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // initial: 23 additions, 59 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
@@ -50,7 +50,7 @@ pub struct State<T> {
     /// (rate).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
-    /// a = Gamma_2 lambda_2 (32)`
+    /// a = Gamma_2 lambda_2 (32): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
     ///
     /// Rows: `one, z1, rate, z12, z1_rate, rate2`.
     pub W2: Matrix<T, 6, 1>,
@@ -80,7 +80,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// current (amps).
     ///
-    /// `th3(t + dt) = th3 + g th3', g = (1 - exp(-a dt))/a, a = S_3 (21)`
+    /// `th3(t + dt) = th3 + g th3', g = (1 - exp(-a dt))/a, a = S_3 (21): th_3' = -S_3 (D_hat_3 +
+    /// F_3 + G_3 sat(u) + A_hat_3)`
     pub th3: Vector<T, 1>,
 }
 
@@ -471,8 +472,8 @@ pub fn initial<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(1.72);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t9 + t8 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -519,11 +520,11 @@ pub fn initial<T: Real>(
 
     // -- robust feedback of block 2 (31) (63) --
     let t10 = real(45.0) + s2 * real(0.5) + s2 * (real(0.05) * G_norm2_2) + real(0.5);
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e
-    // / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) +
-    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2
-    // + s^2) (64)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E)
+    // (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of
+    // the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) +
+    // e Psi cos^2 E / (phi^2 + s^2) ...
     let Lam2 = e2 * (t10 + s_c1 * s_c1 * real(0.25) + Psi2 / (real(100.0) + s2 * s2));
 
     // -- virtual control (31) of block 2 --
@@ -723,6 +724,17 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
+/// Gains of block 1, `position`, which are numbers in the formulas: `K = 6, kbar = 1.72, C = 20,
+/// Fl = 0.02 s, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 20, kbar = 20, C = 50, Fl = 0.005
+/// s, S = 10, eta_1 = 1, eta_2 = 0.1, eta_3 = 2, Gamma = 1, lambda = 0.1, iota = 1, iota_0 = 0.1,
+/// b = 1, eta_noise = 0.1, taubar = 1, lambda_sigma = 0.1, varsigma = 1, kappa_phi = 0.5,
+/// iota_phi = 0.2`.
+///
+/// Gains of block 3, `current`, which are numbers in the formulas: `K = 100, kbar = 100, C = 100,
+/// S = 50, eta_1 = 1`.
+///
 /// Operations: 70 additions, 93 multiplications, 4 divisions, 2 square roots, 5 elementary
 /// functions, 9 comparisons and selections.
 #[inline(always)]
@@ -779,8 +791,8 @@ pub fn law<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(1.72);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t4 + t3 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -832,11 +844,11 @@ pub fn law<T: Real>(
     let t8 = prepared.Psi2 / (state.phi2 * state.phi2 + t7);
     let t9 = real(45.0) + s2 * real(0.5) + s2 * prepared.Lam2_1 + real(0.5)
         + s_c1 * s_c1 * real(0.25);
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat Tanh(e
-    // / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) +
-    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2
-    // + s^2) (64)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E)
+    // (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of
+    // the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) +
+    // e Psi cos^2 E / (phi^2 + s^2) ...
     let Lam2 = e2 * (t9 + prepared.Lam2_2 * state.sigma2 * s_scale2 + t8)
         + Lam2_error_bound;
     // ||c_2||^2
@@ -890,9 +902,9 @@ pub fn law<T: Real>(
 
     // -- robust feedback of block 3 (31) (63) --
     let t12 = prepared.G_norm2_2 * s_c2;
-    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block
-    // (38)
+    // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
+    // eta_3 of the outer block (38)
     let Lam3 = e3 * (real(225.0) + s3 * real(0.5) + t12 * t12 * real(0.015625));
 
     // -- control (64) of block 3 --
@@ -923,7 +935,7 @@ pub fn law<T: Real>(
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
     state.th2 = state.th2 + th2_dot * real(0.000994023928172455);
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
-    // = Gamma_2 lambda_2 (32)
+    // = Gamma_2 lambda_2 (32): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state
         .W2
         .scale_add_outer(real(0.9999000049998333), P2, c2 * real(0.000999950001666625));
@@ -943,7 +955,8 @@ pub fn law<T: Real>(
     // -- states of block 3, one sample later --
     // zeta3(t + dt) = zeta3 + g zeta3', g = (1 - exp(-a dt))/a, a = C_3 (13)
     state.zeta3 = state.zeta3 + zeta3_dot * real(0.0009516258196404043);
-    // th3(t + dt) = th3 + g th3', g = (1 - exp(-a dt))/a, a = S_3 (21)
+    // th3(t + dt) = th3 + g th3', g = (1 - exp(-a dt))/a, a = S_3 (21): th_3' = -S_3 (D_hat_3 + F_3
+    // + G_3 sat(u) + A_hat_3)
     state.th3 = state.th3
         - (D_hat3 + F3 + u_sat * real(40.0)) * real(50.0) * real(0.0009754115099857198);
     ControlOutputs {
@@ -964,6 +977,17 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `position`, which are numbers in the formulas: `K = 6, kbar = 1.72, C = 20,
+/// Fl = 0.02 s, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 20, kbar = 20, C = 50, Fl = 0.005
+/// s, S = 10, eta_1 = 1, eta_2 = 0.1, eta_3 = 2, Gamma = 1, lambda = 0.1, iota = 1, iota_0 = 0.1,
+/// b = 1, eta_noise = 0.1, taubar = 1, lambda_sigma = 0.1, varsigma = 1, kappa_phi = 0.5,
+/// iota_phi = 0.2`.
+///
+/// Gains of block 3, `current`, which are numbers in the formulas: `K = 100, kbar = 100, C = 100,
+/// S = 50, eta_1 = 1`.
 ///
 /// Operations: 78 additions, 127 multiplications, 7 divisions, 3 square roots, 9 elementary
 /// functions, 9 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: b302745febbf526b9ba9ed205cff60467260c2c548d31096b3c69c9e36572901
+// SHA-256 of the text below: b9fb0378056f065cb69bbd45fbd4e3e03e0cdaeef524b1e338dbecd0f5ab9812
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // lyapunov: 282 additions, 424 multiplications, 15 divisions, 2 square roots, 13 elementary functions, 15 comparisons and selections
@@ -412,8 +412,8 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let t20 = E1.sin();
         let t21 = t20 * cosE1;
         let t22 = real(1.0) / E1_free;
-        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + eta_2/2 ||G||^2 c^T (37)
+        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
         let Lam1 = e1
             * (real(3.2199999999999998)
                 * T::select(E1_free.lt(real(1e-300)), real(1.0), t21 * t22) + real(1.72)
@@ -500,11 +500,11 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let t35 = Psi2 / t34;
         let t36 = real(45.0) + s2 * real(0.5) + s2 * t28 + real(0.5) + t29 * real(0.25)
             + t32;
-        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E) (63) + eps_hat
-        // Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi
-        // cos^2 E / (phi^2 + s^2) (64)
+        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e /
+        // (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4),
+        // G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 +
+        // varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) ...
         let Lam2 = e2 * (t36 + t35) + Lam2_error_bound;
         // ||c_2||^2
         let s_c2 = c2.sum_squares();
@@ -569,9 +569,9 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
 
         // -- robust feedback of block 3 (31) (63) --
         let t41 = G_norm2_2 * s_c2;
-        // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-        // block (38)
+        // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4),
+        // G, c, eta_3 of the outer block (38)
         let Lam3 = e3 * (real(225.0) + s3 * real(0.5) + t41 * t41 * real(0.015625));
 
         // -- control (64) of block 3 --

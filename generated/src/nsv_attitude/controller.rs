@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0f4ebf8d8d1d68a29071d08d0dd7d266f5ffdd2e942efe40634acafea9011c93
+// SHA-256 of the text below: 2faaed930773cea6ac833fddf740226b1a93cc3160686b61a526c19d93ee1cbe
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 942eb100714b26c25e1ccdc4afbe0d4d2b86a428722273c0878e49722b6d7ac4
 // initial: 60 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary functions, 6 comparisons and selections
@@ -43,7 +43,7 @@ pub struct State<T> {
     /// (alpha, beta, mu).
     ///
     /// `W_1(t + dt) = (1 - g Gamma_1 lambda_1) W_1 + g Gamma_1 P_1 c_1 I_1, g = (1 - exp(-a dt))/a,
-    /// a = Gamma_1 lambda_1 (32)`
+    /// a = Gamma_1 lambda_1 (32): W_1' = Gamma_1 (P_1 c_1 I_1 - lambda_1 W_1)`
     ///
     /// Rows: `one, alpha, beta, mu, alpha2, alpha_beta, alpha_mu, beta2, beta_mu, mu2, alpha3,
     /// alpha2_beta, alpha2_mu, alpha_beta2, alpha_mu2, beta3, beta2_mu, beta_mu2, mu3`.
@@ -51,7 +51,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// attitude (alpha, beta, mu).
     ///
-    /// `th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21)`
+    /// `th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21): th_1' = -S_1 (D_hat_1 +
+    /// F_1 + G_1 x_2 + A_hat_1)`
     pub th1: Vector<T, 3>,
     /// Filtered virtual control h (33): rates (p, q, r).
     ///
@@ -61,7 +62,7 @@ pub struct State<T> {
     /// q, r).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
-    /// a = Gamma_2 lambda_2 (65)`
+    /// a = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
     ///
     /// Rows: `one, p, q, r, p2, p_q, p_r, q2, q_r, r2, p3, p2_q, p2_r, p_q2, p_r2, q3, q2_r, q_r2,
     /// r3`.
@@ -70,7 +71,7 @@ pub struct State<T> {
     /// rates (p, q, r).
     ///
     /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    /// w_hat_2 + S_2 Lam_2`
+    /// w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
     pub th2: Vector<T, 6>,
     /// Bound eps_hat of the approximation error (66): rates (p, q, r).
     ///
@@ -167,7 +168,7 @@ pub struct Output<T: Real> {
     pub e2: Vector<T, 3>,
     /// `k_2(t)`
     pub k2: T,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `D_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 3>,
 }
 impl<T: Real> Output<T> {
@@ -487,8 +488,8 @@ pub fn initial<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(2.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t16 + t15 * real(0.5) + t15 * (real(0.5) * G_norm2_1));
 
     // -- virtual control (31) of block 1 --
@@ -681,12 +682,20 @@ pub struct ControlOutputs<T: Real> {
     pub e2: Vector<T, 3>,
     /// `k_2(t)`
     pub k2: T,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `D_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 3>,
 }
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5, kbar = 2, C = 20,
+/// Fl = 0.1 s, S = 10, eta_1 = 1, eta_2 = 1, eta_3 = 1, Gamma = 1, lambda = 0.1, iota = 0.1`.
+///
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2, kbar = 2, C = 50, S =
+/// (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4), eta_1 = 0.1, Gamma = 1, lambda = 0.1,
+/// iota = 0.1, iota_0 = 0.1, b = 2, eta_noise = 0.1, taubar = 1, lambda_sigma = 0.1, varsigma = 1,
+/// kappa_phi = 2, iota_phi = 0.01`.
 ///
 /// Operations: 515 additions, 764 multiplications, 10 divisions, 4 square roots, 17 elementary
 /// functions, 18 comparisons and selections.
@@ -857,8 +866,8 @@ pub fn law<T: Real>(
             real(1.0),
             sin_E1 * cosE1 * (real(1.0) / E1_free),
         ) + real(2.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t26 + t25 * real(0.5) + t25 * (real(0.5) * G_norm2_1));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -899,7 +908,7 @@ pub fn law<T: Real>(
     ]);
     // w_hat_2 = th_2 + S_2 e_2
     let w_hat2 = state.th2 + t31;
-    // d_hat_2 = L_2 w_hat_2
+    // D_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([
         real(2.0) * w_hat2[1],
         real(3.0) * w_hat2[2],
@@ -947,10 +956,11 @@ pub fn law<T: Real>(
     let t38 = H_norm2_2 * Ybar_norm2;
     let t39 = Psi2 / (state.phi2 * state.phi2 + t35);
     let t40 = t36 + t24 * real(75.0) + real(0.5) * sec2E2 + t37 * t37 * real(0.25) * t23;
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
-    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b)
+    // (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) +
+    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2
+    // + s^2) (64)
     let Lam2 = e2 * (t40 + t38 * state.sigma2 * s_scale2 + t39 * t23) + Lam2_error_bound;
 
     // -- control (64) of block 2 --
@@ -992,7 +1002,7 @@ pub fn law<T: Real>(
         real(4.0) * Lam2[2],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    // w_hat_2 + S_2 Lam_2
+    // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
     let th2_dot = t43 + t44;
 
     // -- network error bound of block 2 (66) --
@@ -1011,6 +1021,8 @@ pub fn law<T: Real>(
     // -- status --
     // some E_i >= pi/2 - delta
     let violated = violated1.or(violated2);
+
+    // -- states of block 2, one sample later --
     let t45 = Vector([
         real(0.0019999760360430705) * th2_dot[0]
             + real(1.1975964129556617e-5) * th2_dot[1],
@@ -1025,8 +1037,6 @@ pub fn law<T: Real>(
         real(-1.3981226186927993e-5) * th2_dot[4]
             + real(0.0019919747640585435) * th2_dot[5],
     ]);
-
-    // -- states of block 2, one sample later --
     // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
     let phi2_min = (Psi2 * real(0.02)).sqrt();
 
@@ -1035,11 +1045,12 @@ pub fn law<T: Real>(
     state.zeta1 = state.zeta1 + zeta1_dot * real(0.0019605280423838395);
     // h1(t + dt) = h1 + g h1', g = (1 - exp(-a dt))/a, a = 1/Fl_1 (33)
     state.h1 = state.h1 + h1_dot * real(0.00198013266932447);
-    // th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21)
+    // th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21): th_1' = -S_1 (D_hat_1 + F_1
+    // + G_1 x_2 + A_hat_1)
     state.th1 = state.th1
         - (D_hat1 + t27 + G1 * x2) * real(10.0) * real(0.00198013266932447);
     // W_1(t + dt) = (1 - g Gamma_1 lambda_1) W_1 + g Gamma_1 P_1 c_1 I_1, g = (1 - exp(-a dt))/a, a
-    // = Gamma_1 lambda_1 (32)
+    // = Gamma_1 lambda_1 (32): W_1' = Gamma_1 (P_1 c_1 I_1 - lambda_1 W_1)
     state
         .W1
         .scale_add_outer(
@@ -1054,7 +1065,7 @@ pub fn law<T: Real>(
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
     state.th2 = state.th2 + t45;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
-    // = Gamma_2 lambda_2 (65)
+    // = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state
         .W2
         .scale_add_outer(
@@ -1091,6 +1102,14 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5, kbar = 2, C = 20,
+/// Fl = 0.1 s, S = 10, eta_1 = 1, eta_2 = 1, eta_3 = 1, Gamma = 1, lambda = 0.1, iota = 0.1`.
+///
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2, kbar = 2, C = 50, S =
+/// (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4), eta_1 = 0.1, Gamma = 1, lambda = 0.1,
+/// iota = 0.1, iota_0 = 0.1, b = 2, eta_noise = 0.1, taubar = 1, lambda_sigma = 0.1, varsigma = 1,
+/// kappa_phi = 2, iota_phi = 0.01`.
 ///
 /// Operations: 520 additions, 795 multiplications, 12 divisions, 4 square roots, 26 elementary
 /// functions, 21 comparisons and selections.

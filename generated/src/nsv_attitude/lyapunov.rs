@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 978fd12766905d68472e16c119459234a38803fc843332988233441c658604c9
+// SHA-256 of the text below: be8aaa1751ce621c91f2010dfa3fc6488446e2ded3f94b2da655bac5fea23aca
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 942eb100714b26c25e1ccdc4afbe0d4d2b86a428722273c0878e49722b6d7ac4
 // lyapunov: 1928 additions, 2395 multiplications, 20 divisions, 3 square roots, 30 elementary functions, 34 comparisons and selections
@@ -977,8 +977,8 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         let t58 = real(0.5) * G_norm2_1;
         let t59 = real(2.375) * T::select(E1_free.lt(real(1e-300)), real(1.0), t56 * t57)
             + real(2.0) + t54 * real(0.5);
-        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
         let Lam1 = e1 * (t59 + t54 * t58);
         // ||c_1||^2
         let s_c1 = c1.sum_squares();
@@ -1025,7 +1025,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         ]);
         // w_hat_2 = th_2 + S_2 e_2
         let w_hat2 = state.th2 + t67;
-        // d_hat_2 = L_2 w_hat_2
+        // D_hat_2 = L_2 w_hat_2
         let D_hat2 = Vector([
             real(2.0) * w_hat2[1],
             real(3.0) * w_hat2[2],
@@ -1077,10 +1077,11 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         let t76 = Psi2 / (t75 + t71);
         let t77 = t72 + t52 * real(75.0) + real(0.5) * sec2E2
             + t73 * t73 * real(0.25) * t51;
-        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-        // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
-        // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat
+        // Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
+        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi
+        // cos^2 E / (phi^2 + s^2) (64)
         let Lam2 = e2 * (t77 + t74 * state.sigma2 * s_scale2 + t76 * t51)
             + Lam2_error_bound;
 
@@ -1128,7 +1129,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
             real(4.0) * Lam2[2],
         ]);
         // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-        // w_hat_2 + S_2 Lam_2
+        // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
         let th2_dot = t81 + t82;
 
         // -- network error bound of block 2 (66) --

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: cc0ef0ab15bb949ed510078023ce5afa26ac7d57d55427b892ea984a0bada8e8
+// SHA-256 of the text below: 89a5423b99d4d00f696e30735bec76e02c35c37f0526f6f773ee8b0ea23d69aa
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 f1ed1a103e422183001e3307dcbafd51dd8416eb6bf6c3da335ba5b9a83cacd7
 // lyapunov: 1967 additions, 2430 multiplications, 20 divisions, 3 square roots, 24 elementary functions, 110 comparisons and selections
@@ -1139,8 +1139,8 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         let t101 = real(2.375)
             * T::select(E1_free.lt(real(1e-300)), real(1.0), t98 * t99) + real(2.0)
             + t96 * real(0.5);
-        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
         let Lam1 = e1 * (t101 + t96 * t100);
         // ||c_1||^2
         let s_c1 = c1.sum_squares();
@@ -1187,7 +1187,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         ]);
         // w_hat_2 = th_2 + S_2 e_2
         let w_hat2 = state.th2 + t109;
-        // d_hat_2 = L_2 w_hat_2
+        // D_hat_2 = L_2 w_hat_2
         let D_hat2 = Vector([
             real(2.0) * w_hat2[1],
             real(3.0) * w_hat2[2],
@@ -1239,10 +1239,11 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         let t118 = Psi2 / (t117 + t113);
         let t119 = t114 + t94 * real(75.0) + real(0.5) * sec2E2
             + t115 * t115 * real(0.25) * t93;
-        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-        // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
-        // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat
+        // Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
+        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi
+        // cos^2 E / (phi^2 + s^2) (64)
         let Lam2 = e2 * (t119 + t116 * state.sigma2 * s_scale2 + t118 * t93)
             + Lam2_error_bound;
 
@@ -1290,7 +1291,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
             real(4.0) * Lam2[2],
         ]);
         // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-        // w_hat_2 + S_2 Lam_2
+        // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
         let th2_dot = t123 + t124;
 
         // -- network error bound of block 2 (66) --

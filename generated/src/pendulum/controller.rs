@@ -1,4 +1,4 @@
-// SHA-256 of the text below: b3a673c6f7f7420484b315ecd2339742c72298d911864bb4bbf15ffd77c2e037
+// SHA-256 of the text below: 23a0d0b523d38467bd97a5a5f6e0694d62cc934f96462ca31af61c20ae699045
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // initial: 5 additions, 18 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
@@ -46,14 +46,15 @@ pub struct State<T> {
     /// (omega).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
-    /// a = Gamma_2 lambda_2 (65)`
+    /// a = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
     ///
     /// Rows: `one, z1, omega, z12, z1_omega, omega2`.
     pub W2: Matrix<T, 6, 1>,
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// speed (omega).
     ///
-    /// `th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21)`
+    /// `th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21): th_2' = -S_2 (D_hat_2 +
+    /// F_2 + G_2 sat(u) + A_hat_2)`
     pub th2: Vector<T, 1>,
 }
 
@@ -360,8 +361,8 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(4.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t2 + s1 * sec2E1 * real(0.5));
 
     // -- virtual control (31) of block 1 --
@@ -488,6 +489,12 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
+/// Gains of block 1, `position`, which are numbers in the formulas: `K = 4, kbar = 4, C = 20,
+/// Fl = 0.02 s, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 10, kbar = 10, C = 50, S = 20,
+/// eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1`.
+///
 /// Operations: 38 additions, 56 multiplications, 2 divisions, 0 square roots, 3 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
@@ -538,8 +545,8 @@ pub fn law<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(4.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t4 + t3 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -582,9 +589,9 @@ pub fn law<T: Real>(
     let D_hat2 = state.th2 + x2 * real(20.0);
 
     // -- robust feedback of block 2 (31) (63) --
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block
-    // (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
+    // eta_3 of the outer block (38)
     let Lam2 = e2 * (real(22.5) + s2 * real(0.5) + s_c1 * s_c1 * real(0.25));
 
     // -- control (64) of block 2 --
@@ -611,11 +618,12 @@ pub fn law<T: Real>(
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
-    // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21)
+    // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21): th_2' = -S_2 (D_hat_2 + F_2
+    // + G_2 sat(u) + A_hat_2)
     state.th2 = state.th2
         - (D_hat2 + t6 + prepared.G2 * u_sat) * real(20.0) * real(0.0019605280423838395);
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
-    // = Gamma_2 lambda_2 (65)
+    // = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state
         .W2
         .scale_add_outer(real(0.9998000199986667), P2, c2 * real(0.001999800013332667));
@@ -634,6 +642,12 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `position`, which are numbers in the formulas: `K = 4, kbar = 4, C = 20,
+/// Fl = 0.02 s, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 10, kbar = 10, C = 50, S = 20,
+/// eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1`.
 ///
 /// Operations: 39 additions, 63 multiplications, 5 divisions, 0 square roots, 6 elementary
 /// functions, 6 comparisons and selections.

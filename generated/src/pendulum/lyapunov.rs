@@ -1,4 +1,4 @@
-// SHA-256 of the text below: d7c7d7a5c5caa8da7838e37c072ae1fa38f2213ec702438e2af5b394e49016f5
+// SHA-256 of the text below: a44bfd845fc87f490093de1d994e05387aed53b597ec0159efd9e2167437926a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // lyapunov: 142 additions, 202 multiplications, 8 divisions, 0 square roots, 10 elementary functions, 18 comparisons and selections
@@ -99,8 +99,8 @@ pub fn lyapunov<T: Real>(
     let t13 = E1.sin();
     let t14 = t13 * cosE1;
     let t15 = real(1.0) / E1_free;
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1
         * (real(5.0) * T::select(E1_free.lt(real(1e-300)), real(1.0), t14 * t15)
             + real(4.0) + t12 * real(0.5));
@@ -147,9 +147,9 @@ pub fn lyapunov<T: Real>(
 
     // -- robust feedback of block 2 (31) (63) --
     let t18 = s_c1 * s_c1;
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block
-    // (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
+    // eta_3 of the outer block (38)
     let Lam2 = e2 * (real(22.5) + s2 * real(0.5) + t18 * real(0.25));
 
     // -- control (64) of block 2 --

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 5e76c259beacfc25742957dd4b3d239cf30b3f3c494f30776df406df01583f2e
+// SHA-256 of the text below: 6967b3f6dce11a06f19fd96df3b791a0b713d166dfd06621b10b62646205f8b5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 3cd74c6a44d9432abc24d8808c619aec204d90e97927d612360bef1bbe8706df
 // initial: 31 additions, 74 multiplications, 6 divisions, 0 square roots, 16 elementary functions, 3 comparisons and selections
@@ -47,7 +47,7 @@ pub struct State<T> {
     /// q, r).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
-    /// a = Gamma_2 lambda_2 (65)`
+    /// a = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
     ///
     /// Rows: `one, p, q, r, p2, p_q, p_r, q2, q_r, r2, p3, p2_q, p2_r, p_q2, p_q_r, p_r2, q3, q2_r,
     /// q_r2, r3`.
@@ -56,7 +56,7 @@ pub struct State<T> {
     /// rates (p, q, r).
     ///
     /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    /// w_hat_2 + S_2 Lam_2`
+    /// w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
     pub th2: Vector<T, 8>,
     /// Bound eps_hat of the approximation error (66): rates (p, q, r).
     ///
@@ -143,7 +143,7 @@ pub struct Output<T: Real> {
     pub alpha1: Vector<T, 3>,
     /// `e_2 = x_2 - h_1 - zeta_2`
     pub e2: Vector<T, 3>,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `D_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 3>,
 }
 impl<T: Real> Output<T> {
@@ -430,8 +430,8 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) -> State<T> {
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(2.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t20 + s1 * sec2E1 * (real(0.5) * G_norm2_1));
 
     // -- virtual control (31) of block 1 --
@@ -649,12 +649,20 @@ pub struct ControlOutputs<T: Real> {
     pub alpha1: Vector<T, 3>,
     /// `e_2 = x_2 - h_1 - zeta_2`
     pub e2: Vector<T, 3>,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `D_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 3>,
 }
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 6, kbar = 2, C = 20,
+/// Fl = 0.01 s, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 20, kbar = 10, C = 50, S =
+/// (14.6 0 0; 23 0 0; 14 0 0; 0 14.6 0; 0 23 0; 0 14 0; 0 0 8; 0 0 -1), eta_1 = 1, Gamma = 1,
+/// lambda = 0.1, iota = 1, iota_0 = 0.1, b = 1, eta_noise = 0.01, taubar = 1, lambda_sigma = 0.1,
+/// varsigma = 1, kappa_phi = 0.5, iota_phi = 0.2`.
 ///
 /// Operations: 260 additions, 361 multiplications, 7 divisions, 2 square roots, 12 elementary
 /// functions, 13 comparisons and selections.
@@ -734,8 +742,8 @@ pub fn law<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(2.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t10 + t9 * (real(0.5) * G_norm2_1));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -787,7 +795,7 @@ pub fn law<T: Real>(
     ]);
     // w_hat_2 = th_2 + S_2 e_2
     let w_hat2 = state.th2 + t14;
-    // d_hat_2 = L_2 w_hat_2
+    // D_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([
         w_hat2[0] + w_hat2[2],
         w_hat2[3] + w_hat2[5],
@@ -804,10 +812,11 @@ pub fn law<T: Real>(
     let t17 = G_norm2_1 * s_c1;
     let t18 = prepared.Psi2 / (state.phi2 * state.phi2 + t16);
     let t19 = real(25.0) + s2 * real(3.0) + real(0.5) + t17 * t17 * real(0.25);
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
-    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b)
+    // (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) +
+    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2
+    // + s^2) (64)
     let Lam2 = e2 * (t19 + prepared.Lam2_1 * state.sigma2 * s_scale2 + t18)
         + Lam2_error_bound;
 
@@ -854,7 +863,7 @@ pub fn law<T: Real>(
         -Lam2[2],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    // w_hat_2 + S_2 Lam_2
+    // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
     let th2_dot = t23 + t24;
 
     // -- network error bound of block 2 (66) --
@@ -869,6 +878,8 @@ pub fn law<T: Real>(
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
     let phi2_decay = t18 + real(0.5);
+
+    // -- states of block 2, one sample later --
     let t25 = Vector([
         real(0.0019704072450943437) * th2_dot[0]
             + real(2.3760064293746006e-5) * th2_dot[1]
@@ -906,7 +917,7 @@ pub fn law<T: Real>(
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
     state.th2 = state.th2 + t25;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
-    // = Gamma_2 lambda_2 (65)
+    // = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state
         .W2
         .scale_add_outer(real(0.9998000199986667), P2, c2 * real(0.001999800013332667));
@@ -937,6 +948,14 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 6, kbar = 2, C = 20,
+/// Fl = 0.01 s, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 20, kbar = 10, C = 50, S =
+/// (14.6 0 0; 23 0 0; 14 0 0; 0 14.6 0; 0 23 0; 0 14 0; 0 0 8; 0 0 -1), eta_1 = 1, Gamma = 1,
+/// lambda = 0.1, iota = 1, iota_0 = 0.1, b = 1, eta_noise = 0.01, taubar = 1, lambda_sigma = 0.1,
+/// varsigma = 1, kappa_phi = 0.5, iota_phi = 0.2`.
 ///
 /// Operations: 279 additions, 421 multiplications, 14 divisions, 3 square roots, 20 elementary
 /// functions, 13 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 2fdd1d828ff39743a1f0912070d5396329a7cdd43b489aa561834a2b0c302545
+// SHA-256 of the text below: 866d82e29927674706f8d0d9cd03231cfe13dde996f0bf8812a267ead7a05690
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 3cd74c6a44d9432abc24d8808c619aec204d90e97927d612360bef1bbe8706df
 // lyapunov: 1005 additions, 1202 multiplications, 22 divisions, 2 square roots, 20 elementary functions, 19 comparisons and selections
@@ -313,8 +313,8 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let t33 = t32 * cosE1;
         let t34 = real(1.0) / E1_free;
         let t35 = real(0.5) * G_norm2_1;
-        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + eta_2/2 ||G||^2 c^T (37)
+        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
         let Lam1 = e1
             * (real(3.5) * T::select(E1_free.lt(real(1e-300)), real(1.0), t33 * t34)
                 + real(2.0) + t31 * t35);
@@ -370,7 +370,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         ]);
         // w_hat_2 = th_2 + S_2 e_2
         let w_hat2 = state.th2 + t42;
-        // d_hat_2 = L_2 w_hat_2
+        // D_hat_2 = L_2 w_hat_2
         let D_hat2 = Vector([
             w_hat2[0] + w_hat2[2],
             w_hat2[3] + w_hat2[5],
@@ -416,10 +416,11 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let t59 = state.phi2 * state.phi2;
         let t60 = Psi2 / (t59 + t56);
         let t61 = real(25.0) + s2 * real(3.0) + real(0.5) + t57 * t57 * real(0.25);
-        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-        // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
-        // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat
+        // Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
+        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi
+        // cos^2 E / (phi^2 + s^2) (64)
         let Lam2 = e2 * (t61 + t58 * state.sigma2 * s_scale2 + t60) + Lam2_error_bound;
 
         // -- control (64) of block 2 --
@@ -466,7 +467,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
             -Lam2[2],
         ]);
         // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-        // w_hat_2 + S_2 Lam_2
+        // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
         let th2_dot = t65 + t66;
 
         // -- network error bound of block 2 (66) --

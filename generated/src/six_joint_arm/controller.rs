@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 70ceba15e1efa4f51176a57911b525c629e4ff2dec0147c9af65af19212a74ae
+// SHA-256 of the text below: ce8595deb6f6cc9860baea9ad8b35912630cae0f0428da9378b07a9f261d9043
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 e7e26501eabebcc551c5a20f6cf6291dc3f98ec9ff94704b5eb6dcf9470130fd
 // initial: 27 additions, 65 multiplications, 3 divisions, 0 square roots, 10 elementary functions, 3 comparisons and selections
@@ -45,7 +45,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// rates (v1, v2, v3, v4, v5, v6).
     ///
-    /// `th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21)`
+    /// `th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21): th_2' = -S_2 (D_hat_2 +
+    /// F_2 + G_2 sat(u) + A_hat_2)`
     pub th2: Vector<T, 6>,
 }
 
@@ -385,8 +386,8 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(2.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t18 + s1 * sec2E1 * real(3.0));
 
     // -- virtual control (31) of block 1 --
@@ -594,6 +595,12 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
+/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 6, kbar = 2, C = 20, Fl = 0.005
+/// s, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 40, kbar = 20, C = 50, S = 100,
+/// eta_1 = 1`.
+///
 /// Operations: 221 additions, 262 multiplications, 6 divisions, 0 square roots, 19 elementary
 /// functions, 16 comparisons and selections.
 #[inline(always)]
@@ -738,8 +745,8 @@ pub fn law<T: Real>(
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(2.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t29 + t28 * real(3.0));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -773,9 +780,9 @@ pub fn law<T: Real>(
 
     // -- robust feedback of block 2 (31) (63) --
     let t31 = G_norm2_1 * s_c1;
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block
-    // (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
+    // eta_3 of the outer block (38)
     let Lam2 = e2 * (real(50.0) + s2 * real(0.5) + t31 * t31 * real(0.25));
 
     // -- control (64) of block 2 --
@@ -807,6 +814,8 @@ pub fn law<T: Real>(
     ]);
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
     let zeta2_dot = t39 - t32;
+
+    // -- states of block 2, one sample later --
     let t40 = Vector([
         t14 * u_sat[0] + t15 * u_sat[1] + t16 * u_sat[2],
         t15 * u_sat[0] + t17 * u_sat[1] + t18 * u_sat[2],
@@ -825,7 +834,8 @@ pub fn law<T: Real>(
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.0009754115099857198);
-    // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21)
+    // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21): th_2' = -S_2 (D_hat_2 + F_2
+    // + G_2 sat(u) + A_hat_2)
     state.th2 = state.th2
         - (D_hat2 + F2 + t40) * real(100.0) * real(0.0009516258196404043);
     ControlOutputs {
@@ -843,6 +853,12 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 6, kbar = 2, C = 20, Fl = 0.005
+/// s, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 40, kbar = 20, C = 50, S = 100,
+/// eta_1 = 1`.
 ///
 /// Operations: 240 additions, 316 multiplications, 7 divisions, 0 square roots, 27 elementary
 /// functions, 16 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 2dbe0ce82265fec7349d83de173a6ed5bafaa1af7d21dadfa7918f3868806cbe
+// SHA-256 of the text below: 9ee6b46cf5469e994effb4b169ac2cb13efc441e6bb0bc6baeeb1ff12186370d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 e7e26501eabebcc551c5a20f6cf6291dc3f98ec9ff94704b5eb6dcf9470130fd
 // lyapunov: 850 additions, 1072 multiplications, 15 divisions, 0 square roots, 35 elementary functions, 38 comparisons and selections
@@ -1094,8 +1094,8 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         let t99 = E1.sin();
         let t100 = t99 * cosE1;
         let t101 = real(1.0) / E1_free;
-        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + eta_2/2 ||G||^2 c^T (37)
+        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
         let Lam1 = e1
             * (real(3.5) * T::select(E1_free.lt(real(1e-300)), real(1.0), t100 * t101)
                 + real(2.0) + t98 * real(3.0));
@@ -1132,9 +1132,9 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         // -- robust feedback of block 2 (31) (63) --
         let t103 = G_norm2_1 * s_c1;
         let t104 = t103 * t103;
-        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-        // block (38)
+        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4),
+        // G, c, eta_3 of the outer block (38)
         let Lam2 = e2 * (real(50.0) + s2 * real(0.5) + t104 * real(0.25));
 
         // -- control (64) of block 2 --

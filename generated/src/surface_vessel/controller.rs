@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 7d02811ba7bdb588fffc732917f08c08b86214c97dab662ec44a76a4432b3862
+// SHA-256 of the text below: daa8070d88b9deea14491ed5f79a86738403781aaa988872e24c063d4b924252
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 7709ac9dadc6e0d55c9f2766fd114c93b77a2eb45a027fca7fc9fa1a44d38c56
 // initial: 40 additions, 63 multiplications, 5 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
@@ -42,7 +42,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// pose (north, east, psi).
     ///
-    /// `th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21)`
+    /// `th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21): th_1' = -S_1 (D_hat_1 +
+    /// F_1 + G_1 x_2 + A_hat_1)`
     pub th1: Vector<T, 3>,
     /// Filtered virtual control h (33): velocity (surge, sway, r).
     ///
@@ -52,7 +53,7 @@ pub struct State<T> {
     /// (surge, sway, r).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
-    /// a = Gamma_2 lambda_2 (65)`
+    /// a = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
     ///
     /// Rows: `one, surge, sway, r, surge2, surge_sway, surge_r, sway2, sway_r, r2`.
     pub W2: Matrix<T, 10, 3>,
@@ -60,7 +61,7 @@ pub struct State<T> {
     /// velocity (surge, sway, r).
     ///
     /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    /// w_hat_2 + S_2 Lam_2`
+    /// w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
     pub th2: Vector<T, 6>,
     /// Bound eps_hat of the approximation error (66): velocity (surge, sway, r).
     ///
@@ -152,7 +153,7 @@ pub struct Output<T: Real> {
     pub D_hat1: Vector<T, 3>,
     /// `e_2 = x_2 - h_1 - zeta_2`
     pub e2: Vector<T, 3>,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `D_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 3>,
 }
 impl<T: Real> Output<T> {
@@ -428,12 +429,13 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) -> State<T> {
         real(1.0),
         E1.sin() * cosE1 * (real(1.0) / E1_free),
     );
-    // Lam0 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
+    // Lam0 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31)
     let Lam0_1 = Vector::<T, 3>::from_f64([0.55, 0.55, 0.75]).hadamard(e1) * t10
         + e1 * real(0.25);
     let t11 = s1 * sec2E1;
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = Lam0_1 + e1 * (t11 * real(0.5) + t11 * (real(0.5) * G_norm2_1));
 
     // -- virtual control (31) of block 1 --
@@ -660,12 +662,21 @@ pub struct ControlOutputs<T: Real> {
     pub D_hat1: Vector<T, 3>,
     /// `e_2 = x_2 - h_1 - zeta_2`
     pub e2: Vector<T, 3>,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `D_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 3>,
 }
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `pose`, which are numbers in the formulas: `K = diag(1.2, 1.2, 2), kbar = 0.25,
+/// C = diag(2, 2, 4), Fl = diag(0.2, 0.2, 0.1) s, S = diag(0.5, 0.5, 1), eta_1 = 1, eta_2 = 1,
+/// eta_3 = 1`.
+///
+/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 6, kbar = 1, C = 10, S =
+/// (-3 0 0; 22.8 0 0; 0 -3 0; 0 22.8 0; 0 0 -3; 0 0 22.8), eta_1 = 1, Gamma = 10, lambda = 0.1,
+/// iota = diag(0.02, 0.02, 0.1), iota_0 = 0.1, b = 0.1, eta_noise = 0.1, taubar = 1,
+/// lambda_sigma = 0.1, varsigma = 0.1, kappa_phi = 0.5, iota_phi = 0.02`.
 ///
 /// Operations: 234 additions, 310 multiplications, 6 divisions, 2 square roots, 8 elementary
 /// functions, 13 comparisons and selections.
@@ -755,11 +766,12 @@ pub fn law<T: Real>(
         real(1.0),
         E1.sin() * cosE1 * (real(1.0) / E1_free),
     );
-    // Lam0 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
+    // Lam0 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31)
     let Lam0_1 = Vector::<T, 3>::from_f64([0.55, 0.55, 0.75]).hadamard(e1) * t10
         + e1 * real(0.25);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = Lam0_1 + e1 * (t8 * real(0.5) + t8 * (real(0.5) * G_norm2_1));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -811,7 +823,7 @@ pub fn law<T: Real>(
     ]);
     // w_hat_2 = th_2 + S_2 e_2
     let w_hat2 = state.th2 + t13;
-    // d_hat_2 = L_2 w_hat_2
+    // D_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([w_hat2[1], w_hat2[3], w_hat2[5]]);
 
     // -- robust feedback of block 2 (31) (63) --
@@ -824,10 +836,11 @@ pub fn law<T: Real>(
     let t16 = G_norm2_1 * s_c1;
     let t17 = prepared.Psi2 / (state.phi2 * state.phi2 + t15);
     let t18 = real(3.5) + s2 * real(1.5) + real(0.5) + t16 * t16 * real(0.25);
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
-    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b)
+    // (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) +
+    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2
+    // + s^2) (64)
     let Lam2 = e2 * (t18 + prepared.Lam2_1 * state.sigma2 * s_scale2 + t17)
         + Lam2_error_bound;
 
@@ -867,7 +880,7 @@ pub fn law<T: Real>(
         real(22.8) * Lam2[2],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    // w_hat_2 + S_2 Lam_2
+    // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
     let th2_dot = t23 + t24;
 
     // -- network error bound of block 2 (66) --
@@ -882,6 +895,8 @@ pub fn law<T: Real>(
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
     let phi2_decay = t17 + real(0.5);
+
+    // -- states of block 2, one sample later --
     let t25 = Vector([
         real(0.019829465934243364) * th2_dot[0]
             + real(0.000682818118818716) * th2_dot[1],
@@ -912,7 +927,8 @@ pub fn law<T: Real>(
             3,
         >::from_f64([0.019032516392808087, 0.019032516392808087, 0.018126924692201812])
             .hadamard(h1_dot);
-    // th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21)
+    // th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21): th_1' = -S_1 (D_hat_1 + F_1
+    // + G_1 x_2 + A_hat_1)
     state.th1 = state.th1
         - Vector::<
             T,
@@ -926,7 +942,7 @@ pub fn law<T: Real>(
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
     state.th2 = state.th2 + t25;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
-    // = Gamma_2 lambda_2 (65)
+    // = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state
         .W2
         .scale_add_outer(
@@ -966,6 +982,15 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `pose`, which are numbers in the formulas: `K = diag(1.2, 1.2, 2), kbar = 0.25,
+/// C = diag(2, 2, 4), Fl = diag(0.2, 0.2, 0.1) s, S = diag(0.5, 0.5, 1), eta_1 = 1, eta_2 = 1,
+/// eta_3 = 1`.
+///
+/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 6, kbar = 1, C = 10, S =
+/// (-3 0 0; 22.8 0 0; 0 -3 0; 0 22.8 0; 0 0 -3; 0 0 22.8), eta_1 = 1, Gamma = 10, lambda = 0.1,
+/// iota = diag(0.02, 0.02, 0.1), iota_0 = 0.1, b = 0.1, eta_noise = 0.1, taubar = 1,
+/// lambda_sigma = 0.1, varsigma = 0.1, kappa_phi = 0.5, iota_phi = 0.02`.
 ///
 /// Operations: 271 additions, 385 multiplications, 11 divisions, 3 square roots, 11 elementary
 /// functions, 13 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0209b4ee48463879b964f4fd6f580561cfa0956b0a1e1eadb78d8f05c7e2c6ce
+// SHA-256 of the text below: a914634037e30546d88a8bf569ff1a388ed7d1895aba7461bfd8a810354609c0
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 7709ac9dadc6e0d55c9f2766fd114c93b77a2eb45a027fca7fc9fa1a44d38c56
 // lyapunov: 747 additions, 945 multiplications, 17 divisions, 2 square roots, 13 elementary functions, 19 comparisons and selections
@@ -132,7 +132,7 @@ pub fn lyapunov<T: Real>(
         real(22.8) * Lam2[2],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    // w_hat_2 + S_2 Lam_2
+    // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
     let th2_dot = t59 + t60;
 
     // -- network error bound of block 2 (66) --
@@ -647,11 +647,12 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let t34 = real(1.0) / E1_free;
         let t35 = Vector::<T, 3>::from_f64([0.55, 0.55, 0.75]).hadamard(e1)
             * T::select(E1_free.lt(real(1e-300)), real(1.0), t33 * t34);
-        // Lam0 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
+        // Lam0 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31)
         let Lam0_1 = t35 + e1 * real(0.25);
         let t36 = real(0.5) * G_norm2_1;
-        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
         let Lam1 = Lam0_1 + e1 * (t30 * real(0.5) + t30 * t36);
         // ||c_1||^2
         let s_c1 = c1.sum_squares();
@@ -707,7 +708,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         ]);
         // w_hat_2 = th_2 + S_2 e_2
         let w_hat2 = state.th2 + t44;
-        // d_hat_2 = L_2 w_hat_2
+        // D_hat_2 = L_2 w_hat_2
         let D_hat2 = Vector([w_hat2[1], w_hat2[3], w_hat2[5]]);
 
         // -- noise terms of block 2 (58) (62) --
@@ -747,10 +748,11 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let t50 = state.phi2 * state.phi2;
         let t51 = Psi2 / (t50 + t47);
         let t52 = real(3.5) + s2 * real(1.5) + real(0.5) + t48 * t48 * real(0.25);
-        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-        // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
-        // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat
+        // Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
+        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi
+        // cos^2 E / (phi^2 + s^2) (64)
         let Lam2 = e2 * (t52 + t49 * state.sigma2 * s_scale2 + t51) + Lam2_error_bound;
 
         // -- control (64) of block 2 --

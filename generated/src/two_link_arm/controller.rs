@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 75ce4d643f512c6cd6eafd52ca345767be979a11ac62492ab88a88b80323a25f
+// SHA-256 of the text below: 0ccf2616acfe70fa3d46eb9956d3ebc1932714eddc7b311eecccedb385427d04
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // initial: 11 additions, 27 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
@@ -46,7 +46,7 @@ pub struct State<T> {
     /// v2).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
-    /// a = Gamma_2 lambda_2 (65)`
+    /// a = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
     ///
     /// Rows: `one, v1, v2, q2, v12, v1_v2, v1_q2, v22, v2_q2, q22, v13, v12_v2, v12_q2, v1_v22,
     /// v1_v2_q2, v1_q22, v23, v22_q2, v2_q22, q23`.
@@ -55,7 +55,7 @@ pub struct State<T> {
     /// rates (v1, v2).
     ///
     /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    /// w_hat_2 + S_2 Lam_2`
+    /// w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
     pub th2: Vector<T, 5>,
     /// Bound eps_hat of the approximation error (66): rates (v1, v2).
     ///
@@ -128,7 +128,7 @@ pub struct Output<T: Real> {
     pub e2: Vector<T, 2>,
     /// `k_2(t)`
     pub k2: T,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `D_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 2>,
 }
 impl<T: Real> Output<T> {
@@ -375,8 +375,8 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
             real(1.0),
             E1.sin() * cosE1 * (real(1.0) / E1_free),
         ) + real(4.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t5 + s1 * sec2E1 * real(0.5));
 
     // -- virtual control (31) of block 1 --
@@ -539,12 +539,18 @@ pub struct ControlOutputs<T: Real> {
     pub e2: Vector<T, 2>,
     /// `k_2(t)`
     pub k2: T,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `D_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 2>,
 }
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 4, kbar = 4, C = 20, Fl = 0.02
+/// s, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 8, kbar = 8, C = 50, S =
+/// (12 0; 36 0; 0 8; 0 2; 0 11), eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1, iota_0 = 0.1, b = 1`.
 ///
 /// Operations: 178 additions, 259 multiplications, 5 divisions, 0 square roots, 8 elementary
 /// functions, 13 comparisons and selections.
@@ -633,8 +639,8 @@ pub fn law<T: Real>(
             real(1.0),
             sin_E1 * cosE1 * (real(1.0) / E1_free),
         ) + real(4.0);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t10 + t9 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -672,7 +678,7 @@ pub fn law<T: Real>(
             real(2.0) * e2[1],
             real(11.0) * e2[1],
         ]);
-    // d_hat_2 = L_2 w_hat_2
+    // D_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([w_hat2[0], w_hat2[2] + w_hat2[3]]);
 
     // -- robust feedback of block 2 (31) (63) --
@@ -687,9 +693,9 @@ pub fn law<T: Real>(
         ) + real(8.0);
     let t14 = t13 + t8 * real(0.9999999999999998) + real(0.5) * sec2E2
         + s_c1 * s_c1 * real(0.25) * t7;
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b)
+    // (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
     let Lam2 = e2 * t14 + Lam2_error_bound;
 
     // -- control (64) of block 2 --
@@ -717,7 +723,7 @@ pub fn law<T: Real>(
         real(11.0) * Lam2[1],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    // w_hat_2 + S_2 Lam_2
+    // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
     let th2_dot = Vector([
         w_hat2[1],
         real(0.0),
@@ -762,7 +768,7 @@ pub fn law<T: Real>(
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
     state.th2 = state.th2 + th2_step * th2_dot;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
-    // = Gamma_2 lambda_2 (65)
+    // = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state
         .W2
         .scale_add_outer(real(0.9998000199986667), P2, c2 * real(0.001999800013332667));
@@ -784,6 +790,12 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 4, kbar = 4, C = 20, Fl = 0.02
+/// s, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 8, kbar = 8, C = 50, S =
+/// (12 0; 36 0; 0 8; 0 2; 0 11), eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1, iota_0 = 0.1, b = 1`.
 ///
 /// Operations: 184 additions, 276 multiplications, 7 divisions, 0 square roots, 11 elementary
 /// functions, 13 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 6effa8ff65b95f127eca8f112433ab7b2227f87c33d4895d4207918dbe8e4f12
+// SHA-256 of the text below: 6ce535f083cb78bd8e36e19c749606b6b219b655674835d891939543b1948faf
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // lyapunov: 502 additions, 638 multiplications, 11 divisions, 0 square roots, 13 elementary functions, 20 comparisons and selections
@@ -142,8 +142,8 @@ pub fn lyapunov<T: Real>(
     let [sin_E1, sin_E2] = t19.sin().0;
     let t24 = sin_E1 * cosE1;
     let t25 = real(1.0) / E1_free;
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1
         * (real(5.0) * T::select(E1_free.lt(real(1e-300)), real(1.0), t24 * t25)
             + real(4.0) + t23 * real(0.5));
@@ -184,7 +184,7 @@ pub fn lyapunov<T: Real>(
             real(2.0) * e2[1],
             real(11.0) * e2[1],
         ]);
-    // d_hat_2 = L_2 w_hat_2
+    // D_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([w_hat2[0], w_hat2[2] + w_hat2[3]]);
 
     // -- robust feedback of block 2 (31) (63) --
@@ -199,9 +199,9 @@ pub fn lyapunov<T: Real>(
         ) + real(8.0);
     let t30 = t29 + t21 * real(0.9999999999999998) + real(0.5) * sec2E2
         + s_c1 * s_c1 * real(0.25) * t20;
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b)
+    // (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
     let Lam2 = e2 * t30 + Lam2_error_bound;
 
     // -- control (64) of block 2 --
@@ -233,7 +233,7 @@ pub fn lyapunov<T: Real>(
         real(11.0) * Lam2[1],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    // w_hat_2 + S_2 Lam_2
+    // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
     let th2_dot = Vector([
         w_hat2[1],
         real(0.0),

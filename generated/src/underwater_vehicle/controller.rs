@@ -1,4 +1,4 @@
-// SHA-256 of the text below: f9e4373a635cef3ab52ffc198ef54288ee2eab1646886490d37663809d00f8a3
+// SHA-256 of the text below: bbcf2dabcb10cb80f6dfb6d178b1664b3c140ee8747e54576e100b522c751898
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // initial: 89 additions, 150 multiplications, 9 divisions, 0 square roots, 19 elementary functions, 3 comparisons and selections
@@ -42,7 +42,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// pose (north, east, down, phi, theta, psi).
     ///
-    /// `th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21)`
+    /// `th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21): th_1' = -S_1 (D_hat_1 +
+    /// F_1 + G_1 x_2 + A_hat_1)`
     pub th1: Vector<T, 6>,
     /// Filtered virtual control h (33): velocity (surge, sway, heave, p, q, r).
     ///
@@ -52,7 +53,7 @@ pub struct State<T> {
     /// (surge, sway, heave, p, q, r).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
-    /// a = Gamma_2 lambda_2 (65)`
+    /// a = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
     ///
     /// Rows: `one, surge, sway, heave, p, q, r, surge2, surge_sway, surge_heave, surge_p, surge_q,
     /// surge_r, sway2, sway_heave, sway_p, sway_q, sway_r, heave2, heave_p, heave_q, heave_r, p2,
@@ -62,7 +63,7 @@ pub struct State<T> {
     /// velocity (surge, sway, heave, p, q, r).
     ///
     /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    /// w_hat_2 + S_2 Lam_2`
+    /// w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
     pub th2: Vector<T, 12>,
     /// Bound eps_hat of the approximation error (66): velocity (surge, sway, heave, p, q, r).
     ///
@@ -154,7 +155,7 @@ pub struct Output<T: Real> {
     pub D_hat1: Vector<T, 6>,
     /// `e_2 = x_2 - h_1 - zeta_2`
     pub e2: Vector<T, 6>,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `D_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 6>,
 }
 impl<T: Real> Output<T> {
@@ -468,8 +469,8 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
         real(1.0),
         E1.sin() * cosE1 * (real(1.0) / E1_free),
     ) + real(0.5);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t38 + t37 * real(0.5) + t37 * (real(0.5) * G_norm2_1));
 
     // -- virtual control (31) of block 1 --
@@ -756,12 +757,20 @@ pub struct ControlOutputs<T: Real> {
     pub D_hat1: Vector<T, 6>,
     /// `e_2 = x_2 - h_1 - zeta_2`
     pub e2: Vector<T, 6>,
-    /// `d_hat_2 = L_2 w_hat_2`
+    /// `D_hat_2 = L_2 w_hat_2`
     pub D_hat2: Vector<T, 6>,
 }
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `pose`, which are numbers in the formulas: `K = 2, kbar = 0.5, C = 5, Fl = 0.1
+/// s, S = 1, eta_1 = 1, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 5, kbar = 2, C = 10, S =
+/// (-8 0 0 0 0 0; 5.8 0 0 0 0 0; 0 -8 0 0 0 0; 0 5.8 0 0 0 0; 0 0 -8 0 0 0; 0 0 5.8 0 0 0; 0 0 0 -8 0 0; 0 0 0 5.8 0 0; 0 0 0 0 -8 0; 0 0 0 0 5.8 0; 0 0 0 0 0 -8; 0 0 0 0 0 5.8),
+/// eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1, iota_0 = 0.1, b = 1, eta_noise = 0.1, taubar = 1,
+/// lambda_sigma = 0.1, varsigma = 1, kappa_phi = 0.5, iota_phi = 0.2`.
 ///
 /// Operations: 666 additions, 899 multiplications, 10 divisions, 2 square roots, 18 elementary
 /// functions, 19 comparisons and selections.
@@ -895,8 +904,8 @@ pub fn law<T: Real>(
         real(1.0),
         E1.sin() * cosE1 * (real(1.0) / E1_free),
     ) + real(0.5);
-    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+    // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (t31 + t13 * real(0.5) + t13 * (real(0.5) * G_norm2_1));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
@@ -962,7 +971,7 @@ pub fn law<T: Real>(
     ]);
     // w_hat_2 = th_2 + S_2 e_2
     let w_hat2 = state.th2 + t37;
-    // d_hat_2 = L_2 w_hat_2
+    // D_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([
         w_hat2[1],
         w_hat2[3],
@@ -982,10 +991,11 @@ pub fn law<T: Real>(
     let t40 = G_norm2_1 * s_c1;
     let t41 = prepared.Psi2 / (state.phi2 * state.phi2 + t39);
     let t42 = real(5.25) + s2 * real(3.0) + real(0.5) + t40 * t40 * real(0.25);
-    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31) +
-    // ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-    // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
-    // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+    // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
+    // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b)
+    // (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) +
+    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2
+    // + s^2) (64)
     let Lam2 = e2 * (t42 + prepared.Lam2_1 * state.sigma2 * s_scale2 + t41)
         + Lam2_error_bound;
 
@@ -1048,7 +1058,7 @@ pub fn law<T: Real>(
         real(5.8) * Lam2[5],
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    // w_hat_2 + S_2 Lam_2
+    // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
     let th2_dot = t51 + t52;
 
     // -- network error bound of block 2 (66) --
@@ -1063,6 +1073,8 @@ pub fn law<T: Real>(
     // -- compensation of block 2 (68) --
     // Psi_2/(phi_2^2 + s_2^2) + kappa_phi
     let phi2_decay = t41 + real(0.5);
+
+    // -- states of block 1, one sample later --
     let t53 = Vector([
         t14 * surge + t16 * sway + t17 * heave,
         t18 * surge + t20 * sway + t21 * heave,
@@ -1071,6 +1083,8 @@ pub fn law<T: Real>(
         cos_phi * q - sin_phi * r,
         t25 * q + t26 * r,
     ]);
+
+    // -- states of block 2, one sample later --
     let t54 = Vector([
         real(0.0099985222988428) * th2_dot[0]
             + real(0.00044110044503657773) * th2_dot[1],
@@ -1103,7 +1117,8 @@ pub fn law<T: Real>(
     state.zeta1 = state.zeta1 + zeta1_dot * real(0.009754115099857198);
     // h1(t + dt) = h1 + g h1', g = (1 - exp(-a dt))/a, a = 1/Fl_1 (33)
     state.h1 = state.h1 + h1_dot * real(0.009516258196404044);
-    // th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21)
+    // th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21): th_1' = -S_1 (D_hat_1 + F_1
+    // + G_1 x_2 + A_hat_1)
     state.th1 = state.th1 - (D_hat1 + t53) * real(0.009950166250831947);
 
     // -- states of block 2, one sample later --
@@ -1112,7 +1127,7 @@ pub fn law<T: Real>(
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
     state.th2 = state.th2 + t54;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
-    // = Gamma_2 lambda_2 (65)
+    // = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state
         .W2
         .scale_add_outer(real(0.999000499833375), P2, c2 * real(0.009995001666250083));
@@ -1144,6 +1159,14 @@ pub fn law<T: Real>(
 
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
+///
+/// Gains of block 1, `pose`, which are numbers in the formulas: `K = 2, kbar = 0.5, C = 5, Fl = 0.1
+/// s, S = 1, eta_1 = 1, eta_2 = 1, eta_3 = 1`.
+///
+/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 5, kbar = 2, C = 10, S =
+/// (-8 0 0 0 0 0; 5.8 0 0 0 0 0; 0 -8 0 0 0 0; 0 5.8 0 0 0 0; 0 0 -8 0 0 0; 0 0 5.8 0 0 0; 0 0 0 -8 0 0; 0 0 0 5.8 0 0; 0 0 0 0 -8 0; 0 0 0 0 5.8 0; 0 0 0 0 0 -8; 0 0 0 0 0 5.8),
+/// eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1, iota_0 = 0.1, b = 1, eta_noise = 0.1, taubar = 1,
+/// lambda_sigma = 0.1, varsigma = 1, kappa_phi = 0.5, iota_phi = 0.2`.
 ///
 /// Operations: 714 additions, 1033 multiplications, 19 divisions, 3 square roots, 26 elementary
 /// functions, 19 comparisons and selections.

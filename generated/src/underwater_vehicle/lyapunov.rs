@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 5661e14f13513298a3423eb077717c555007150e69f06467de8f9c38ea000e36
+// SHA-256 of the text below: 079cc8084caef418b4b9acf53cff45e30ccf38f643d00b3e35a8fa2628a284f8
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // lyapunov: 4121 additions, 4529 multiplications, 31 divisions, 2 square roots, 28 elementary functions, 25 comparisons and selections
@@ -1085,8 +1085,8 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         let t76 = real(0.5) * G_norm2_1;
         let t77 = T::select(E1_free.lt(real(1e-300)), real(1.0), t74 * t75) + real(0.5)
             + t55 * real(0.5) + t55 * t76;
-        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
+        // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37)
         let Lam1 = e1 * t77;
         // ||c_1||^2
         let s_c1 = c1.sum_squares();
@@ -1155,7 +1155,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         ]);
         // w_hat_2 = th_2 + S_2 e_2
         let w_hat2 = state.th2 + t88;
-        // d_hat_2 = L_2 w_hat_2
+        // D_hat_2 = L_2 w_hat_2
         let D_hat2 = Vector([
             w_hat2[1],
             w_hat2[3],
@@ -1228,10 +1228,11 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         let t129 = state.phi2 * state.phi2;
         let t130 = Psi2 / (t129 + t126);
         let t131 = real(5.25) + s2 * real(3.0) + real(0.5) + t127 * t127 * real(0.25);
-        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) (31)
-        // + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4
-        // ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar||
-        // sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) (64)
+        // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
+        // before the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat
+        // Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
+        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi
+        // cos^2 E / (phi^2 + s^2) (64)
         let Lam2 = e2 * (t131 + t128 * state.sigma2 * s_scale2 + t130)
             + Lam2_error_bound;
 
@@ -1304,7 +1305,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
             real(5.8) * Lam2[5],
         ]);
         // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-        // w_hat_2 + S_2 Lam_2
+        // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
         let th2_dot = t144 + t145;
 
         // -- network error bound of block 2 (66) --
