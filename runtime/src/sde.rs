@@ -11,10 +11,17 @@ use crate::real::Real;
 
 /// An Ito equation with `N` states and `Q` Wiener processes.
 pub trait Sde<T: Real, const N: usize, const Q: usize> {
+    /// Whether each column of `G` depends on `x`; as far as it is not known to, it does.
+    const STATE_DEPENDENT: [bool; Q] = [true; Q];
     /// `f(t, x)`.
     fn drift(&self, t: f64, x: &Vector<T, N>) -> Vector<T, N>;
     /// `G(t, x)`.
     fn diffusion(&self, t: f64, x: &Vector<T, N>) -> Matrix<T, N, Q>;
+    /// Column `j` of `G(t, x)`.
+    #[inline(always)]
+    fn diffusion_column(&self, t: f64, x: &Vector<T, N>, j: usize) -> Vector<T, N> {
+        self.diffusion(t, x).column(j)
+    }
     /// `f(t, x)` and `G(t, x) dw`.
     #[inline(always)]
     fn drift_and_noise(
@@ -37,7 +44,7 @@ pub enum Scheme {
     ///
     /// `x' = ((x + f dt) + G dw) + r_1 + r_2 + ...`, `r_j = (g_j(t, (x + f dt) + g_j h) - g_j(t, x)) ((dw_j dw_j - dt) / (h + h))`,
     ///
-    /// with `g_j` column j of `G` and `h = sqrt(dt)`. Order 1 needs that no channel changes another's diffusion: the derivative of `g_j`
+    /// with `g_j` column j of `G` and `h = sqrt(dt)`; `r_j` is 0, and is left out, where [`Sde::STATE_DEPENDENT`] is false. Order 1 needs that no channel changes another's diffusion: the derivative of `g_j`
     /// along `g_i` is zero for i != j. So it is if each channel drives a state of its own and its column depends on no other noisy state
     /// (diagonal noise), or if no column depends on a state that noise drives (additive noise). Otherwise the order is 1/2.
     Platen,
@@ -74,14 +81,18 @@ fn platen<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     dt: f64,
     dw: &Vector<T, Q>,
 ) -> Vector<T, N> {
+    let (drift, noise) = sde.drift_and_noise(t, x, dw);
     let dt = T::from_f64(dt);
-    let drifted = *x + sde.drift(t, x) * dt;
+    let drifted = *x + drift * dt;
+    let mut next = drifted + noise;
+    if !S::STATE_DEPENDENT.contains(&true) {
+        return next;
+    }
     let diffusion = sde.diffusion(t, x);
     let h = dt.sqrt();
-    let mut next = drifted + diffusion * *dw;
-    for j in 0..Q {
+    for j in (0..Q).filter(|&j| S::STATE_DEPENDENT[j]) {
         let column = diffusion.column(j);
-        let moved = sde.diffusion(t, &(drifted + column * h)).column(j);
+        let moved = sde.diffusion_column(t, &(drifted + column * h), j);
         next = next + (moved - column) * ((dw[j] * dw[j] - dt) / (h + h));
     }
     next

@@ -8,6 +8,7 @@ mod basis;
 mod comment;
 mod controller;
 mod dispersion;
+mod equation;
 mod expression;
 mod family;
 mod function;

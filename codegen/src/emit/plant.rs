@@ -1,6 +1,6 @@
 //! `plant.rs`: drift and diffusion of the disturbed plant, as a function and as a stochastic differential equation.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::TokenStream;
 use quote::quote;
 
 use nsv_spec::model::NoiseModel;
@@ -10,10 +10,9 @@ use crate::emit::dispersion::draw;
 use crate::emit::function::{Function, Record, Results};
 use crate::emit::interface::Interface;
 use crate::emit::literal::row;
-use crate::emit::names::{Fields, ident};
-use crate::emit::pieces::{Split, call_with};
+use crate::emit::names::Fields;
+use crate::emit::pieces::Split;
 use crate::emit::polynomial::Library;
-use crate::emit::source::mentions;
 use crate::emit::types::index;
 use crate::ir::build::size;
 use crate::ir::{Op, Program, Shape, ValueId};
@@ -83,7 +82,7 @@ impl Plant<'_> {
     }
 
     /// Whether noise is held over a sample and so is part of the drift.
-    fn held(&self) -> bool {
+    pub(super) fn held(&self) -> bool {
         self.interface.noise == NoiseModel::Sampled && noise_channels(self.plant) > 0
     }
 
@@ -192,81 +191,6 @@ impl Plant<'_> {
         }
     }
 
-    /// The equation by `dynamics`, and by `alone` where the diffusion is all that is asked for.
-    fn equation(&self, dynamics: &Split<'_>, alone: &Program) -> TokenStream {
-        let (held, rate, alone_rate) = (
-            self.held(),
-            rate(dynamics, dynamics.rest()),
-            rate(dynamics, alone),
-        );
-        let wiener = noise_channels(self.plant) > 0 && !held;
-        let vector = quote!(Vector<T, STATES>);
-        let columns = if wiener {
-            quote!(NOISE_CHANNELS)
-        } else {
-            let none = Literal::usize_unsuffixed(0);
-            quote!(#none)
-        };
-        let (drift_docs, drift) = if held {
-            (
-                "Drift, with the noise that is held between samples.",
-                quote!(#rate rate.drift + diffuse(&rate.diffusion, &self.plant.xi)),
-            )
-        } else {
-            ("Drift.", quote!(#rate rate.drift))
-        };
-        let ((time, t, given), (alone_time, alone_t, alone_given)) =
-            (time_of(dynamics.rest()), time_of(alone));
-        let (time, alone_time) = (time.as_ref(), alone_time.as_ref());
-        let mut parts = vec![part("Drift", drift_docs, &vector, &drift, [time, None])];
-        let diffusion = if wiener {
-            let matrix = quote!(Matrix<T, STATES, NOISE_CHANNELS>);
-            let both = quote!(#rate (rate.drift, diffuse(&rate.diffusion, self.dw)));
-            parts.push(part(
-                "Diffusion",
-                "Diffusion.",
-                &matrix,
-                &quote!(#alone_rate rate.diffusion),
-                [alone_time, None],
-            ));
-            parts.push(part(
-                "Rates",
-                "Drift, and diffusion times noise.",
-                &quote!((#vector, #vector)),
-                &both,
-                [time, Some(&quote!(dw: &'a Vector<T, NOISE_CHANNELS>))],
-            ));
-            quote! {
-                #[inline(always)]
-                fn diffusion(&self, #alone_t: f64, x: &#vector) -> #matrix {
-                    T::outlined(Diffusion { plant: self, #alone_given x })
-                }
-
-                #[inline(always)]
-                fn drift_and_noise(&self, #t: f64, x: &#vector, dw: &Vector<T, NOISE_CHANNELS>) -> (#vector, #vector) {
-                    T::outlined(Rates { plant: self, #given x, dw })
-                }
-            }
-        } else {
-            quote! {
-                #[inline(always)]
-                fn diffusion(&self, _t: f64, _x: &#vector) -> Matrix<T, STATES, #columns> { Matrix::zero() }
-            }
-        };
-        quote! {
-            impl<T: Real> Sde<T, STATES, #columns> for Plant<T> {
-                #[inline(always)]
-                fn drift(&self, #t: f64, x: &#vector) -> #vector {
-                    T::outlined(Drift { plant: self, #given x })
-                }
-
-                #diffusion
-            }
-
-            #(#parts)*
-        }
-    }
-
     /// The product of the diffusion and noise. Which of its entries are zero is known, and so is that noise is finite.
     fn diffuse(&self) -> Option<TokenStream> {
         let (_, id) = self
@@ -310,83 +234,5 @@ fn entries_zero(program: &Program, array: ValueId) -> Vec<bool> {
             .map(|&item| matches!(&program.instruction(item).op, Op::Const(data) if zero(data[0])))
             .collect(),
         _ => vec![false; size(program.shape(array))],
-    }
-}
-
-/// A part of the plant's equation as a function of its own: an integrator asks for it several times in a step.
-fn part(
-    name: &str,
-    about: &str,
-    output: &TokenStream,
-    body: &TokenStream,
-    arguments: [Option<&TokenStream>; 2],
-) -> TokenStream {
-    let (name, docs) = (ident(name), docs(&[about]));
-    let [t, noise] = arguments;
-    let unused = (!mentions(body, "plant"))
-        .then(|| quote!(#[allow(dead_code, reason = "a diffusion may need states alone")]));
-    quote! {
-        #docs
-        #unused
-        struct #name<'a, T> {
-            plant: &'a Plant<T>,
-            #t
-            x: &'a Vector<T, STATES>,
-            #noise
-        }
-
-        impl<T: Real> Part for #name<'_, T> {
-            type Output = #output;
-
-            #[inline(always)]
-            fn run(self) -> #output { #body }
-        }
-    }
-}
-
-/// The field for the time of a part that calls a program, the parameter that gives it, and the argument: none if the program does not
-/// read the time.
-fn time_of(program: &Program) -> (Option<TokenStream>, TokenStream, TokenStream) {
-    if reads_clock(program) || program.inputs.iter().any(|input| input.name == "t") {
-        (Some(quote!(t: f64,)), quote!(t), quote!(t,))
-    } else {
-        (None, quote!(_t), quote!())
-    }
-}
-
-/// Whether a program needs values of `clock`.
-fn reads_clock(program: &Program) -> bool {
-    let mut names = program.inputs.iter().map(|input| &input.name);
-    names.any(|name| name.starts_with("clock."))
-}
-
-/// `let rate = ..;` of a part of the plant's equation, by a piece. A clock that depends on time alone serves all lanes.
-fn rate(dynamics: &Split<'_>, piece: &Program) -> TokenStream {
-    let clock = dynamics.clock().filter(|_| reads_clock(piece));
-    let clock = clock.map(|clock| {
-        let shared = clock.inputs.iter().all(|input| input.name == "t");
-        let call = call_with(clock, |argument| match argument {
-            "t" if shared => quote!(T::Scalar::from_f64(self.t)),
-            other => self::argument(other),
-        });
-        if shared {
-            quote!(let clock = Clock::splat(&#call);)
-        } else {
-            quote!(let clock = #call;)
-        }
-    });
-    let call = call_with(piece, argument);
-    quote!(#clock let rate = #call;)
-}
-
-/// An argument of the plant's functions inside a part of its equation.
-fn argument(name: &str) -> TokenStream {
-    match name {
-        "t" => quote!(T::from_f64(self.t)),
-        "params" => quote!(&self.plant.params),
-        "prepared" => quote!(&self.plant.prepared),
-        "clock" => quote!(&clock),
-        "u_sat" => quote!(self.plant.u_sat),
-        _ => quote!(*self.x),
     }
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 91652cb06e553deb1222e21a03296a63385b932c1e38e44f4dfd62a2672b6b19
+// SHA-256 of the text below: 3fda679e5f411862c40ae05d2bf3c14821c6d0be79940b133911f1ac6c7bcfc5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f
 // plant: 8 additions, 16 multiplications, 1 divisions, 0 square roots, 0 elementary functions, 0 comparisons and selections
@@ -36,6 +36,8 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
+    const STATE_DEPENDENT: [bool; NOISE_CHANNELS] = [false, false, false];
+
     #[inline(always)]
     fn drift(&self, _t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
         T::outlined(Drift { plant: self, x })

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: c7870c25970b976ab0794a62458919ead0b6f763c340b60e2237fac3efc16ce1
+// SHA-256 of the text below: a16e6310f5c5da41217cc34b9fdb535475b076b512b1366e114afdadb3cc36c0
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 // plant: 176 additions, 251 multiplications, 2 divisions, 0 square roots, 12 elementary functions, 0 comparisons and selections
@@ -50,6 +50,10 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
+    const STATE_DEPENDENT: [bool; NOISE_CHANNELS] = [
+        true, true, true, false, false, false, false, false, false,
+    ];
+
     #[inline(always)]
     fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
         T::outlined(Drift { plant: self, t, x })
@@ -62,6 +66,36 @@ impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
         x: &Vector<T, STATES>,
     ) -> Matrix<T, STATES, NOISE_CHANNELS> {
         T::outlined(Diffusion { plant: self, x })
+    }
+
+    #[inline(always)]
+    fn diffusion_column(
+        &self,
+        _t: f64,
+        x: &Vector<T, STATES>,
+        j: usize,
+    ) -> Vector<T, STATES> {
+        match j {
+            0 => {
+                T::outlined(DiffusionColumn::<T, 0> {
+                    plant: self,
+                    x,
+                })
+            }
+            1 => {
+                T::outlined(DiffusionColumn::<T, 1> {
+                    plant: self,
+                    x,
+                })
+            }
+            2 => {
+                T::outlined(DiffusionColumn::<T, 2> {
+                    plant: self,
+                    x,
+                })
+            }
+            _ => self.diffusion(_t, x).column(j),
+        }
     }
 
     #[inline(always)]
@@ -128,6 +162,19 @@ impl<T: Real> Part for Rates<'_, T> {
             &clock,
         );
         (rate.drift, diffuse(&rate.diffusion, self.dw))
+    }
+}
+/// Column `J` of the diffusion.
+struct DiffusionColumn<'a, T, const J: usize> {
+    plant: &'a Plant<T>,
+    x: &'a Vector<T, STATES>,
+}
+impl<T: Real, const J: usize> Part for DiffusionColumn<'_, T, J> {
+    type Output = Vector<T, STATES>;
+    #[inline(always)]
+    fn run(self) -> Vector<T, STATES> {
+        let rate = diffusion(*self.x, &self.plant.params, &self.plant.prepared);
+        rate.diffusion.column(J)
     }
 }
 

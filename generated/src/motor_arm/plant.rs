@@ -1,4 +1,4 @@
-// SHA-256 of the text below: e5d42ddfc956d56f32af8aa5930dec52a6e104c4e61b8736e59bcefd0d1ac61f
+// SHA-256 of the text below: 80c87487a625e9d2c0d326e5278263abe0d057c037d70027d3828037a79de5e9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // plant: 9 additions, 20 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
@@ -36,6 +36,8 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
+    const STATE_DEPENDENT: [bool; NOISE_CHANNELS] = [false, false];
+
     #[inline(always)]
     fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
         T::outlined(Drift { plant: self, t, x })

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 4d045a07a33be3069ed635727a29ddf3f3c75e685485b1436fadfa12dca86d47
+// SHA-256 of the text below: 07184e1f581aeaf283f16559a433eabbca87f7357fd46b5fa35978a1a19beca1
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 3cd74c6a44d9432abc24d8808c619aec204d90e97927d612360bef1bbe8706df
 // plant: 22 additions, 40 multiplications, 4 divisions, 0 square roots, 6 elementary functions, 0 comparisons and selections
@@ -51,6 +51,10 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
+    const STATE_DEPENDENT: [bool; NOISE_CHANNELS] = [
+        false, false, false, false, false, false, false, false,
+    ];
+
     #[inline(always)]
     fn drift(&self, _t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
         T::outlined(Drift { plant: self, x })

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 22496aa8a6da9e07090d838d0acf814cfc593fd18ba28eb5c3f86926aab5618a
+// SHA-256 of the text below: 440ba995d024accbea724980780fab01a596114c5ce5120fda0bf4294d67475b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 7709ac9dadc6e0d55c9f2766fd114c93b77a2eb45a027fca7fc9fa1a44d38c56
 // plant: 53 additions, 73 multiplications, 2 divisions, 0 square roots, 4 elementary functions, 0 comparisons and selections
@@ -49,6 +49,10 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
+    const STATE_DEPENDENT: [bool; NOISE_CHANNELS] = [
+        false, false, false, false, false, false,
+    ];
+
     #[inline(always)]
     fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
         T::outlined(Drift { plant: self, t, x })

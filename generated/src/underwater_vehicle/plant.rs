@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 7d18b44eaa8783d387b1189dbbbfc8bd46c17b2880e247ec74f5f7b13408997b
+// SHA-256 of the text below: 803c55157bbb23e1ecdcbf83a3f98e00faedf9dd596dfcf997121d0979c7de67
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // plant: 83 additions, 136 multiplications, 5 divisions, 0 square roots, 13 elementary functions, 0 comparisons and selections
@@ -62,6 +62,11 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
+    const STATE_DEPENDENT: [bool; NOISE_CHANNELS] = [
+        false, false, false, false, false, false, false, false, false, false, false,
+        false,
+    ];
+
     #[inline(always)]
     fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
         T::outlined(Drift { plant: self, t, x })
