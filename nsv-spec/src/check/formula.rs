@@ -1,10 +1,11 @@
 //! Turns what is written into typed expressions of the model, with shapes and dimensions as expected.
 
 use super::Context;
+use super::numbers::with_unit;
 use super::scope::{Names, Place};
 use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::expr::arena::{ExprId, Node, Shape, Type};
-use crate::expr::syntax::Expr;
+use crate::expr::syntax::{Expr, Kind, Node as Syntax};
 use crate::expr::{self, Expected};
 use crate::spec::{Code, Formula};
 use crate::unit::Dimension;
@@ -26,10 +27,61 @@ impl Parsed {
         }
     }
 
+    /// Where each entry of a value of that shape is written, row-major; the whole formula where it is not written out.
+    pub(super) fn places(&self, shape: Shape) -> Vec<Span> {
+        let (rows, cols) = shape.size();
+        let row = |at: usize| self.items().get(at).copied();
+        let whole = self.span();
+        let place = |entry: usize| match (shape, row(entry / cols)) {
+            (Shape::Scalar, _) | (_, None) => whole,
+            (Shape::Vector(_), Some(item)) => item.span(),
+            (Shape::Matrix(..), Some(item)) => {
+                let cell = item.items().get(entry % cols).copied();
+                cell.map_or(item.span(), Written::span)
+            }
+        };
+        (0..rows * cols).map(place).collect()
+    }
+
+    fn items(&self) -> Vec<Written<'_>> {
+        match self {
+            Parsed::Expr(expr) => Written::Node(expr, expr.root()).items(),
+            Parsed::List(items, _) => items.iter().map(Written::Parsed).collect(),
+        }
+    }
+
     fn expressions<'a>(&'a self, all: &mut Vec<&'a Expr>) {
         match self {
             Parsed::Expr(expr) => all.push(expr),
             Parsed::List(items, _) => items.iter().for_each(|item| item.expressions(all)),
+        }
+    }
+}
+
+/// A part of a formula: an item of a YAML list, or of an array within an expression.
+#[derive(Clone, Copy)]
+enum Written<'a> {
+    Parsed(&'a Parsed),
+    Node(&'a Expr, &'a Syntax),
+}
+
+impl<'a> Written<'a> {
+    fn span(self) -> Span {
+        match self {
+            Written::Parsed(parsed) => parsed.span(),
+            Written::Node(_, node) => node.span,
+        }
+    }
+
+    fn items(self) -> Vec<Written<'a>> {
+        match self {
+            Written::Parsed(parsed) => parsed.items(),
+            Written::Node(expr, node) => match &node.kind {
+                Kind::Array(items) => (items.iter())
+                    .map(|&item| Written::Node(expr, expr.node(item)))
+                    .collect(),
+                _ => Vec::new(),
+            },
         }
     }
 }
@@ -210,14 +262,22 @@ impl Context<'_> {
         let parsed = self.parse_formula(formula)?;
         let id = self.elaborate(&parsed, Place::Model)?;
         let before = self.faults.len();
-        let Some(id) = self.expect(id, parsed.span(), expected) else {
+        let Some(expected_id) = self.expect(id, parsed.span(), expected) else {
             for fault in self.faults.split_off(before) {
                 let fault = self.with_origins(fault, &parsed);
+                let fault = match (formula, &parsed, expected.dimensions) {
+                    (Formula::Code(code), Parsed::Expr(expr), &[wanted])
+                        if fault.rule == Rule::E0407 && expr.as_literal().is_some() =>
+                    {
+                        with_unit(fault, &code.text, &code.base, wanted)
+                    }
+                    _ => fault,
+                };
                 self.faults.push(fault);
             }
             return None;
         };
-        Some((id, parsed))
+        Some((expected_id, parsed))
     }
 
     /// A unit mismatch with the declarations of the names in the formula.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Context;
-use crate::diagnostic::{Applicability, Diagnostic, Rule, Span};
+use crate::diagnostic::{Applicability, Diagnostic, Rule, Span, a};
 use crate::expr::{CONSTANTS, is_reserved};
 use crate::spec::{Named, Word};
 use crate::yaml::excerpt;
@@ -70,7 +70,7 @@ const MODULES: [&str; 8] = [
 
 /// What a name is used for, which decides what it may collide with.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Use {
+pub(super) enum Use {
     /// A constant, which is written by value, or a label: it meets no emitted name.
     Label,
     /// Becomes a name in the emitted code.
@@ -177,7 +177,7 @@ impl Context<'_> {
     }
 
     /// Checks the names of one kind and adds them to `declared`.
-    fn declare<'a>(
+    pub(super) fn declare<'a>(
         &mut self,
         declared: &mut BTreeMap<String, (Span, &'a str)>,
         names: impl Iterator<Item = &'a Word>,
@@ -252,30 +252,6 @@ impl Context<'_> {
         false
     }
 
-    /// Arguments of functions: none twice, and none that hides another name.
-    fn check_arguments(&mut self, declared: &BTreeMap<String, (Span, &str)>) {
-        let spec = self.spec;
-        for function in &spec.functions {
-            let arguments = &function.value.arguments;
-            self.declare(
-                &mut BTreeMap::new(),
-                arguments.iter(),
-                "argument",
-                Use::Label,
-            );
-            for name in arguments {
-                let Some((span, noun)) = declared.get(&name.value) else {
-                    continue;
-                };
-                let message = format!("argument `{}` has the name of {}", name.value, a(noun));
-                let fault = Diagnostic::error(Rule::E0113, name.span, message)
-                    .with_related(*span, format!("the {noun} is declared here"));
-                self.faults
-                    .push(fault.with_help("give the argument another name"));
-            }
-        }
-    }
-
     /// Groups, parts and arguments of polynomial data; `CL.alpha` is emitted as `CL_alpha`.
     fn check_polynomial_names(&mut self, declared: &BTreeMap<String, (Span, &str)>) {
         let spec = self.spec;
@@ -319,12 +295,6 @@ fn reserved(name: &str) -> bool {
     let numbered =
         stem.len() < name.strip_suffix("_dot").unwrap_or(name).len() && NUMBERED.contains(&stem);
     numbered || EMITTED.contains(&name)
-}
-
-/// A noun with its article.
-fn a(noun: &str) -> String {
-    let vowel = noun.starts_with(['a', 'e', 'i', 'o']);
-    format!("{} {noun}", if vowel { "an" } else { "a" })
 }
 
 fn words<T>(all: &[Named<T>]) -> impl Iterator<Item = &Word> {

@@ -82,6 +82,7 @@ impl Context<'_> {
             values,
             dimensions,
             span,
+            places: _,
         } = self.numbers(formula)?;
         let rows: usize = channels.iter().map(|channel| channel.m.rows).sum();
         let cols = channels.len();

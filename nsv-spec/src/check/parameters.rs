@@ -101,10 +101,15 @@ impl Context<'_> {
                 .iter()
                 .position(|parameter| parameter.name.value == *name)
             else {
+                let given = |name: &&String| {
+                    let mut given = spec.controller.parameters.iter();
+                    given.any(|design| design.name.value == **name)
+                };
                 let known = spec
                     .parameters
                     .iter()
-                    .map(|parameter| &parameter.name.value);
+                    .map(|parameter| &parameter.name.value)
+                    .filter(|name| !given(name));
                 let message = format!("unknown parameter `{name}`");
                 let fault = Diagnostic::error(Rule::E0116, design.name.span, message);
                 let meant = nearest(name, known);

@@ -86,9 +86,25 @@ impl Context<'_> {
             }
             let message = format!("rate of `{}`, which is no state", name.value);
             let fault = Diagnostic::error(Rule::E0711, name.span, message);
-            let meant = nearest(&name.value, &states);
-            let otherwise =
-                || "declare it under `states` of the truth, with its initial value".into();
+            let given = |state: &&&str| truth.rates.iter().any(|rate| rate.name.value == **state);
+            let meant = nearest(&name.value, states.iter().filter(|state| !given(state)));
+            let like = nearest(&name.value, states.iter().filter(given));
+            let like =
+                like.and_then(|like| truth.rates.iter().find(|rate| rate.name.value == like.name));
+            let declare = "declare it under `states` of the truth, with its initial value";
+            let otherwise = || match like {
+                Some(like) => format!(
+                    "remove it, as `{}` has a rate already, or {declare}",
+                    like.name.value
+                ),
+                None => declare.into(),
+            };
+            let fault = match like.filter(|_| meant.is_none()) {
+                Some(like) => {
+                    fault.with_related(like.name.span, format!("the rate of `{}`", like.name.value))
+                }
+                None => fault,
+            };
             self.faults
                 .push(fault.did_you_mean(name.span, &name.value, meant, otherwise));
         }

@@ -54,10 +54,10 @@ pub fn expect(
             let place = in_entry(*shape, entry);
             let message = format!(
                 "unit mismatch{place}: {what} is {}, expected {}",
-                shown(found),
+                found.in_words(),
                 shown(wanted)
             );
-            let label = format!("this is {}", shown(found));
+            let label = format!("this is {}", found.in_words());
             let fault = Diagnostic::error(Rule::E0407, span, message)
                 .with_label(label)
                 .with_help(dimension_help(found, wanted));
@@ -89,8 +89,15 @@ fn dimension_help(found: Dimension, wanted: Dimension) -> String {
         Some(_) if wanted == Dimension::ONE => {
             format!("divide it by a quantity in {found}, such as `/(1 {found})`")
         }
-        Some(factor) if found == Dimension::ONE => format!("give it its unit, as in `1 {factor}`"),
-        Some(factor) => format!("a factor in {factor} is missing"),
+        Some(factor) if found == Dimension::ONE => {
+            format!("multiply it by its unit, as in `*(1 {factor})`")
+        }
+        Some(factor) => match factor.checked_powi(-1) {
+            Some(inverse) if factor.to_string().starts_with("1/") => {
+                format!("divide it by a quantity in {inverse}")
+            }
+            _ => format!("multiply it by a quantity in {factor}"),
+        },
         None => format!("write it in units of {}", shown(wanted)),
     }
 }

@@ -117,4 +117,18 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
             ],
         ),
     ),
+    (
+        Rule::W0003,
+        plain(
+            "An argument that the value of its function does not use gives every call a number in vain. Mostly the value names something else than was meant, such as a state, or the argument is left over from an earlier version.",
+            &[
+                edit(
+                    "plant:\n",
+                    "functions: {drag: {arguments: [rate, limit], value: -rate/(1 s)}}\nplant:\n",
+                    "functions: {drag: {arguments: [rate, limit], value: \"-clamp(rate, -limit, limit)/(1 s)\"}}\nplant:\n",
+                ),
+                edit("\"-v/(1 s)\"", "\"drag(v, 3 m/s)\"", "\"drag(v, 3 m/s)\""),
+            ],
+        ),
+    ),
 ];
