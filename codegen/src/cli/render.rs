@@ -1,8 +1,10 @@
 //! Diagnostics for people and programs.
 
+use std::collections::BTreeSet;
+
 use annotate_snippets::{AnnotationKind, Group, Level, Patch, Renderer, Snippet};
 use nsv_spec::diagnostic::{
-    Applicability, Diagnostic, Diagnostics, FileId, Severity, SourceMap, Span,
+    Applicability, Diagnostic, Diagnostics, FileId, Rule, Severity, SourceMap, Span,
 };
 use serde::Serialize;
 
@@ -19,6 +21,22 @@ pub(crate) fn human(diagnostics: &Diagnostics, colour: bool) -> String {
         .iter()
         .map(|item| renderer.render(&groups(sources, item)) + "\n\n");
     pictures.collect()
+}
+
+/// Where to read more about faults: the last line for people; nothing where there are none.
+pub(crate) fn more<'a>(faults: impl IntoIterator<Item = &'a Diagnostic>) -> Option<String> {
+    // A file that cannot be read needs no explanation.
+    let placed = faults.into_iter().filter(|fault| fault.span.is_some());
+    let rules: BTreeSet<Rule> = placed.map(|fault| fault.rule).collect();
+    let names: Vec<&str> = rules.iter().map(|rule| rule.name()).collect();
+    match names.as_slice() {
+        [] => None,
+        [only] => Some(format!("`nsv explain {only}` says more")),
+        several => Some(format!(
+            "`nsv explain CODE` says more, CODE being one of {}",
+            several.join(", ")
+        )),
+    }
 }
 
 /// The fault, then the change that mends it as the lines before and after.
@@ -209,8 +227,6 @@ fn position(text: &str, byte: usize) -> Position {
 
 #[cfg(test)]
 mod tests {
-    use nsv_spec::diagnostic::Rule;
-
     use super::*;
 
     fn diagnostics() -> Diagnostics {
@@ -252,6 +268,18 @@ mod tests {
     #[test]
     fn faults_are_shown_in_their_sources() {
         insta::assert_snapshot!(human(&diagnostics(), false));
+    }
+
+    #[test]
+    fn the_last_line_names_each_code_once() {
+        let Diagnostics { items, .. } = diagnostics();
+        assert_eq!(more(&items[2..]), None);
+        assert_eq!(more(&items[..1]).unwrap(), "`nsv explain E0102` says more");
+        let twice = items.iter().chain(&items);
+        assert_eq!(
+            more(twice).unwrap(),
+            "`nsv explain CODE` says more, CODE being one of E0102, W0001"
+        );
     }
 
     #[test]

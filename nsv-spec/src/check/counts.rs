@@ -106,7 +106,7 @@ impl Context<'_> {
         let fault = match (surplus, inputs.last()) {
             ([next, others @ ..], _) => {
                 let fault = Diagnostic::error(Rule::E0503, next.name.span, message);
-                let label = "no state is left for this input";
+                let label = "there is no state left for this input";
                 let fault = others.iter().take(SHOWN).fold(fault, |fault, other| {
                     fault.with_related(other.name.span, label)
                 });
@@ -131,13 +131,14 @@ impl Context<'_> {
                     .with_help(format!("declare {more} under `plant.inputs`"))
             }
         };
+        let which = match width {
+            1 => "the state",
+            _ => "the last state",
+        };
         match first.value.states.last() {
             Some(state) => fault.with_related(
                 state.name.span,
-                format!(
-                    "the last state of block `{}`: as many inputs act on the last block",
-                    first.name.value
-                ),
+                format!("{which} of block `{}`", first.name.value),
             ),
             None => fault,
         }

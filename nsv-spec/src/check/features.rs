@@ -1,26 +1,23 @@
 //! Guarantees that a block has the gains that its features need, and no others.
 
 use super::Context;
-use crate::diagnostic::{Diagnostic, Rule, Span};
+use crate::diagnostic::Rule;
 use crate::model::VirtualDerivative;
-use crate::spec::{Code, Disturbance, Formula};
+use crate::spec::{ControllerBlock, Disturbance, Named};
 
-/// A gain, where it is written if it is, and whether the block needs it.
+/// A gain, and whether the block needs it.
 struct Need {
     key: &'static str,
-    given: Option<Span>,
     needed: bool,
     /// When it is needed.
     when: &'static str,
+    /// What would make it needed, where the block could have that.
+    with: Option<&'static str>,
 }
 
 impl Context<'_> {
-    /// Checks the presence of every optional gain of a block.
-    pub(super) fn check_features(
-        &mut self,
-        at: usize,
-        gains: &crate::spec::Named<crate::spec::ControllerBlock>,
-    ) {
+    /// What each optional gain of a block is needed for.
+    fn needs(&self, at: usize, own: &ControllerBlock) -> [Need; 8] {
         let spec = self.spec;
         let plant = &spec.blocks[at].value;
         let inner = at + 1 < spec.blocks.len();
@@ -34,75 +31,71 @@ impl Context<'_> {
             Some(Disturbance::Bounded(_))
         );
         let noisy = plant.noise.is_some();
-        let own = &gains.value;
-        let code = |code: &Option<Code>| code.as_ref().map(|code| code.base.span);
-        let formula = |formula: &Option<Formula>| formula.as_ref().map(Formula::span);
-        let need = |key, given, needed, when| Need {
+        let need = |key, needed, when, with| Need {
             key,
-            given,
             needed,
             when,
+            with,
         };
         let chain = "in every block but the last";
-        let needs = [
+        let observed = "in a block with a disturbance";
+        let disturbance = Some("a `disturbance`");
+        let noise = Some("`noise`");
+        [
             need(
                 "filter",
-                formula(&own.filter),
                 inner && filtered,
                 "in every block but the last, with `virtual_derivative: filter`",
+                None,
             ),
-            need(
-                "eta_1",
-                code(&own.eta_1),
-                disturbed,
-                "in a block with a disturbance",
-            ),
-            need("eta_2", code(&own.eta_2), inner, chain),
-            need("eta_3", code(&own.eta_3), inner, chain),
+            need("eta_1", disturbed, observed, disturbance),
+            need("eta_2", inner, chain, None),
+            need("eta_3", inner, chain, None),
             need(
                 "eta_noise",
-                code(&own.eta_noise),
                 noisy && disturbed,
-                "in a block with noise and an observer",
+                "in a block with noise and a disturbance",
+                match (noisy, disturbed) {
+                    (true, _) => disturbance,
+                    (_, true) => noise,
+                    _ => Some("`noise` and a `disturbance`"),
+                },
             ),
-            need(
-                "observer",
-                formula(&own.observer),
-                disturbed,
-                "in a block with a disturbance",
-            ),
+            need("observer", disturbed, observed, disturbance),
             need(
                 "error_bound",
-                own.error_bound.as_ref().map(|bound| bound.span),
                 own.network.is_some() && !bounded,
                 "in a block with a network and no `bounded` disturbance",
+                None,
             ),
-            need(
-                "noise_bound",
-                own.noise_bound.as_ref().map(|bound| bound.span),
-                noisy,
-                "in a block with noise",
-            ),
-        ];
-        let missing: Vec<&Need> = needs
-            .iter()
-            .filter(|need| need.needed && need.given.is_none())
-            .collect();
-        for need in missing {
-            let message = format!("`{}` is missing in block `{}`", need.key, gains.name.value);
-            let fault = Diagnostic::error(Rule::E0118, gains.name.span, message);
-            self.faults
-                .push(fault.with_help(format!("`{}` is needed {}", need.key, need.when)));
-        }
-        for need in needs.iter().filter(|need| !need.needed) {
-            let Some(span) = need.given else { continue };
-            let message = format!("`{}` has no use in block `{}`", need.key, gains.name.value);
-            self.fault(
-                Rule::E0119,
-                span,
-                message,
-                format!("remove it; it is used {} only", need.when),
-            );
+            need("noise_bound", noisy, "in a block with noise", noise),
+        ]
+    }
+
+    /// Checks the presence of every optional gain of a block.
+    pub(super) fn check_features(&mut self, at: usize, gains: &Named<ControllerBlock>) {
+        let block = &gains.name;
+        let given = &gains.value.keys;
+        for need in self.needs(at, &gains.value) {
+            match (need.needed, given.get(need.key)) {
+                (true, None) => {
+                    let message = format!("`{}` is missing in block `{}`", need.key, block.value);
+                    let help = format!("`{}` is needed {}", need.key, need.when);
+                    self.fault(Rule::E0118, block.span, message, help);
+                }
+                (false, Some(&span)) => {
+                    let message = format!("`{}` has no use in block `{}`", need.key, block.value);
+                    let help = match need.with {
+                        Some(with) => format!(
+                            "remove it, or give block `{}` of the plant {with}, to which `{}` belongs",
+                            block.value, need.key
+                        ),
+                        None => format!("remove it; it is used {} only", need.when),
+                    };
+                    self.fault(Rule::E0119, span, message, help);
+                }
+                _ => {}
+            }
         }
     }
 }

@@ -50,7 +50,7 @@ impl Parsed {
         }
     }
 
-    fn expressions<'a>(&'a self, all: &mut Vec<&'a Expr>) {
+    pub(super) fn expressions<'a>(&'a self, all: &mut Vec<&'a Expr>) {
         match self {
             Parsed::Expr(expr) => all.push(expr),
             Parsed::List(items, _) => items.iter().for_each(|item| item.expressions(all)),
@@ -236,9 +236,10 @@ impl Context<'_> {
     pub(super) fn expect(
         &mut self,
         id: ExprId,
-        span: Span,
+        written: &Parsed,
         expected: &Expected<'_>,
     ) -> Option<ExprId> {
+        let places = written.places(expected.shape);
         let single = self
             .arena
             .shape(id)
@@ -249,7 +250,7 @@ impl Context<'_> {
         } else {
             id
         };
-        let checked = expr::expect(&self.arena, id, span, expected);
+        let checked = expr::expect(&self.arena, id, written.span(), &places, expected);
         self.accept(checked).map(|()| id)
     }
 
@@ -262,7 +263,7 @@ impl Context<'_> {
         let parsed = self.parse_formula(formula)?;
         let id = self.elaborate(&parsed, Place::Model)?;
         let before = self.faults.len();
-        let Some(expected_id) = self.expect(id, parsed.span(), expected) else {
+        let Some(expected_id) = self.expect(id, &parsed, expected) else {
             for fault in self.faults.split_off(before) {
                 let fault = self.with_origins(fault, &parsed);
                 let fault = match (formula, &parsed, expected.dimensions) {
@@ -285,8 +286,14 @@ impl Context<'_> {
         if fault.rule != Rule::E0407 {
             return fault;
         }
+        let inside = |place: Span| {
+            (fault.span).is_none_or(|span| span.start <= place.start && place.end <= span.end)
+        };
         let names = self.names.used(parsed).into_iter();
-        let names: Vec<String> = names.map(|(name, _)| name.to_owned()).collect();
+        let names: Vec<String> = names
+            .filter(|(_, place)| inside(*place))
+            .map(|(name, _)| name.to_owned())
+            .collect();
         let names = names.iter().map(String::as_str);
         expr::with_origins(&self.names.view(Place::Model), fault, names)
     }

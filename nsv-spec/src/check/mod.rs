@@ -24,6 +24,7 @@ mod linear;
 mod names;
 mod network;
 mod noise;
+mod nonfinite;
 mod numbers;
 mod observer;
 mod pairing;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::Context;
 use crate::diagnostic::{Applicability, Diagnostic, Rule, Span, a};
-use crate::expr::{CONSTANTS, is_reserved};
+use crate::expr::{CONSTANTS, entries, is_reserved};
 use crate::spec::{Named, Word};
 use crate::yaml::excerpt;
 
@@ -199,7 +199,10 @@ impl Context<'_> {
                 continue;
             }
             declared.insert(name.value.clone(), (name.span, noun));
-            if matches!(noun, "constant" | "parameter" | "state" | "definition") {
+            if matches!(
+                noun,
+                "constant" | "parameter" | "state" | "definition" | "input"
+            ) {
                 self.names.declare(&name.value, name.span, noun);
             }
         }
@@ -232,11 +235,21 @@ impl Context<'_> {
                 format!("write `{shown}_`, or better a longer name"),
             );
         } else if is_reserved(text) {
-            let message = format!("{noun} `{shown}` shadows a word of the expression language");
-            let help = match CONSTANTS.iter().any(|constant| constant.name == text) {
-                true => "leave it out, since the language has it, or choose another name",
-                false => "choose another name",
+            let (what, help) = match CONSTANTS.iter().find(|constant| constant.name == text) {
+                Some(constant) => (
+                    format!("a constant of the language, {}", constant.value),
+                    "remove it, since the language has it, or choose another name",
+                ),
+                None if entries().any(|entry| entry.name == text) => (
+                    "a function of the language".to_owned(),
+                    "choose another name",
+                ),
+                None => (
+                    "something in the language".to_owned(),
+                    "choose another name",
+                ),
             };
+            let message = format!("{noun} `{shown}` has the name of {what}");
             self.fault(Rule::E0111, name.span, message, help);
         } else if usage == Use::Emitted && reserved(text) {
             let message = format!("{noun} `{shown}` is the name of a quantity of the control law");

@@ -49,7 +49,7 @@ impl Context<'_> {
         let before = self.faults.len();
         let checked = self.expect(
             id,
-            parsed.span(),
+            &parsed,
             &Expected {
                 what: &what,
                 shape: Shape::Matrix(own.len(), channels),

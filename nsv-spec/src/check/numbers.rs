@@ -59,12 +59,11 @@ impl Context<'_> {
         };
         let values = self.evaluate_constant(id);
         if let Some(value) = values.iter().find(|value| !value.is_finite()) {
-            self.fault(
-                Rule::E0603,
-                span,
-                format!("value is {value}, expected a finite number"),
-                "look for a division by zero or a root of a negative number",
-            );
+            let message = format!("value is {value}, expected a finite number");
+            let fault = Diagnostic::error(Rule::E0603, span, message)
+                .with_help("look for a division by zero or a root of a negative number");
+            let fault = self.with_operation(fault, parsed, None);
+            self.faults.push(fault);
             return None;
         }
         let dimensions = dimensions.into_iter().map(Dimension::or_one).collect();

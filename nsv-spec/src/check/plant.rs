@@ -68,8 +68,12 @@ impl Context<'_> {
         if let Some((_, parsed)) = &gain {
             self.check_feedback(parsed, "gain", at);
         }
-        let disturbance =
-            self.disturbance(written.disturbance.as_ref(), &rates, &what("disturbance"));
+        let disturbance = self.disturbance(
+            written.disturbance.as_ref(),
+            &rates,
+            &reasons,
+            &what("disturbance"),
+        );
         let noise = match &written.noise {
             Some(noise) => self.noise(at, noise, &own).map(Some),
             None => Some(None),
@@ -159,6 +163,12 @@ impl Context<'_> {
         }
         ratios
     }
+}
+
+/// What the dimension of a function of time follows from.
+pub(super) fn state_reason(state: &Word, dimension: Dimension) -> (Span, String) {
+    let reason = format!("state `{}` is {}", state.value, dimension.in_words());
+    (state.span, reason)
 }
 
 /// What the dimension of a state's rate follows from.

@@ -184,8 +184,11 @@ impl Context<'_> {
         self.fault(
             Rule::E0602,
             span,
-            format!("{key} is {value}, expected {least} to {largest}"),
-            "choose a number in this range",
+            format!("`{key}` is {value}, expected {least} to {largest}"),
+            match key {
+                "substeps" => "it is the number of plant steps per sample: 1 to 4 mostly suffice",
+                _ => "choose a number in this range",
+            },
         );
         None
     }

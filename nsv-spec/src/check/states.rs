@@ -109,10 +109,25 @@ impl Context<'_> {
             .iter()
             .map(|input| self.input(&input.name, &input.value))
             .collect();
-        if spec.truth.is_some() {
-            self.name_inputs(&inputs);
+        match spec.truth {
+            Some(_) => self.name_inputs(&inputs),
+            None => self.forbid_inputs(),
         }
         inputs.into_iter().collect()
+    }
+
+    /// Without a flown plant of its own, no expression uses an input by name.
+    fn forbid_inputs(&mut self) {
+        let Some(last) = self.spec.blocks.last() else {
+            return;
+        };
+        let why = format!(
+            "leave it out: inputs act through `gain` of the last block, `{}`, which multiplies them",
+            last.name.value
+        );
+        for input in &self.spec.inputs {
+            self.names.forbid(&input.name.value, why.as_str());
+        }
     }
 
     /// Rates of the flown plant use the inputs by name.

@@ -40,6 +40,15 @@ impl Context<'_> {
             let table = self.table(&declared.name, &declared.value);
             self.name_file(before, &declared.value);
             let id = TableId(u32::try_from(at).expect("invariant: fewer than 2^32 tables"));
+            for axis in &declared.value.axes {
+                let unit = axis
+                    .value
+                    .unit
+                    .as_ref()
+                    .map_or(axis.name.span, |unit| unit.span);
+                let argument = format!("{name}.{}", axis.name.value);
+                self.names.declare(&argument, unit, "axis");
+            }
             match &table {
                 Some(table) => {
                     let signature = Signature {

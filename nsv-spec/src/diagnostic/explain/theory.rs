@@ -66,7 +66,7 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
     (
         Rule::E0707,
         plain(
-            "The estimate of an observer converges if its error dynamics do: every eigenvalue of `-S`, or of `M - S L` with an exosystem, has a negative real part.",
+            "The estimate of an observer converges if its error decays. Against a `bounded` disturbance it decays at the rate `observer` (S in the theory): one positive number, or a matrix whose eigenvalues have positive real parts. Against an exosystem, every eigenvalue of `M - S L` has a negative real part, with `M` and `L` as given under `exosystem` and `observer` for S.",
             &[
                 edit(
                     "      gain: \"1/(2 kg)\"\n",

@@ -55,6 +55,17 @@ impl Elaborator<'_> {
         self.apply_data(&name.text, &data, orders, at)
     }
 
+    /// The last fault with the place from which an argument of a table has its unit.
+    fn show_axis(&mut self, path: &str, axis: &str, unit: Dimension) {
+        let Some(origin) = self.scope.origin(path) else {
+            return;
+        };
+        if let Some(fault) = self.faults.pop() {
+            let label = format!("axis `{axis}` is {}", unit.in_words());
+            self.faults.push(fault.with_related(origin.span, label));
+        }
+    }
+
     /// The data of a name in place of a function.
     fn data(&mut self, name: &Name) -> Option<Data> {
         let text = &name.text;
@@ -129,6 +140,7 @@ impl Elaborator<'_> {
                 Err(fault) => {
                     let span = self.span_of(node);
                     self.report::<()>(span, fault, &[]);
+                    self.show_axis(&format!("{name}.{argument}"), argument, wanted);
                 }
             }
         }
