@@ -1,8 +1,8 @@
 //! Guarantees that parameters drawn together have a covariance matrix: symmetric, positive semidefinite, in their units.
 
 use super::Context;
-use super::numbers::{Numbers, written_in};
-use crate::diagnostic::{Applicability, Diagnostic, Rule, counted, rounded};
+use super::numbers::{Numbers, in_unit, written_in};
+use crate::diagnostic::{Applicability, Diagnostic, Rule, counted};
 use crate::expr::arena::Shape;
 use crate::model::Dispersion;
 use crate::spec::{Correlation, Word};
@@ -132,7 +132,7 @@ impl Context<'_> {
         };
         let shown = |row: usize, col: usize| {
             let at = row * n + col;
-            let value = quantity(covariance.values[at], covariance.dimensions[at]);
+            let value = in_unit(covariance.values[at], covariance.dimensions[at]);
             format!("entry ({}, {}) is {value}", row + 1, col + 1)
         };
         let (one, other) = (shown(row, col), shown(col, row));
@@ -150,7 +150,7 @@ impl Context<'_> {
     /// What is wrong with a symmetric matrix that has no Cholesky factor.
     fn indefinite(&self, members: &[usize], covariance: &Numbers) -> Diagnostic {
         let n = members.len();
-        let shown = |at: usize| quantity(covariance.values[at], covariance.dimensions[at]);
+        let shown = |at: usize| in_unit(covariance.values[at], covariance.dimensions[at]);
         let value = |row: usize, col: usize| covariance.values[row * n + col];
         let name = |member: usize| &self.spec.parameters[members[member]].name.value;
         if let Some(at) = (0..n).find(|&at| value(at, at) < 0.0) {
@@ -174,7 +174,7 @@ impl Context<'_> {
                     shown(row * n + row),
                     shown(col * n + col)
                 ),
-                quantity(largest(row, col), covariance.dimensions[at]),
+                in_unit(largest(row, col), covariance.dimensions[at]),
             );
             let message = format!(
                 "covariance of `{}` and `{}` is {}, beyond the product of their standard deviations, {deviations} = {most}",
@@ -206,7 +206,7 @@ fn as_matrix(fault: Diagnostic, n: usize, covariance: &Numbers) -> Diagnostic {
         }
     };
     let entry = |row: usize, col: usize| match row == col {
-        true => quantity(variances[row], covariance.dimensions[row]),
+        true => in_unit(variances[row], covariance.dimensions[row]),
         false => "0".to_owned(),
     };
     let row = |row: usize| {
@@ -221,14 +221,6 @@ fn as_matrix(fault: Diagnostic, n: usize, covariance: &Numbers) -> Diagnostic {
     fault
         .with_help(help)
         .with_suggestion(covariance.span, matrix, Applicability::Possible)
-}
-
-/// A number with its unit.
-fn quantity(value: f64, dimension: Dimension) -> String {
-    match dimension.is_dimensionless() {
-        true => rounded(value),
-        false => format!("{} {dimension}", rounded(value)),
-    }
 }
 
 /// Lower triangular L with L L^T = A, for A positive semidefinite: a column without variance left is 0.

@@ -130,7 +130,7 @@ impl Context<'_> {
         what: &str,
         dimension: Dimension,
     ) -> Option<Numbers> {
-        let numbers = self.numbers(formula)?;
+        let numbers = self.numbers_for(formula, what)?;
         for (&found, &place) in numbers.dimensions.iter().zip(&numbers.places) {
             self.check_gain_unit(found, place, what, dimension)?;
         }
@@ -144,16 +144,20 @@ impl Context<'_> {
         match linear::least_symmetric_eigenvalue(&c) {
             Some(least) if least > 0.0 => Some(c),
             Some(least) => {
-                let message = format!(
-                    "{what} is not positive definite: its symmetric part has the eigenvalue {}",
-                    rounded(least)
-                );
-                self.fault(
-                    Rule::E0608,
-                    formula.span(),
-                    message,
-                    "choose positive diagonal entries that dominate the others",
-                );
+                let (message, help) = match c.data.as_slice() {
+                    [only] => (
+                        format!("{what} is {}, expected more than 0", rounded(*only)),
+                        "write a positive number",
+                    ),
+                    _ => (
+                        format!(
+                            "{what} is not positive definite: its symmetric part has the eigenvalue {}",
+                            rounded(least)
+                        ),
+                        "choose positive diagonal entries that dominate the others",
+                    ),
+                };
+                self.fault(Rule::E0608, formula.span(), message, help);
                 None
             }
             None => {

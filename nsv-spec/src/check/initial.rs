@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::linear::reciprocal_condition;
-use crate::diagnostic::{Diagnostic, Rule, rounded};
+use crate::diagnostic::{Diagnostic, Rule};
 use crate::expr::arena::{ExprId, Shape};
 use crate::model::{Disturbance, Matrix, Model};
 use crate::spec::{self, Formula};
@@ -182,7 +182,7 @@ impl<'a> Context<'a> {
             .map(|(state, reference)| (state.initial - reference) * (state.initial - reference));
         let error = libm::sqrt(squares.sum());
         if error >= bound {
-            let (unit, factor) = &output.states[0].display;
+            let shown = |value: f64| output.states[0].shown(value);
             let span = spec
                 .controller
                 .blocks
@@ -193,17 +193,25 @@ impl<'a> Context<'a> {
                 .and_then(|gains| gains.value.constraint.as_ref())
                 .map_or(reference_span, |formula| formula.span());
             let message = format!(
-                "initial error of block `{}` violates its constraint: ||e(0)|| = {} {unit}, expected less than k(0) = {} {unit}",
+                "initial error of block `{}` violates its constraint: ||e(0)|| = {}, expected less than k(0) = {}",
                 output.name,
-                rounded(error / factor),
-                rounded(bound / factor)
+                shown(error),
+                shown(bound)
             );
-            self.fault(
-                Rule::E0705,
-                span,
-                message,
-                "start nearer to the reference, or widen the constraint",
-            );
+            let mut fault = Diagnostic::error(Rule::E0705, span, message)
+                .with_help("start nearer to the reference, or widen the constraint");
+            if let ([state], [declared], [signal]) = (
+                output.states.as_slice(),
+                spec.blocks[0].value.states.as_slice(),
+                written.as_slice(),
+            ) {
+                let start = format!("`{}` is {} at the start", state.name, shown(state.initial));
+                let end = format!("its reference is {} there", shown(reference[0]));
+                fault = fault
+                    .with_related(declared.name.span, start)
+                    .with_related(signal.span(), end);
+            }
+            self.faults.push(fault);
         }
     }
 

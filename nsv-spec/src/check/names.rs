@@ -238,7 +238,12 @@ impl Context<'_> {
             let (what, help) = match CONSTANTS.iter().find(|constant| constant.name == text) {
                 Some(constant) => (
                     format!("a constant of the language, {}", constant.value),
-                    "remove it, since the language has it, or choose another name",
+                    match noun == "constant" && self.spec.constants.len() == 1 {
+                        true => {
+                            "remove it with the `constants` around it, since the language has it, or choose another name"
+                        }
+                        false => "remove it, since the language has it, or choose another name",
+                    },
                 ),
                 None if entries().any(|entry| entry.name == text) => (
                     "a function of the language".to_owned(),

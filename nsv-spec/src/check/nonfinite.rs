@@ -172,13 +172,8 @@ impl Context<'_> {
                 continue;
             }
             shown.push(name);
-            let (unit, factor) = &state.display;
-            let value = rounded(state.initial / factor);
-            let unit = match unit.as_str() {
-                "1" => String::new(),
-                unit => format!(" {unit}"),
-            };
-            let label = format!("state `{name}` is {value}{unit} at the start");
+            let value = state.shown(state.initial);
+            let label = format!("state `{name}` is {value} at the start");
             fault = fault.with_related(origin.span, label);
         }
         fault

@@ -3,7 +3,7 @@
 use super::Context;
 use super::formula::Parsed;
 use super::scope::Place;
-use crate::diagnostic::{Applicability, Base, Diagnostic, Rule, Span};
+use crate::diagnostic::{Applicability, Base, Diagnostic, Rule, Span, rounded};
 use crate::expr::arena::{Shape, Type};
 use crate::expr::{self, shown};
 use crate::model::Matrix;
@@ -42,6 +42,14 @@ impl Context<'_> {
     pub(super) fn numbers(&mut self, formula: &Formula) -> Option<Numbers> {
         let parsed = self.parse_formula(formula)?;
         self.numbers_of(&parsed)
+    }
+
+    /// The same for a place with a name, which messages tell.
+    pub(super) fn numbers_for(&mut self, formula: &Formula, what: &str) -> Option<Numbers> {
+        self.names.subject = Some(what.to_owned());
+        let numbers = self.numbers(formula);
+        self.names.subject = None;
+        numbers
     }
 
     /// The numbers of a parsed constant formula, all finite.
@@ -149,7 +157,7 @@ impl Context<'_> {
 
     /// A constant scalar with its dimension.
     pub(super) fn scalar(&mut self, code: &Code, what: &str) -> Option<(f64, Dimension)> {
-        let numbers = self.numbers(&Formula::Code(code.clone()))?;
+        let numbers = self.numbers_for(&Formula::Code(code.clone()), what)?;
         if numbers.shape != Shape::Scalar {
             self.fault(
                 Rule::E0605,
@@ -198,5 +206,13 @@ pub(super) fn with_unit(
     match base.holds(0..text.len()) {
         true => fault.with_suggestion(base.span, change, Applicability::Possible),
         false => fault,
+    }
+}
+
+/// A number with its SI unit.
+pub(super) fn in_unit(value: f64, dimension: Dimension) -> String {
+    match dimension.is_dimensionless() {
+        true => rounded(value),
+        false => format!("{} {dimension}", rounded(value)),
     }
 }

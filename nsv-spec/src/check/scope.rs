@@ -62,6 +62,8 @@ pub(super) struct Names {
     asked: Cell<usize>,
     /// What each function uses beside its arguments, in the functions that it calls too.
     uses: BTreeMap<String, BTreeSet<String>>,
+    /// What is being computed, if it has a name.
+    pub(super) subject: Option<String>,
     /// How much calls and loops have inserted.
     inserted: usize,
     /// Polynomial data, derivatives that expressions ask for at the end.
@@ -173,10 +175,10 @@ impl Scope for View<'_> {
         if self.visible(symbol) {
             return Some(symbol.clone());
         }
-        Some(Symbol::Unavailable(
-            "this number must be known when the code is generated: it may use constants only"
-                .into(),
-        ))
+        let what = self.names.subject.as_deref().unwrap_or("this number");
+        Some(Symbol::Unavailable(format!(
+            "{what} must be known when the code is generated: it may use constants only"
+        )))
     }
 
     fn names(&self) -> Vec<String> {

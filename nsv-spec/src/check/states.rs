@@ -2,8 +2,9 @@
 
 use super::Context;
 use super::dispersion::Dispersed;
+use super::numbers::in_unit;
 use super::scope::Dependence;
-use crate::diagnostic::Rule;
+use crate::diagnostic::{Diagnostic, Rule};
 use crate::expr::Symbol;
 use crate::model;
 use crate::spec::{self, Named, Word};
@@ -165,16 +166,17 @@ impl Context<'_> {
             }
         };
         if safe.abs() > limit {
+            let most = in_unit(limit, dimension);
             let message = format!(
-                "safe value of input `{}` is {safe}, beyond its limit {limit}",
-                name.value
+                "safe value of input `{}` is {}, beyond its limit {most}",
+                name.value,
+                in_unit(safe, dimension)
             );
-            self.fault(
-                Rule::E0602,
-                written.safe.as_ref().map_or(span, |code| code.base.span),
-                message,
-                "choose a value within the limit",
-            );
+            let place = written.safe.as_ref().map_or(span, |code| code.base.span);
+            let fault = Diagnostic::error(Rule::E0602, place, message)
+                .with_related(span, "the limit")
+                .with_help(format!("choose a value from -{most} to {most}"));
+            self.faults.push(fault);
             return None;
         }
         let actuator = match &written.actuator {
