@@ -70,7 +70,7 @@ fn group<'a>(sources: &'a SourceMap, item: &'a Diagnostic) -> Group<'a> {
         .primary_title(item.message.as_str())
         .id(item.rule.name());
     let mut group = Group::with_title(title);
-    for (file, places) in by_file(item) {
+    for (file, places) in by_file(sources, item) {
         let source = sources.source(file);
         let places = places.into_iter().map(|(span, label, kind)| {
             let span = within(&source.text, span);
@@ -88,10 +88,11 @@ fn group<'a>(sources: &'a SourceMap, item: &'a Diagnostic) -> Group<'a> {
 type Place<'a> = (Span, Option<&'a str>, AnnotationKind);
 
 /// The places of a diagnostic by file, the primary one's file first.
-fn by_file(item: &Diagnostic) -> Vec<(FileId, Vec<Place<'_>>)> {
-    let primary = item
-        .span
-        .map(|span| (span, item.label.as_deref(), AnnotationKind::Primary));
+fn by_file<'a>(sources: &SourceMap, item: &'a Diagnostic) -> Vec<(FileId, Vec<Place<'a>>)> {
+    let primary = item.span.map(|span| {
+        let span = drawn(sources, item, span);
+        (span, item.label.as_deref(), AnnotationKind::Primary)
+    });
     let related = item.related.iter().map(|related| {
         (
             related.span,
@@ -99,7 +100,7 @@ fn by_file(item: &Diagnostic) -> Vec<(FileId, Vec<Place<'_>>)> {
             AnnotationKind::Context,
         )
     });
-    let mut files: Vec<(FileId, Vec<Place<'_>>)> = Vec::new();
+    let mut files: Vec<(FileId, Vec<Place<'a>>)> = Vec::new();
     for place in primary.into_iter().chain(related) {
         match files.iter_mut().find(|(file, _)| *file == place.0.file) {
             Some((_, places)) => places.push(place),
@@ -107,6 +108,21 @@ fn by_file(item: &Diagnostic) -> Vec<(FileId, Vec<Place<'_>>)> {
         }
     }
     files
+}
+
+/// The part of the primary place that is drawn: its first line, if it has several and labels within would cross its frame.
+fn drawn(sources: &SourceMap, item: &Diagnostic, span: Span) -> Span {
+    let inside =
+        |other: Span| other.file == span.file && span.start <= other.start && other.end <= span.end;
+    let text = &sources.source(span.file).text;
+    let first = text[within(text, span)].find('\n');
+    match first {
+        Some(length) if item.related.iter().any(|related| inside(related.span)) => Span {
+            end: span.start + u32::try_from(length).unwrap_or(0),
+            ..span
+        },
+        _ => span,
+    }
 }
 
 /// A span as a range that surely lies in the text.
@@ -286,6 +302,18 @@ mod tests {
     fn records_count_as_editors_do() {
         let diagnostics = diagnostics();
         insta::assert_json_snapshot!(records(&diagnostics));
+    }
+
+    #[test]
+    fn labels_within_several_lines_cross_no_frame() {
+        let mut sources = SourceMap::default();
+        let file = sources.add("a.yaml", "drift: >\n  -v\n  + push\n".into());
+        let at = |start, end| Span { file, start, end };
+        let item = Diagnostic::error(Rule::E0403, at(11, 22), "unit mismatch")
+            .with_related(at(11, 13), "this is in m")
+            .with_related(at(18, 22), "this is in s");
+        let items = vec![item];
+        insta::assert_snapshot!(human(&Diagnostics { sources, items }, false));
     }
 
     #[test]

@@ -6,7 +6,7 @@ use crate::diagnostic::{Applicability, Diagnostic, Rule, counted};
 use crate::expr::arena::Shape;
 use crate::model::Dispersion;
 use crate::spec::{Correlation, Word};
-use crate::suggest::nearest;
+use crate::suggest::{beside, nearest};
 use crate::unit::Dimension;
 
 /// Asymmetry and negative pivots that roundings may leave, relative to the diagonal.
@@ -71,7 +71,8 @@ impl Context<'_> {
                 listed.any(|other| other.value == **known)
             };
             let meant = nearest(&name.value, known().filter(|known| !listed(known)));
-            let otherwise = || "declare it under `parameters`".into();
+            let declare = "declare it under `parameters`";
+            let otherwise = || beside(&name.value, known().filter(listed), declare);
             self.faults
                 .push(fault.did_you_mean(name.span, &name.value, meant, otherwise));
         }

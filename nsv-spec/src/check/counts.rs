@@ -101,7 +101,10 @@ impl Context<'_> {
             _ => format!("its blocks have {} each", counted(width, "state")),
         };
         let message = format!("plant has {}, but {each}", counted(inputs.len(), "input"));
-        let widen = format!("give every block {}", counted(inputs.len(), "state"));
+        let widen = format!(
+            "give every block {}, with as many entries in its drift, gain and reference",
+            counted(inputs.len(), "state")
+        );
         let surplus = inputs.get(width..).unwrap_or_default();
         let fault = match (surplus, inputs.last()) {
             ([next, others @ ..], _) => {

@@ -39,8 +39,8 @@ impl Context<'_> {
         };
         let chain = "in every block but the last";
         let observed = "in a block with a disturbance";
-        let disturbance = Some("a `disturbance`");
-        let noise = Some("`noise`");
+        let disturbance = Some("a `disturbance`, to which `eta_1` and `observer` belong");
+        let noise = Some("`noise`, to which `noise_bound` belongs");
         [
             need(
                 "filter",
@@ -58,7 +58,7 @@ impl Context<'_> {
                 match (noisy, disturbed) {
                     (true, _) => disturbance,
                     (_, true) => noise,
-                    _ => Some("`noise` and a `disturbance`"),
+                    _ => Some("both `noise` and a `disturbance`"),
                 },
             ),
             need("observer", disturbed, observed, disturbance),
@@ -80,15 +80,15 @@ impl Context<'_> {
             match (need.needed, given.get(need.key)) {
                 (true, None) => {
                     let message = format!("`{}` is missing in block `{}`", need.key, block.value);
-                    let help = format!("`{}` is needed {}", need.key, need.when);
+                    let help = format!("add `{}: ..`; it is needed {}", need.key, need.when);
                     self.fault(Rule::E0118, block.span, message, help);
                 }
                 (false, Some(&span)) => {
                     let message = format!("`{}` has no use in block `{}`", need.key, block.value);
                     let help = match need.with {
                         Some(with) => format!(
-                            "remove it, or give block `{}` of the plant {with}, to which `{}` belongs",
-                            block.value, need.key
+                            "remove it, or give block `{}` of the plant {with}",
+                            block.value
                         ),
                         None => format!("remove it; it is used {} only", need.when),
                     };

@@ -138,7 +138,11 @@ impl Context<'_> {
         shown.unwrap_or_else(|| {
             let values = self.values_of(&expr.part(at), point);
             let value = values.and_then(|values| values.into_iter().find(|one| !one.is_finite()));
-            format!("this is {}", value.unwrap_or(f64::NAN))
+            let value = value.unwrap_or(f64::NAN);
+            match &expr.nodes()[at].kind {
+                Kind::Name(name) => format!("`{name}` is {value}"),
+                _ => format!("this is {value}"),
+            }
         })
     }
 
