@@ -8,6 +8,9 @@ use crate::diagnostic::{Applicability, Diagnostic, Rule, SourceMap, Span, a};
 use crate::expr;
 use crate::spec::{Function, Named, Word};
 
+/// Longest text that a renaming replaces, bytes.
+const LONGEST: u32 = 500;
+
 impl Context<'_> {
     /// Arguments of functions: none twice, and none that hides another name.
     pub(super) fn check_arguments(&mut self, declared: &BTreeMap<String, (Span, &str)>) {
@@ -28,17 +31,19 @@ impl Context<'_> {
                 let fault = Diagnostic::error(Rule::E0113, name.span, message)
                     .with_related(*span, format!("the {noun} is declared here"));
                 let fresh = fresh_name(&name.value, function, declared);
-                let help = format!(
-                    "give the argument another name, here and in `value`, such as `{fresh}`"
-                );
-                let fault = fault.with_help(help);
-                self.faults
-                    .push(match renamed(self.sources, &function.value, name, &fresh) {
-                        Some((span, text)) => {
-                            fault.with_suggestion(span, text, Applicability::Possible)
-                        }
-                        None => fault,
-                    });
+                let help = "give the argument another name, here and in `value`";
+                let change = fresh.as_ref().and_then(|fresh| {
+                    let change = renamed(self.sources, &function.value, name, fresh)?;
+                    Some((format!("{help}, such as `{fresh}`"), change))
+                });
+                self.faults.push(match change {
+                    Some((help, (span, text))) => {
+                        fault
+                            .with_help(help)
+                            .with_suggestion(span, text, Applicability::Possible)
+                    }
+                    None => fault.with_help(help),
+                });
             }
         }
     }
@@ -74,16 +79,15 @@ fn fresh_name(
     name: &str,
     function: &Named<Function>,
     declared: &BTreeMap<String, (Span, &str)>,
-) -> String {
+) -> Option<String> {
     let taken = |name: &String| {
         let mut arguments = function.value.arguments.iter();
         declared.contains_key(name) || arguments.any(|argument| argument.value == *name)
     };
-    let mut fresh = format!("{name}_in");
-    while taken(&fresh) {
-        fresh.push('_');
-    }
-    fresh
+    ["in", "arg", "given", "value"]
+        .into_iter()
+        .map(|suffix| format!("{name}_{suffix}"))
+        .find(|fresh| !taken(fresh))
 }
 
 /// The text from the first to the last place where a function has the name of an argument, with another name in each of them;
@@ -107,7 +111,8 @@ fn renamed(
         let held = text.get(place.start as usize..place.end as usize);
         place.file == first.file && held == Some(&argument.value)
     };
-    if !places.iter().all(held) {
+    let length = last.end.saturating_sub(first.start);
+    if !places.iter().all(held) || length > LONGEST {
         return None;
     }
     let mut replacement = String::new();

@@ -101,10 +101,13 @@ impl Context<'_> {
             _ => format!("its blocks have {} each", counted(width, "state")),
         };
         let message = format!("plant has {}, but {each}", counted(inputs.len(), "input"));
-        let widen = format!(
-            "give every block {}, with as many entries in its drift, gain and reference",
-            counted(inputs.len(), "state")
-        );
+        let widen = match inputs.len() {
+            1..=MAX_WIDTH => format!(
+                ", or give every block {}, with as many entries in its drift, gain and reference",
+                counted(inputs.len(), "state")
+            ),
+            _ => String::new(),
+        };
         let surplus = inputs.get(width..).unwrap_or_default();
         let fault = match (surplus, inputs.last()) {
             ([next, others @ ..], _) => {
@@ -113,20 +116,22 @@ impl Context<'_> {
                 let fault = others.iter().take(SHOWN).fold(fault, |fault, other| {
                     fault.with_related(other.name.span, label)
                 });
-                let names: Vec<String> = surplus
+                let names = surplus
                     .iter()
-                    .take(SHOWN)
-                    .map(|input| format!("`{}`", input.name.value))
-                    .collect();
+                    .map(|input| format!("`{}`", input.name.value));
+                let names: Vec<String> = names.take(SHOWN).collect();
+                let names = match surplus.len() > SHOWN {
+                    true => counted(surplus.len(), "input"),
+                    false => names.join(" and "),
+                };
                 fault
                     .with_label(label)
-                    .with_help(format!("remove {}, or {widen}", names.join(" and ")))
+                    .with_help(format!("remove {names}{widen}"))
             }
             ([], Some(last)) => {
                 let more = counted(width - inputs.len(), "input");
-                Diagnostic::error(Rule::E0503, last.name.span, message).with_help(format!(
-                    "declare {more} more under `plant.inputs`, or {widen}"
-                ))
+                Diagnostic::error(Rule::E0503, last.name.span, message)
+                    .with_help(format!("declare {more} more under `plant.inputs`{widen}"))
             }
             ([], None) => {
                 let more = counted(width, "input");

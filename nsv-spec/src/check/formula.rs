@@ -30,17 +30,22 @@ impl Parsed {
     /// Where each entry of a value of that shape is written, row-major; the whole formula where it is not written out.
     pub(super) fn places(&self, shape: Shape) -> Vec<Span> {
         let (rows, cols) = shape.size();
-        let row = |at: usize| self.items().get(at).copied();
         let whole = self.span();
-        let place = |entry: usize| match (shape, row(entry / cols)) {
-            (Shape::Scalar, _) | (_, None) => whole,
-            (Shape::Vector(_), Some(item)) => item.span(),
-            (Shape::Matrix(..), Some(item)) => {
-                let cell = item.items().get(entry % cols).copied();
-                cell.map_or(item.span(), Written::span)
-            }
+        let items = match shape {
+            Shape::Scalar => Vec::new(),
+            _ => self.items(),
         };
-        (0..rows * cols).map(place).collect()
+        let mut places = Vec::with_capacity(rows * cols);
+        for row in 0..rows {
+            let item = items.get(row);
+            let span = item.map_or(whole, |item| item.span());
+            let cells = match (shape, item) {
+                (Shape::Matrix(..), Some(item)) => item.items(),
+                _ => Vec::new(),
+            };
+            places.extend((0..cols).map(|col| cells.get(col).map_or(span, |cell| cell.span())));
+        }
+        places
     }
 
     fn items(&self) -> Vec<Written<'_>> {

@@ -9,8 +9,11 @@ use crate::expr::arena::Type;
 use crate::expr::syntax::{Expr, Infix, Kind, NodeId};
 use crate::expr::{self, Symbol};
 
+/// Most faults that are explained so, and how much is evaluated for one of them: more would take long in a large specification.
+const MOST_FAULTS: usize = 20;
+const EVALUATIONS: usize = 1_000_000;
 /// Longest expression that is searched, most definitions that are looked into, most values that are shown.
-const LONGEST: usize = 500;
+const LONGEST: usize = 200;
 const DEEPEST: usize = 4;
 const MOST: usize = 4;
 const BY_ZERO: &str = "division by zero";
@@ -24,6 +27,9 @@ impl Context<'_> {
         parsed: &Parsed,
         point: Option<Point>,
     ) -> Diagnostic {
+        if self.faults.len() >= MOST_FAULTS {
+            return fault;
+        }
         let mut fault = fault;
         let mut all = Vec::new();
         parsed.expressions(&mut all);
@@ -66,7 +72,8 @@ impl Context<'_> {
     /// From the whole expression down, the part whose value is not finite while those of its operands are.
     fn operation(&mut self, expr: &Expr, point: Option<Point>) -> Option<usize> {
         let mut at = expr.nodes().len() - 1;
-        if at >= LONGEST || !self.is_infinite(&expr.part(at), point) {
+        let most = EVALUATIONS / self.arena.len().max(1);
+        if at >= LONGEST.min(most) || !self.is_infinite(&expr.part(at), point) {
             return None;
         }
         loop {

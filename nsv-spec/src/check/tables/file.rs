@@ -5,6 +5,7 @@ use super::{Cell, Context, MAX_POINTS, MAX_VALUES, Written, number};
 use crate::diagnostic::{Applicability, Diagnostic, Rule, SourceMap, Span, counted, quoted};
 use crate::spec::{Table, Word};
 use crate::suggest::nearest;
+use crate::yaml::excerpt;
 
 /// Most missing cells that a message names.
 const MOST_NAMED: usize = 4;
@@ -201,7 +202,7 @@ fn missing_column(
             .with_related(cell.span, "this column has nearly the name")
             .with_help(format!(
                 "name the column {wanted} in the file, or {otherwise}{}`",
-                cell.text
+                excerpt(cell.text)
             ))
             .with_suggestion(cell.span, column.value.as_str(), Applicability::Possible);
     }
