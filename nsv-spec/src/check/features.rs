@@ -1,7 +1,7 @@
 //! Guarantees that a block has the gains that its features need, and no others.
 
 use super::Context;
-use crate::diagnostic::Rule;
+use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::model::VirtualDerivative;
 use crate::spec::{ControllerBlock, Disturbance, Named};
 
@@ -72,6 +72,17 @@ impl Context<'_> {
         ]
     }
 
+    /// Where the feature is given that needs a gain.
+    fn feature(&self, at: usize, own: &ControllerBlock, key: &str) -> Option<Span> {
+        let plant = &self.spec.blocks[at].value;
+        match key {
+            "eta_1" | "observer" => plant.disturbance.as_ref().map(|given| given.span),
+            "eta_noise" | "noise_bound" => plant.noise.as_ref().map(|given| given.span),
+            "error_bound" => own.network.as_ref().map(|given| given.span),
+            _ => None,
+        }
+    }
+
     /// Checks the presence of every optional gain of a block.
     pub(super) fn check_features(&mut self, at: usize, gains: &Named<ControllerBlock>) {
         let block = &gains.name;
@@ -81,7 +92,12 @@ impl Context<'_> {
                 (true, None) => {
                     let message = format!("`{}` is missing in block `{}`", need.key, block.value);
                     let help = format!("add `{}: ..`; it is needed {}", need.key, need.when);
-                    self.fault(Rule::E0118, block.span, message, help);
+                    let fault = Diagnostic::error(Rule::E0118, block.span, message).with_help(help);
+                    let feature = self.feature(at, &gains.value, need.key);
+                    self.faults.push(match feature {
+                        Some(place) => fault.with_related(place, "this needs it"),
+                        None => fault,
+                    });
                 }
                 (false, Some(&span)) => {
                     let message = format!("`{}` has no use in block `{}`", need.key, block.value);

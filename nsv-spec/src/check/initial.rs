@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::linear::reciprocal_condition;
-use crate::diagnostic::{Diagnostic, Rule};
+use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::expr::arena::{ExprId, Shape};
 use crate::model::{Disturbance, Matrix, Model};
 use crate::spec::{self, Formula};
@@ -149,6 +149,18 @@ impl<'a> Context<'a> {
         None
     }
 
+    /// Whether no fault of a value that is not finite lies in some formulas.
+    fn finite_so_far(&self, written: &[&Formula]) -> bool {
+        let inside = |place: Span| {
+            written.iter().any(|formula| {
+                let whole = formula.span();
+                whole.file == place.file && whole.start <= place.start && place.end <= whole.end
+            })
+        };
+        let mut reported = self.faults.iter().filter(|fault| fault.rule == Rule::E0706);
+        !reported.any(|fault| fault.span.is_some_and(inside))
+    }
+
     /// The reference of each output as it is written, and what it is called.
     fn references(&self, model: &Model) -> (Vec<&'a Formula>, Vec<String>) {
         let spec = self.spec;
@@ -230,7 +242,12 @@ impl<'a> Context<'a> {
         }
         let times = self.sample_times(model.scenario.horizon);
         for (id, written, what) in signals {
-            for &t in &times[1..] {
+            // What is not finite at the start has been reported.
+            let times = match self.finite_so_far(&written) {
+                true => &times[1..],
+                false => &[],
+            };
+            for &t in times {
                 let point = Point::at(t);
                 if self.finite(id, &written, &what, &point).is_none() {
                     break;

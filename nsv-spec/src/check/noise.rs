@@ -60,7 +60,7 @@ impl Context<'_> {
         );
         let Some(effectiveness) = checked else {
             if self.fits_other_model(id, model, own, &sigma.dimensions, &dimensions) {
-                self.suggest_other_model(before, model, dimensions[0]);
+                self.suggest_other_model(before, model, &dimensions);
             }
             return None;
         };
@@ -117,7 +117,7 @@ impl Context<'_> {
     }
 
     /// The faults from number `before` on, mended by the kind of noise whose units they have.
-    fn suggest_other_model(&mut self, before: usize, model: NoiseModel, wanted: Dimension) {
+    fn suggest_other_model(&mut self, before: usize, model: NoiseModel, wanted: &[Dimension]) {
         let scenario = &self.spec.scenario;
         let (word, amplitude) = match model {
             NoiseModel::Sampled => ("wiener", "the amplitude of sampled noise"),
@@ -132,13 +132,16 @@ impl Context<'_> {
             (Some(_), None) => format!("write `noise: {word}`"),
             (None, None) => format!("add `noise: {word}` to `scenario`"),
         };
+        let unit = match wanted {
+            [first, rest @ ..] if rest.iter().all(|other| other == first) => first.in_words(),
+            _ => "in the expected unit".to_owned(),
+        };
         for fault in &mut self.faults[before..] {
             if fault.rule != Rule::E0407 {
                 continue;
             }
             fault.help = Some(format!(
-                "{write}, which takes this unit; or give {amplitude}, {}",
-                wanted.in_words()
+                "{write}, which takes this unit; or give {amplitude}, {unit}"
             ));
             if let (Some(noise), None) = (scenario.noise, runge_kutta) {
                 fault.suggestion = Some(Suggestion {
