@@ -1,5 +1,7 @@
 //! The specification as written: every key in its place with its span, nothing resolved or converted.
 
+use std::collections::BTreeMap;
+
 use crate::diagnostic::{Base, Span};
 use crate::interpolation::{Degree, Extrapolation};
 use crate::model::{Basis, Integration, NoiseModel, Norm, Scheme, VirtualDerivative};
@@ -375,6 +377,8 @@ pub struct Controller {
 /// The gains of a block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ControllerBlock {
+    /// Places of the keys that are given.
+    pub keys: BTreeMap<&'static str, Span>,
     /// `K`
     pub k: Formula,
     /// `kbar`

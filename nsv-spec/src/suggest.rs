@@ -64,6 +64,21 @@ pub(crate) fn nearest<S: AsRef<str>>(
     })
 }
 
+/// How to mend a name that nothing has, where those that are given already cannot have been meant.
+pub(crate) fn beside<S: AsRef<str>>(
+    name: &str,
+    given: impl IntoIterator<Item = S>,
+    otherwise: &str,
+) -> String {
+    match nearest(name, given) {
+        Some(like) => format!(
+            "remove it, as `{}` is there already, or {otherwise}",
+            like.name
+        ),
+        None => otherwise.to_owned(),
+    }
+}
+
 /// Whether a distance is a slip of the finger.
 fn slip(name: &str, candidate: &str, distance: usize) -> bool {
     let digits = |text: &str| -> Vec<char> { text.chars().filter(char::is_ascii_digit).collect() };

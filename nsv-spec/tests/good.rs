@@ -162,6 +162,24 @@ fn a_kbar_below_its_bound_is_a_warning() {
 }
 
 #[test]
+fn an_argument_that_its_function_does_not_use_is_a_warning() {
+    let base = nsv_spec::diagnostic::explain::BASE;
+    let text = base.replace(
+        "plant:\n",
+        "functions: {drag: {arguments: [rate, limit, gain], value: \"each(i, 1, 1, gain*rate)[1]\"}}\nplant:\n",
+    );
+    let text = text.replace("\"-v/(1 s)\"", "\"drag(v, 1, -1 1/s)\"");
+    let (_, warnings) = load_str("cart.yaml", &text)
+        .map_err(|faults| faults.short())
+        .unwrap();
+    let found: Vec<_> = (warnings.iter())
+        .map(|warning| (warning.rule, warning.message.as_str()))
+        .collect();
+    let expected = "argument `limit` of function `drag` is never used";
+    assert_eq!(found, [(Rule::W0003, expected)]);
+}
+
+#[test]
 fn a_fragment_is_as_good_as_the_text_itself() {
     let directory = tempfile::tempdir().unwrap();
     let text = std::fs::read_to_string("tests/good/pendulum.yaml").unwrap();

@@ -13,7 +13,7 @@ use nsv_spec::model::Model;
 
 use super::failure::{Exit, Failure};
 use super::output::{colour, note};
-use super::render::human;
+use super::render::{human, more};
 use super::settings::Overrides;
 
 /// Reads and checks a specification with values set in it; shows its faults.
@@ -44,6 +44,9 @@ pub(crate) fn shown(
 
 fn refused(faults: &Diagnostics) -> Failure {
     show(faults);
+    if let Some(line) = more(&faults.items) {
+        note(line);
+    }
     Failure::Reported(Exit::Spec)
 }
 

@@ -1,8 +1,10 @@
 //! Diagnostics for people and programs.
 
+use std::collections::BTreeSet;
+
 use annotate_snippets::{AnnotationKind, Group, Level, Patch, Renderer, Snippet};
 use nsv_spec::diagnostic::{
-    Applicability, Diagnostic, Diagnostics, FileId, Severity, SourceMap, Span,
+    Applicability, Diagnostic, Diagnostics, FileId, Rule, Severity, SourceMap, Span,
 };
 use serde::Serialize;
 
@@ -19,6 +21,22 @@ pub(crate) fn human(diagnostics: &Diagnostics, colour: bool) -> String {
         .iter()
         .map(|item| renderer.render(&groups(sources, item)) + "\n\n");
     pictures.collect()
+}
+
+/// Where to read more about faults: the last line for people; nothing where there are none.
+pub(crate) fn more<'a>(faults: impl IntoIterator<Item = &'a Diagnostic>) -> Option<String> {
+    // A file that cannot be read needs no explanation.
+    let placed = faults.into_iter().filter(|fault| fault.span.is_some());
+    let rules: BTreeSet<Rule> = placed.map(|fault| fault.rule).collect();
+    let names: Vec<&str> = rules.iter().map(|rule| rule.name()).collect();
+    match names.as_slice() {
+        [] => None,
+        [only] => Some(format!("`nsv explain {only}` says more")),
+        several => Some(format!(
+            "`nsv explain CODE` says more, CODE being one of {}",
+            several.join(", ")
+        )),
+    }
 }
 
 /// The fault, then the change that mends it as the lines before and after.
@@ -52,7 +70,7 @@ fn group<'a>(sources: &'a SourceMap, item: &'a Diagnostic) -> Group<'a> {
         .primary_title(item.message.as_str())
         .id(item.rule.name());
     let mut group = Group::with_title(title);
-    for (file, places) in by_file(item) {
+    for (file, places) in by_file(sources, item) {
         let source = sources.source(file);
         let places = places.into_iter().map(|(span, label, kind)| {
             let span = within(&source.text, span);
@@ -70,10 +88,11 @@ fn group<'a>(sources: &'a SourceMap, item: &'a Diagnostic) -> Group<'a> {
 type Place<'a> = (Span, Option<&'a str>, AnnotationKind);
 
 /// The places of a diagnostic by file, the primary one's file first.
-fn by_file(item: &Diagnostic) -> Vec<(FileId, Vec<Place<'_>>)> {
-    let primary = item
-        .span
-        .map(|span| (span, item.label.as_deref(), AnnotationKind::Primary));
+fn by_file<'a>(sources: &SourceMap, item: &'a Diagnostic) -> Vec<(FileId, Vec<Place<'a>>)> {
+    let primary = item.span.map(|span| {
+        let span = drawn(sources, item, span);
+        (span, item.label.as_deref(), AnnotationKind::Primary)
+    });
     let related = item.related.iter().map(|related| {
         (
             related.span,
@@ -81,7 +100,7 @@ fn by_file(item: &Diagnostic) -> Vec<(FileId, Vec<Place<'_>>)> {
             AnnotationKind::Context,
         )
     });
-    let mut files: Vec<(FileId, Vec<Place<'_>>)> = Vec::new();
+    let mut files: Vec<(FileId, Vec<Place<'a>>)> = Vec::new();
     for place in primary.into_iter().chain(related) {
         match files.iter_mut().find(|(file, _)| *file == place.0.file) {
             Some((_, places)) => places.push(place),
@@ -89,6 +108,21 @@ fn by_file(item: &Diagnostic) -> Vec<(FileId, Vec<Place<'_>>)> {
         }
     }
     files
+}
+
+/// The part of the primary place that is drawn: its first line, if it has several and labels within would cross its frame.
+fn drawn(sources: &SourceMap, item: &Diagnostic, span: Span) -> Span {
+    let inside =
+        |other: Span| other.file == span.file && span.start <= other.start && other.end <= span.end;
+    let text = &sources.source(span.file).text;
+    let first = text[within(text, span)].find('\n');
+    match first {
+        Some(length) if item.related.iter().any(|related| inside(related.span)) => Span {
+            end: span.start + u32::try_from(length).unwrap_or(0),
+            ..span
+        },
+        _ => span,
+    }
 }
 
 /// A span as a range that surely lies in the text.
@@ -209,8 +243,6 @@ fn position(text: &str, byte: usize) -> Position {
 
 #[cfg(test)]
 mod tests {
-    use nsv_spec::diagnostic::Rule;
-
     use super::*;
 
     fn diagnostics() -> Diagnostics {
@@ -255,9 +287,33 @@ mod tests {
     }
 
     #[test]
+    fn the_last_line_names_each_code_once() {
+        let Diagnostics { items, .. } = diagnostics();
+        assert_eq!(more(&items[2..]), None);
+        assert_eq!(more(&items[..1]).unwrap(), "`nsv explain E0102` says more");
+        let twice = items.iter().chain(&items);
+        assert_eq!(
+            more(twice).unwrap(),
+            "`nsv explain CODE` says more, CODE being one of E0102, W0001"
+        );
+    }
+
+    #[test]
     fn records_count_as_editors_do() {
         let diagnostics = diagnostics();
         insta::assert_json_snapshot!(records(&diagnostics));
+    }
+
+    #[test]
+    fn labels_within_several_lines_cross_no_frame() {
+        let mut sources = SourceMap::default();
+        let file = sources.add("a.yaml", "drift: >\n  -v\n  + push\n".into());
+        let at = |start, end| Span { file, start, end };
+        let item = Diagnostic::error(Rule::E0403, at(11, 22), "unit mismatch")
+            .with_related(at(11, 13), "this is in m")
+            .with_related(at(18, 22), "this is in s");
+        let items = vec![item];
+        insta::assert_snapshot!(human(&Diagnostics { sources, items }, false));
     }
 
     #[test]

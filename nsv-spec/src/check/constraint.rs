@@ -2,7 +2,8 @@
 
 use super::Context;
 use super::initial::Point;
-use crate::diagnostic::{Diagnostic, Rule, Span};
+use super::plant::state_reason;
+use crate::diagnostic::{Diagnostic, Rule, Span, rounded};
 use crate::expr::Expected;
 use crate::expr::arena::{ExprId, Shape};
 use crate::spec::{AutoCode, Formula};
@@ -21,6 +22,10 @@ impl Context<'_> {
     pub(super) fn constraint(&mut self, at: usize, formula: &Formula) -> Option<ExprId> {
         let what = format!("constraint of block `{}`", self.spec.blocks[at].name.value);
         let dimensions = [self.error_dimension(at)];
+        let states = &self.spec.blocks[at].value.states;
+        let reasons: Vec<_> = (states.first().filter(|_| states.len() == 1).iter())
+            .map(|state| state_reason(&state.name, dimensions[0]))
+            .collect();
         self.check_degrees_of((at, 0), &what, formula);
         let (id, parsed) = self.formula(
             formula,
@@ -28,7 +33,7 @@ impl Context<'_> {
                 what: &what,
                 shape: Shape::Scalar,
                 dimensions: &dimensions,
-                reasons: &[],
+                reasons: &reasons,
                 columns: &[],
             },
         )?;
@@ -107,7 +112,8 @@ impl Context<'_> {
             && kbar < bound
         {
             let message = format!(
-                "`kbar` of block `{block}` is {kbar}, below sup sqrt((k'/k)^2 + 1e-6) = {bound:.4}"
+                "`kbar` of block `{block}` is {kbar}, below sup sqrt((k'/k)^2 + 1e-6) = {}",
+                rounded(bound)
             );
             let warning = Diagnostic::warning(Rule::W0001, code.base.span, message);
             self.warnings.push(warning.with_help(

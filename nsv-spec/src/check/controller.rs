@@ -69,13 +69,13 @@ impl Context<'_> {
             return Some(margin);
         }
         let message = format!(
-            "barrier margin is {margin}, expected more than 0 and at most {LARGEST_MARGIN}"
+            "barrier margin is {margin} rad, expected more than 0 and at most {LARGEST_MARGIN} rad"
         );
         self.fault(
             Rule::E0602,
             code.base.span,
             message,
-            "write a small angle such as 1e-3",
+            "write a small angle, such as `1e-3` or `2 deg`",
         );
         None
     }

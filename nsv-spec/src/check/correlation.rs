@@ -1,16 +1,18 @@
 //! Guarantees that parameters drawn together have a covariance matrix: symmetric, positive semidefinite, in their units.
 
 use super::Context;
-use super::numbers::{Numbers, written_in};
-use crate::diagnostic::{Diagnostic, Rule};
+use super::numbers::{Numbers, in_unit, written_in};
+use crate::diagnostic::{Applicability, Diagnostic, Rule, counted};
 use crate::expr::arena::Shape;
 use crate::model::Dispersion;
 use crate::spec::{Correlation, Word};
-use crate::suggest::nearest;
+use crate::suggest::{beside, nearest};
 use crate::unit::Dimension;
 
 /// Asymmetry and negative pivots that roundings may leave, relative to the diagonal.
 const ROUNDING: f64 = 1e-12;
+/// Most parameters whose covariance is written out in a help.
+const SHOWN: usize = 4;
 
 impl Context<'_> {
     /// Gives each parameter of a group its row of the Cholesky factor.
@@ -41,7 +43,7 @@ impl Context<'_> {
     fn members(&mut self, correlation: &Correlation) -> Option<Vec<usize>> {
         let mut members = Vec::new();
         for name in &correlation.parameters {
-            let at = self.member(name)?;
+            let at = self.member(name, correlation)?;
             let taken = (self.parameters[at].as_ref()).is_some_and(|one| one.dispersion.is_some());
             if taken || members.contains(&at) {
                 let message = format!("parameter `{}` is dispersed twice", name.value);
@@ -57,14 +59,20 @@ impl Context<'_> {
         Some(members)
     }
 
-    fn member(&mut self, name: &Word) -> Option<usize> {
+    fn member(&mut self, name: &Word, correlation: &Correlation) -> Option<usize> {
         let known = || self.spec.parameters.iter().map(|one| &one.name.value);
         let found = known().position(|known| *known == name.value);
         if found.is_none() {
             let message = format!("unknown parameter `{}`", name.value);
             let fault = Diagnostic::error(Rule::E0116, name.span, message);
-            let meant = nearest(&name.value, known());
-            let otherwise = || "declare it under `parameters`".into();
+            // One that is listed already cannot have been meant.
+            let listed = |known: &&String| {
+                let mut listed = correlation.parameters.iter();
+                listed.any(|other| other.value == **known)
+            };
+            let meant = nearest(&name.value, known().filter(|known| !listed(known)));
+            let declare = "declare it under `parameters`";
+            let otherwise = || beside(&name.value, known().filter(listed), declare);
             self.faults
                 .push(fault.did_you_mean(name.span, &name.value, meant, otherwise));
         }
@@ -76,11 +84,16 @@ impl Context<'_> {
         let (n, span) = (members.len(), covariance.span);
         if covariance.shape != Shape::Matrix(n, n) {
             let message = format!(
-                "covariance is {}, expected {} as there are {n} parameters",
+                "covariance is {}, expected {} as there are {}",
                 covariance.shape,
-                Shape::Matrix(n, n)
+                Shape::Matrix(n, n),
+                counted(n, "parameter")
             );
-            self.fault(Rule::E0605, span, message, "write `[[a, b], [b, c]]`");
+            self.faults.push(as_matrix(
+                Diagnostic::error(Rule::E0605, span, message),
+                n,
+                covariance,
+            ));
             return None;
         }
         let dimensions: Option<Vec<Dimension>> = members
@@ -93,24 +106,122 @@ impl Context<'_> {
             if found != expected && covariance.values[at] != 0.0 {
                 let what = format!("entry ({}, {}) of the covariance", at / n + 1, at % n + 1);
                 let help = written_in(expected);
-                self.unit_mismatch(span, &what, found, expected, help);
+                self.unit_mismatch(covariance.places[at], &what, found, expected, help);
                 return None;
             }
         }
+        self.check_symmetry(n, covariance)?;
         let entry = |row: usize, col: usize| covariance.values[row * n + col];
-        let even = (0..n * n).all(|at| {
-            let (row, col) = (at / n, at % n);
-            let scale = libm::sqrt(entry(row, row) * entry(col, col));
-            (entry(row, col) - entry(col, row)).abs() <= ROUNDING * scale
-        });
-        let factor = if even { cholesky(n, entry) } else { None };
+        let factor = cholesky(n, entry);
         if factor.is_none() {
-            let message = "covariance is not symmetric and positive semidefinite";
-            let help = "variances stand on the diagonal, and no covariance exceeds the product of two standard deviations";
-            self.fault(Rule::E0612, span, message, help);
+            let fault = self.indefinite(members, covariance);
+            self.faults.push(fault);
         }
         factor
     }
+
+    /// Reports the first two entries that should be one covariance and are not.
+    fn check_symmetry(&mut self, n: usize, covariance: &Numbers) -> Option<()> {
+        let entry = |row: usize, col: usize| covariance.values[row * n + col];
+        let uneven = |&(row, col): &(usize, usize)| {
+            let scale = libm::sqrt((entry(row, row) * entry(col, col)).abs());
+            (entry(row, col) - entry(col, row)).abs() > ROUNDING * scale
+        };
+        let mut pairs = (0..n).flat_map(|row| (row + 1..n).map(move |col| (row, col)));
+        let Some((row, col)) = pairs.find(uneven) else {
+            return Some(());
+        };
+        let shown = |row: usize, col: usize| {
+            let at = row * n + col;
+            let value = in_unit(covariance.values[at], covariance.dimensions[at]);
+            format!("entry ({}, {}) is {value}", row + 1, col + 1)
+        };
+        let (one, other) = (shown(row, col), shown(col, row));
+        let message = format!("covariance is not symmetric: {one}, {other}");
+        let fault = Diagnostic::error(Rule::E0612, covariance.places[row * n + col], message);
+        let fault = match covariance.places[col * n + row] {
+            place if Some(place) == fault.span => fault,
+            place => fault.with_label(one).with_related(place, other),
+        };
+        let help = "both are the covariance of the same two parameters: write it in both places";
+        self.faults.push(fault.with_help(help));
+        None
+    }
+
+    /// What is wrong with a symmetric matrix that has no Cholesky factor.
+    fn indefinite(&self, members: &[usize], covariance: &Numbers) -> Diagnostic {
+        let n = members.len();
+        let shown = |at: usize| in_unit(covariance.values[at], covariance.dimensions[at]);
+        let value = |row: usize, col: usize| covariance.values[row * n + col];
+        let name = |member: usize| &self.spec.parameters[members[member]].name.value;
+        if let Some(at) = (0..n).find(|&at| value(at, at) < 0.0) {
+            let place = at * n + at;
+            let message = format!(
+                "variance of `{}` is {}, expected at least 0",
+                name(at),
+                shown(place)
+            );
+            return Diagnostic::error(Rule::E0612, covariance.places[place], message)
+                .with_help("the variance, a standard deviation squared, stands on the diagonal");
+        }
+        let largest = |row: usize, col: usize| libm::sqrt(value(row, row) * value(col, col));
+        let mut pairs = (0..n).flat_map(|row| (row + 1..n).map(move |col| (row, col)));
+        let beyond = pairs.find(|&(row, col)| value(row, col).abs() > largest(row, col));
+        if let Some((row, col)) = beyond {
+            let at = row * n + col;
+            let (deviations, most) = (
+                format!(
+                    "sqrt({})*sqrt({})",
+                    shown(row * n + row),
+                    shown(col * n + col)
+                ),
+                in_unit(largest(row, col), covariance.dimensions[at]),
+            );
+            let message = format!(
+                "covariance of `{}` and `{}` is {}, beyond the product of their standard deviations, {deviations} = {most}",
+                name(row),
+                name(col),
+                shown(at)
+            );
+            return Diagnostic::error(Rule::E0612, covariance.places[at], message).with_help(
+                format!("variances stand on the diagonal, covariances beside it: this one goes from -{most} to {most}"),
+            );
+        }
+        let message = "covariance is not positive semidefinite: a combination of the parameters has a negative variance";
+        Diagnostic::error(Rule::E0612, covariance.span, message).with_help(
+            "each covariance alone is possible, but not all of them together: make some smaller",
+        )
+    }
+}
+
+/// The fault of a covariance that is no matrix, with the one that variances alone make, if it can be shown.
+fn as_matrix(fault: Diagnostic, n: usize, covariance: &Numbers) -> Diagnostic {
+    let variances = match covariance.shape {
+        Shape::Vector(rows) if rows == n && n <= SHOWN => &covariance.values,
+        _ => {
+            let help = format!(
+                "write {}, one for each parameter, with the variances on the diagonal",
+                counted(n, "row")
+            );
+            return fault.with_help(help);
+        }
+    };
+    let entry = |row: usize, col: usize| match row == col {
+        true => in_unit(variances[row], covariance.dimensions[row]),
+        false => "0".to_owned(),
+    };
+    let row = |row: usize| {
+        let entries: Vec<String> = (0..n).map(|col| entry(row, col)).collect();
+        format!("[{}]", entries.join(", "))
+    };
+    let rows: Vec<String> = (0..n).map(row).collect();
+    let matrix = format!("[{}]", rows.join(", "));
+    let help = format!(
+        "write `{matrix}` if these are variances of independent parameters; covariances take the place of the zeros"
+    );
+    fault
+        .with_help(help)
+        .with_suggestion(covariance.span, matrix, Applicability::Possible)
 }
 
 /// Lower triangular L with L L^T = A, for A positive semidefinite: a column without variance left is 0.

@@ -1,12 +1,15 @@
 //! Guarantees that the plant is a chain of blocks of equal width with as many inputs.
 
 use super::Context;
-use crate::diagnostic::Rule;
+use crate::diagnostic::{Diagnostic, Rule, counted};
+use crate::spec::{Named, PlantBlock};
 
 /// Most blocks.
 pub(super) const MAX_BLOCKS: usize = 16;
 /// Most channels of a block.
 pub(super) const MAX_WIDTH: usize = 32;
+/// Most surplus inputs that a message names.
+const SHOWN: usize = 4;
 
 impl Context<'_> {
     /// Width of the blocks: that of the first.
@@ -45,8 +48,9 @@ impl Context<'_> {
         let width = self.width();
         if width == 0 || width > MAX_WIDTH {
             let message = format!(
-                "block `{}` has {width} states, expected 1 to {MAX_WIDTH}",
-                first.name.value
+                "block `{}` has {}, expected 1 to {MAX_WIDTH}",
+                first.name.value,
+                counted(width, "state")
             );
             self.fault(
                 Rule::E0602,
@@ -61,34 +65,90 @@ impl Context<'_> {
             .filter(|block| block.value.states.len() != width)
         {
             let message = format!(
-                "block `{}` has {} states, expected {width} as in block `{}`",
+                "block `{}` has {}, expected {width} as in block `{}`",
                 block.name.value,
-                block.value.states.len(),
+                counted(block.value.states.len(), "state"),
                 first.name.value
             );
-            self.fault(
-                Rule::E0503,
-                block.name.span,
-                message,
-                "all blocks of the chain have the same number of states",
+            let fault = Diagnostic::error(Rule::E0503, block.name.span, message);
+            let label = format!(
+                "block `{}` has {}",
+                first.name.value,
+                counted(width, "state")
+            );
+            self.faults.push(
+                fault
+                    .with_related(first.name.span, label)
+                    .with_help("all blocks of the chain have the same number of states"),
             );
         }
         if spec.inputs.len() != width {
-            let span = spec
-                .inputs
-                .first()
-                .map_or(first.name.span, |input| input.name.span);
-            let message = format!(
-                "plant has {} inputs, expected {width}, one for each state of a block",
-                spec.inputs.len()
-            );
-            self.fault(
-                Rule::E0503,
-                span,
-                message,
-                "G of the last block must be square",
-            );
+            let fault = self.input_count(first, width);
+            self.faults.push(fault);
         }
         self.faults.len() == before
+    }
+
+    /// The fault of a plant with more or fewer inputs than its blocks have states.
+    fn input_count(&self, first: &Named<PlantBlock>, width: usize) -> Diagnostic {
+        let inputs = &self.spec.inputs;
+        let each = match self.spec.blocks.len() {
+            1 => format!(
+                "block `{}` has {}",
+                first.name.value,
+                counted(width, "state")
+            ),
+            _ => format!("its blocks have {} each", counted(width, "state")),
+        };
+        let message = format!("plant has {}, but {each}", counted(inputs.len(), "input"));
+        let widen = match inputs.len() {
+            1..=MAX_WIDTH => format!(
+                ", or give every block {}, with as many entries in its drift, gain and reference",
+                counted(inputs.len(), "state")
+            ),
+            _ => String::new(),
+        };
+        let surplus = inputs.get(width..).unwrap_or_default();
+        let fault = match (surplus, inputs.last()) {
+            ([next, others @ ..], _) => {
+                let fault = Diagnostic::error(Rule::E0503, next.name.span, message);
+                let label = "there is no state left for this input";
+                let fault = others.iter().take(SHOWN).fold(fault, |fault, other| {
+                    fault.with_related(other.name.span, label)
+                });
+                let names = surplus
+                    .iter()
+                    .map(|input| format!("`{}`", input.name.value));
+                let names: Vec<String> = names.take(SHOWN).collect();
+                let names = match surplus.len() > SHOWN {
+                    true => counted(surplus.len(), "input"),
+                    false => names.join(" and "),
+                };
+                fault
+                    .with_label(label)
+                    .with_help(format!("remove {names}{widen}"))
+            }
+            ([], Some(last)) => {
+                let more = counted(width - inputs.len(), "input");
+                Diagnostic::error(Rule::E0503, last.name.span, message)
+                    .with_help(format!("declare {more} more under `plant.inputs`{widen}"))
+            }
+            ([], None) => {
+                let more = counted(width, "input");
+                Diagnostic::error(Rule::E0503, first.name.span, message)
+                    .with_help(format!("declare {more} under `plant.inputs`"))
+            }
+        };
+        let which = match width {
+            1 => "the state",
+            _ => "the last state",
+        };
+        match first.value.states.last() {
+            Some(state) => fault.with_related(
+                state.name.span,
+                format!("{which} of block `{}`", first.name.value),
+            ),
+            None => fault,
+        }
     }
 }

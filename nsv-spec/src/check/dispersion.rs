@@ -1,7 +1,6 @@
 //! Guarantees that a distribution has finite values in the unit of its quantity, in order, with probabilities that add up.
 
 use super::Context;
-use super::numbers::written_in;
 use crate::diagnostic::{Rule, Span};
 use crate::model::{Dispersion, Truncated};
 use crate::spec::{self, Code};
@@ -128,8 +127,7 @@ impl Context<'_> {
                     if found == of.dimension {
                         return Some(value);
                     }
-                    let help = written_in(of.dimension);
-                    self.unit_mismatch(code.base.span, &what, found, of.dimension, help);
+                    self.code_mismatch(code, &what, found, of.dimension);
                     None
                 });
         }

@@ -1,7 +1,7 @@
 //! Guarantees that a disturbance is a function of time in the block's units, or one linear system for each channel.
 
 use super::Context;
-use crate::diagnostic::Rule;
+use crate::diagnostic::{Rule, Span, counted};
 use crate::expr::Expected;
 use crate::expr::arena::Shape;
 use crate::model::{Disturbance, Exosystem, Matrix};
@@ -17,6 +17,7 @@ impl Context<'_> {
         &mut self,
         written: Option<&Located<spec::Disturbance>>,
         rates: &[Dimension],
+        reasons: &[(Span, String)],
         what: &str,
     ) -> Option<Disturbance> {
         match written.map(|written| (&written.value, written.span)) {
@@ -26,7 +27,7 @@ impl Context<'_> {
                     what,
                     shape: Shape::Vector(rates.len()),
                     dimensions: rates,
-                    reasons: &[],
+                    reasons,
                     columns: &[],
                 };
                 let (id, parsed) = self.formula(formula, &expected)?;
@@ -36,8 +37,8 @@ impl Context<'_> {
             Some((spec::Disturbance::Exosystem(channels), span)) => {
                 if channels.len() != rates.len() {
                     let message = format!(
-                        "{what} has {} exosystems, expected {}, one for each channel",
-                        channels.len(),
+                        "{what} has {}, expected {}, one for each state",
+                        counted(channels.len(), "exosystem"),
                         rates.len()
                     );
                     self.fault(

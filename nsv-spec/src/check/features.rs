@@ -3,24 +3,21 @@
 use super::Context;
 use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::model::VirtualDerivative;
-use crate::spec::{Code, Disturbance, Formula};
+use crate::spec::{ControllerBlock, Disturbance, Named};
 
-/// A gain, where it is written if it is, and whether the block needs it.
+/// A gain, and whether the block needs it.
 struct Need {
     key: &'static str,
-    given: Option<Span>,
     needed: bool,
     /// When it is needed.
     when: &'static str,
+    /// What would make it needed, where the block could have that.
+    with: Option<&'static str>,
 }
 
 impl Context<'_> {
-    /// Checks the presence of every optional gain of a block.
-    pub(super) fn check_features(
-        &mut self,
-        at: usize,
-        gains: &crate::spec::Named<crate::spec::ControllerBlock>,
-    ) {
+    /// What each optional gain of a block is needed for.
+    fn needs(&self, at: usize, own: &ControllerBlock) -> [Need; 8] {
         let spec = self.spec;
         let plant = &spec.blocks[at].value;
         let inner = at + 1 < spec.blocks.len();
@@ -34,75 +31,87 @@ impl Context<'_> {
             Some(Disturbance::Bounded(_))
         );
         let noisy = plant.noise.is_some();
-        let own = &gains.value;
-        let code = |code: &Option<Code>| code.as_ref().map(|code| code.base.span);
-        let formula = |formula: &Option<Formula>| formula.as_ref().map(Formula::span);
-        let need = |key, given, needed, when| Need {
+        let need = |key, needed, when, with| Need {
             key,
-            given,
             needed,
             when,
+            with,
         };
         let chain = "in every block but the last";
-        let needs = [
+        let observed = "in a block with a disturbance";
+        let disturbance = Some("a `disturbance`, to which `eta_1` and `observer` belong");
+        let noise = Some("`noise`, to which `noise_bound` belongs");
+        [
             need(
                 "filter",
-                formula(&own.filter),
                 inner && filtered,
                 "in every block but the last, with `virtual_derivative: filter`",
+                None,
             ),
-            need(
-                "eta_1",
-                code(&own.eta_1),
-                disturbed,
-                "in a block with a disturbance",
-            ),
-            need("eta_2", code(&own.eta_2), inner, chain),
-            need("eta_3", code(&own.eta_3), inner, chain),
+            need("eta_1", disturbed, observed, disturbance),
+            need("eta_2", inner, chain, None),
+            need("eta_3", inner, chain, None),
             need(
                 "eta_noise",
-                code(&own.eta_noise),
                 noisy && disturbed,
-                "in a block with noise and an observer",
+                "in a block with noise and a disturbance",
+                match (noisy, disturbed) {
+                    (true, _) => disturbance,
+                    (_, true) => noise,
+                    _ => Some("both `noise` and a `disturbance`"),
+                },
             ),
-            need(
-                "observer",
-                formula(&own.observer),
-                disturbed,
-                "in a block with a disturbance",
-            ),
+            need("observer", disturbed, observed, disturbance),
             need(
                 "error_bound",
-                own.error_bound.as_ref().map(|bound| bound.span),
                 own.network.is_some() && !bounded,
                 "in a block with a network and no `bounded` disturbance",
+                None,
             ),
-            need(
-                "noise_bound",
-                own.noise_bound.as_ref().map(|bound| bound.span),
-                noisy,
-                "in a block with noise",
-            ),
-        ];
-        let missing: Vec<&Need> = needs
-            .iter()
-            .filter(|need| need.needed && need.given.is_none())
-            .collect();
-        for need in missing {
-            let message = format!("`{}` is missing in block `{}`", need.key, gains.name.value);
-            let fault = Diagnostic::error(Rule::E0118, gains.name.span, message);
-            self.faults
-                .push(fault.with_help(format!("`{}` is needed {}", need.key, need.when)));
+            need("noise_bound", noisy, "in a block with noise", noise),
+        ]
+    }
+
+    /// Where the feature is given that needs a gain.
+    fn feature(&self, at: usize, own: &ControllerBlock, key: &str) -> Option<Span> {
+        let plant = &self.spec.blocks[at].value;
+        match key {
+            "eta_1" | "observer" => plant.disturbance.as_ref().map(|given| given.span),
+            "eta_noise" | "noise_bound" => plant.noise.as_ref().map(|given| given.span),
+            "error_bound" => own.network.as_ref().map(|given| given.span),
+            _ => None,
         }
-        for need in needs.iter().filter(|need| !need.needed) {
-            let Some(span) = need.given else { continue };
-            let message = format!("`{}` has no use in block `{}`", need.key, gains.name.value);
-            self.fault(
-                Rule::E0119,
-                span,
-                message,
-                format!("remove it; it is used {} only", need.when),
-            );
+    }
+
+    /// Checks the presence of every optional gain of a block.
+    pub(super) fn check_features(&mut self, at: usize, gains: &Named<ControllerBlock>) {
+        let block = &gains.name;
+        let given = &gains.value.keys;
+        for need in self.needs(at, &gains.value) {
+            match (need.needed, given.get(need.key)) {
+                (true, None) => {
+                    let message = format!("`{}` is missing in block `{}`", need.key, block.value);
+                    let help = format!("add `{}: ..`; it is needed {}", need.key, need.when);
+                    let fault = Diagnostic::error(Rule::E0118, block.span, message).with_help(help);
+                    let feature = self.feature(at, &gains.value, need.key);
+                    self.faults.push(match feature {
+                        Some(place) => fault.with_related(place, "this needs it"),
+                        None => fault,
+                    });
+                }
+                (false, Some(&span)) => {
+                    let message = format!("`{}` has no use in block `{}`", need.key, block.value);
+                    let help = match need.with {
+                        Some(with) => format!(
+                            "remove it, or give block `{}` of the plant {with}",
+                            block.value
+                        ),
+                        None => format!("remove it; it is used {} only", need.when),
+                    };
+                    self.fault(Rule::E0119, span, message, help);
+                }
+                _ => {}
+            }
         }
     }
 }

@@ -1,10 +1,11 @@
 //! Turns what is written into typed expressions of the model, with shapes and dimensions as expected.
 
 use super::Context;
+use super::numbers::with_unit;
 use super::scope::{Names, Place};
 use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::expr::arena::{ExprId, Node, Shape, Type};
-use crate::expr::syntax::Expr;
+use crate::expr::syntax::{Expr, Kind, Node as Syntax};
 use crate::expr::{self, Expected};
 use crate::spec::{Code, Formula};
 use crate::unit::Dimension;
@@ -26,10 +27,66 @@ impl Parsed {
         }
     }
 
-    fn expressions<'a>(&'a self, all: &mut Vec<&'a Expr>) {
+    /// Where each entry of a value of that shape is written, row-major; the whole formula where it is not written out.
+    pub(super) fn places(&self, shape: Shape) -> Vec<Span> {
+        let (rows, cols) = shape.size();
+        let whole = self.span();
+        let items = match shape {
+            Shape::Scalar => Vec::new(),
+            _ => self.items(),
+        };
+        let mut places = Vec::with_capacity(rows * cols);
+        for row in 0..rows {
+            let item = items.get(row);
+            let span = item.map_or(whole, |item| item.span());
+            let cells = match (shape, item) {
+                (Shape::Matrix(..), Some(item)) => item.items(),
+                _ => Vec::new(),
+            };
+            places.extend((0..cols).map(|col| cells.get(col).map_or(span, |cell| cell.span())));
+        }
+        places
+    }
+
+    fn items(&self) -> Vec<Written<'_>> {
+        match self {
+            Parsed::Expr(expr) => Written::Node(expr, expr.root()).items(),
+            Parsed::List(items, _) => items.iter().map(Written::Parsed).collect(),
+        }
+    }
+
+    pub(super) fn expressions<'a>(&'a self, all: &mut Vec<&'a Expr>) {
         match self {
             Parsed::Expr(expr) => all.push(expr),
             Parsed::List(items, _) => items.iter().for_each(|item| item.expressions(all)),
+        }
+    }
+}
+
+/// A part of a formula: an item of a YAML list, or of an array within an expression.
+#[derive(Clone, Copy)]
+enum Written<'a> {
+    Parsed(&'a Parsed),
+    Node(&'a Expr, &'a Syntax),
+}
+
+impl<'a> Written<'a> {
+    fn span(self) -> Span {
+        match self {
+            Written::Parsed(parsed) => parsed.span(),
+            Written::Node(_, node) => node.span,
+        }
+    }
+
+    fn items(self) -> Vec<Written<'a>> {
+        match self {
+            Written::Parsed(parsed) => parsed.items(),
+            Written::Node(expr, node) => match &node.kind {
+                Kind::Array(items) => (items.iter())
+                    .map(|&item| Written::Node(expr, expr.node(item)))
+                    .collect(),
+                _ => Vec::new(),
+            },
         }
     }
 }
@@ -184,9 +241,10 @@ impl Context<'_> {
     pub(super) fn expect(
         &mut self,
         id: ExprId,
-        span: Span,
+        written: &Parsed,
         expected: &Expected<'_>,
     ) -> Option<ExprId> {
+        let places = written.places(expected.shape);
         let single = self
             .arena
             .shape(id)
@@ -197,7 +255,7 @@ impl Context<'_> {
         } else {
             id
         };
-        let checked = expr::expect(&self.arena, id, span, expected);
+        let checked = expr::expect(&self.arena, id, written.span(), &places, expected);
         self.accept(checked).map(|()| id)
     }
 
@@ -210,14 +268,22 @@ impl Context<'_> {
         let parsed = self.parse_formula(formula)?;
         let id = self.elaborate(&parsed, Place::Model)?;
         let before = self.faults.len();
-        let Some(id) = self.expect(id, parsed.span(), expected) else {
+        let Some(expected_id) = self.expect(id, &parsed, expected) else {
             for fault in self.faults.split_off(before) {
                 let fault = self.with_origins(fault, &parsed);
+                let fault = match (formula, &parsed, expected.dimensions) {
+                    (Formula::Code(code), Parsed::Expr(expr), &[wanted])
+                        if fault.rule == Rule::E0407 && expr.as_literal().is_some() =>
+                    {
+                        with_unit(fault, &code.text, &code.base, wanted)
+                    }
+                    _ => fault,
+                };
                 self.faults.push(fault);
             }
             return None;
         };
-        Some((id, parsed))
+        Some((expected_id, parsed))
     }
 
     /// A unit mismatch with the declarations of the names in the formula.
@@ -225,8 +291,14 @@ impl Context<'_> {
         if fault.rule != Rule::E0407 {
             return fault;
         }
+        let inside = |place: Span| {
+            (fault.span).is_none_or(|span| span.start <= place.start && place.end <= span.end)
+        };
         let names = self.names.used(parsed).into_iter();
-        let names: Vec<String> = names.map(|(name, _)| name.to_owned()).collect();
+        let names: Vec<String> = names
+            .filter(|(_, place)| inside(*place))
+            .map(|(name, _)| name.to_owned())
+            .collect();
         let names = names.iter().map(String::as_str);
         expr::with_origins(&self.names.view(Place::Model), fault, names)
     }

@@ -82,7 +82,14 @@ impl Context<'_> {
                 let meant = nearest(name, known.values.iter().cloned().chain(own));
                 let message = format!("unknown name {}", quoted(name));
                 let fault = Diagnostic::error(Rule::E0301, span, message);
-                let otherwise = || "add it to the arguments of the function".to_owned();
+                let mut inputs = self.spec.inputs.iter();
+                let input = inputs.any(|input| input.name.value == name);
+                let otherwise = || {
+                    match input {
+                    true => "it is an input: inputs act through `gain` of the last block, and no function uses them by name".to_owned(),
+                    false => "add it to the arguments of the function".to_owned(),
+                }
+                };
                 self.faults
                     .push(fault.did_you_mean(span, name, meant, otherwise));
             }

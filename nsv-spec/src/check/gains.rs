@@ -3,7 +3,7 @@
 use super::Context;
 use super::linear;
 use super::numbers::Numbers;
-use crate::diagnostic::{Rule, Span};
+use crate::diagnostic::{Rule, Span, rounded};
 use crate::expr::arena::Shape;
 use crate::model::{ErrorBound, Matrix, NoiseBound, PhiFloor};
 use crate::spec::{self, AutoCode, Code, Formula};
@@ -51,13 +51,21 @@ impl Context<'_> {
             Shape::Scalar => vec![numbers.values[0]; width],
             Shape::Vector(rows) if rows == width => numbers.values,
             shape => {
-                let help = format!("write one number, or a list of {width}");
-                self.fault(
-                    Rule::E0605,
-                    numbers.span,
-                    format!("{what} is {shape}, expected a scalar or a vector of {width}"),
-                    help,
-                );
+                let (message, help) = match width {
+                    1 => (
+                        format!(
+                            "{what} is {shape}, expected one number, as the block has one state"
+                        ),
+                        "write one number".to_owned(),
+                    ),
+                    _ => (
+                        format!(
+                            "{what} is {shape}, expected a scalar or a vector of {width}, one number for each state"
+                        ),
+                        format!("write one number for all states, or a list of {width}"),
+                    ),
+                };
+                self.fault(Rule::E0605, numbers.span, message, help);
                 return None;
             }
         };
@@ -67,7 +75,8 @@ impl Context<'_> {
             } else {
                 format!("entry {} of {what}", channel + 1)
             };
-            self.positive(gain, numbers.span, &what)?;
+            let place = numbers.places.get(channel).copied();
+            self.positive(gain, place.unwrap_or(numbers.span), &what)?;
         }
         Some(gains)
     }
@@ -83,9 +92,23 @@ impl Context<'_> {
                 return Some(numbers.matrix());
             }
             shape => {
-                let help =
-                    format!("write one number, a diagonal of {width}, or {width} rows of {width}");
-                self.fault(Rule::E0605, numbers.span, format!("{what} is {shape}, expected a scalar, a vector of {width} or a {width} x {width} matrix"), help);
+                let (message, help) = match width {
+                    1 => (
+                        format!(
+                            "{what} is {shape}, expected one number, as the block has one state"
+                        ),
+                        "write one number".to_owned(),
+                    ),
+                    _ => (
+                        format!(
+                            "{what} is {shape}, expected a scalar, a vector of {width} or a {width} x {width} matrix"
+                        ),
+                        format!(
+                            "write one number, a diagonal of {width}, or {width} rows of {width}"
+                        ),
+                    ),
+                };
+                self.fault(Rule::E0605, numbers.span, message, help);
                 return None;
             }
         };
@@ -107,9 +130,9 @@ impl Context<'_> {
         what: &str,
         dimension: Dimension,
     ) -> Option<Numbers> {
-        let numbers = self.numbers(formula)?;
-        for &found in &numbers.dimensions {
-            self.check_gain_unit(found, numbers.span, what, dimension)?;
+        let numbers = self.numbers_for(formula, what)?;
+        for (&found, &place) in numbers.dimensions.iter().zip(&numbers.places) {
+            self.check_gain_unit(found, place, what, dimension)?;
         }
         Some(numbers)
     }
@@ -121,15 +144,20 @@ impl Context<'_> {
         match linear::least_symmetric_eigenvalue(&c) {
             Some(least) if least > 0.0 => Some(c),
             Some(least) => {
-                let message = format!(
-                    "{what} is not positive definite: its symmetric part has the eigenvalue {least:.4}"
-                );
-                self.fault(
-                    Rule::E0608,
-                    formula.span(),
-                    message,
-                    "choose positive diagonal entries that dominate the others",
-                );
+                let (message, help) = match c.data.as_slice() {
+                    [only] => (
+                        format!("{what} is {}, expected more than 0", rounded(*only)),
+                        "write a positive number",
+                    ),
+                    _ => (
+                        format!(
+                            "{what} is not positive definite: its symmetric part has the eigenvalue {}",
+                            rounded(least)
+                        ),
+                        "choose positive diagonal entries that dominate the others",
+                    ),
+                };
+                self.fault(Rule::E0608, formula.span(), message, help);
                 None
             }
             None => {

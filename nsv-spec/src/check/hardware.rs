@@ -3,7 +3,7 @@
 use super::Context;
 use super::dispersion::Dispersed;
 use super::plant::SECOND;
-use crate::diagnostic::{Rule, Span};
+use crate::diagnostic::{Rule, Span, rounded};
 use crate::model::{Actuator, Effect, Fault, Scenario, Sensor};
 use crate::spec::{self, Bias, Code};
 use crate::unit::Dimension;
@@ -148,10 +148,15 @@ impl Context<'_> {
             let whole = steps.round();
             if (steps - whole).abs() > ROUNDING || whole > MAX_DELAY {
                 let message = format!(
-                    "delay of input `{input}` is {steps} plant steps, expected a whole number up to {MAX_DELAY}"
+                    "delay of input `{input}` is {} plant steps, expected a whole number up to {MAX_DELAY}",
+                    rounded(steps)
                 );
-                let help =
-                    format!("a plant step takes {step} s: the sample time divided by `substeps`");
+                let nearest = whole.min(MAX_DELAY) * step;
+                let help = format!(
+                    "a plant step takes {} s, the sample time divided by `substeps`: the nearest delay is {} s",
+                    rounded(step),
+                    rounded(nearest)
+                );
                 self.fault(Rule::E0613, span, message, help);
             }
         }

@@ -1,6 +1,7 @@
 //! Checks a specification and makes the model. Each file is one guarantee; this one lists them in order.
 
 mod angles;
+mod arguments;
 mod constants;
 mod constraint;
 mod controller;
@@ -23,6 +24,7 @@ mod linear;
 mod names;
 mod network;
 mod noise;
+mod nonfinite;
 mod numbers;
 mod observer;
 mod pairing;
@@ -55,13 +57,14 @@ pub(crate) fn check(
     sources: &SourceMap,
     hash: String,
 ) -> Result<(Model, Vec<Diagnostic>), Vec<Diagnostic>> {
-    let mut context = Context::new(spec);
-    let model = context.model(sources, hash);
+    let mut context = Context::new(spec, sources);
+    let model = context.model(hash);
     if let Some(model) = &model
         && context.faults.is_empty()
     {
         context.check_initial(model);
         context.warn_of_unused();
+        context.warn_of_unused_arguments();
     }
     match model {
         Some(model) if context.faults.is_empty() => Ok((model, context.warnings)),
@@ -78,6 +81,7 @@ pub(crate) fn check(
 /// What is known of the specification so far. A declaration with a fault is `None`; its users stay silent.
 struct Context<'a> {
     spec: &'a Spec,
+    sources: &'a SourceMap,
     faults: Vec<Diagnostic>,
     warnings: Vec<Diagnostic>,
     defaults: Vec<String>,
@@ -98,7 +102,7 @@ struct Context<'a> {
 }
 
 impl<'a> Context<'a> {
-    fn new(spec: &'a Spec) -> Self {
+    fn new(spec: &'a Spec, sources: &'a SourceMap) -> Self {
         let mut names = Names::default();
         names.define(
             "t",
@@ -110,6 +114,7 @@ impl<'a> Context<'a> {
         );
         Context {
             spec,
+            sources,
             faults: Vec::new(),
             warnings: Vec::new(),
             defaults: Vec::new(),
@@ -127,10 +132,10 @@ impl<'a> Context<'a> {
     }
 
     /// Every check that needs no numbers of the whole model, in order.
-    fn model(&mut self, sources: &SourceMap, hash: String) -> Option<Model> {
+    fn model(&mut self, hash: String) -> Option<Model> {
         self.check_names();
         self.check_polynomials();
-        self.check_tables(sources);
+        self.check_tables();
         self.check_functions();
         self.check_constants();
         self.check_parameters();
@@ -163,7 +168,7 @@ impl<'a> Context<'a> {
         Some(Model {
             name: self.spec.name.value.clone(),
             title: self.title(),
-            sources: sources.clone(),
+            sources: self.sources.clone(),
             hash,
             exprs: self.arena.clone(),
             constants: self.constants.iter().cloned().collect::<Option<_>>()?,

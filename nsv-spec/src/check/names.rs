@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::Context;
-use crate::diagnostic::{Applicability, Diagnostic, Rule, Span};
-use crate::expr::{CONSTANTS, is_reserved};
+use crate::diagnostic::{Applicability, Diagnostic, Rule, Span, a};
+use crate::expr::{CONSTANTS, entries, is_reserved};
 use crate::spec::{Named, Word};
 use crate::yaml::excerpt;
 
@@ -70,7 +70,7 @@ const MODULES: [&str; 8] = [
 
 /// What a name is used for, which decides what it may collide with.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Use {
+pub(super) enum Use {
     /// A constant, which is written by value, or a label: it meets no emitted name.
     Label,
     /// Becomes a name in the emitted code.
@@ -177,7 +177,7 @@ impl Context<'_> {
     }
 
     /// Checks the names of one kind and adds them to `declared`.
-    fn declare<'a>(
+    pub(super) fn declare<'a>(
         &mut self,
         declared: &mut BTreeMap<String, (Span, &'a str)>,
         names: impl Iterator<Item = &'a Word>,
@@ -199,7 +199,10 @@ impl Context<'_> {
                 continue;
             }
             declared.insert(name.value.clone(), (name.span, noun));
-            if matches!(noun, "constant" | "parameter" | "state" | "definition") {
+            if matches!(
+                noun,
+                "constant" | "parameter" | "state" | "definition" | "input"
+            ) {
                 self.names.declare(&name.value, name.span, noun);
             }
         }
@@ -232,11 +235,26 @@ impl Context<'_> {
                 format!("write `{shown}_`, or better a longer name"),
             );
         } else if is_reserved(text) {
-            let message = format!("{noun} `{shown}` shadows a word of the expression language");
-            let help = match CONSTANTS.iter().any(|constant| constant.name == text) {
-                true => "leave it out, since the language has it, or choose another name",
-                false => "choose another name",
+            let (what, help) = match CONSTANTS.iter().find(|constant| constant.name == text) {
+                Some(constant) => (
+                    format!("a constant of the language, {}", constant.value),
+                    match noun == "constant" && self.spec.constants.len() == 1 {
+                        true => {
+                            "remove it with the `constants` around it, since the language has it, or choose another name"
+                        }
+                        false => "remove it, since the language has it, or choose another name",
+                    },
+                ),
+                None if entries().any(|entry| entry.name == text) => (
+                    "a function of the language".to_owned(),
+                    "choose another name",
+                ),
+                None => (
+                    "something in the language".to_owned(),
+                    "choose another name",
+                ),
             };
+            let message = format!("{noun} `{shown}` has the name of {what}");
             self.fault(Rule::E0111, name.span, message, help);
         } else if usage == Use::Emitted && reserved(text) {
             let message = format!("{noun} `{shown}` is the name of a quantity of the control law");
@@ -250,30 +268,6 @@ impl Context<'_> {
             return true;
         }
         false
-    }
-
-    /// Arguments of functions: none twice, and none that hides another name.
-    fn check_arguments(&mut self, declared: &BTreeMap<String, (Span, &str)>) {
-        let spec = self.spec;
-        for function in &spec.functions {
-            let arguments = &function.value.arguments;
-            self.declare(
-                &mut BTreeMap::new(),
-                arguments.iter(),
-                "argument",
-                Use::Label,
-            );
-            for name in arguments {
-                let Some((span, noun)) = declared.get(&name.value) else {
-                    continue;
-                };
-                let message = format!("argument `{}` has the name of {}", name.value, a(noun));
-                let fault = Diagnostic::error(Rule::E0113, name.span, message)
-                    .with_related(*span, format!("the {noun} is declared here"));
-                self.faults
-                    .push(fault.with_help("give the argument another name"));
-            }
-        }
     }
 
     /// Groups, parts and arguments of polynomial data; `CL.alpha` is emitted as `CL_alpha`.
@@ -319,12 +313,6 @@ fn reserved(name: &str) -> bool {
     let numbered =
         stem.len() < name.strip_suffix("_dot").unwrap_or(name).len() && NUMBERED.contains(&stem);
     numbered || EMITTED.contains(&name)
-}
-
-/// A noun with its article.
-fn a(noun: &str) -> String {
-    let vowel = noun.starts_with(['a', 'e', 'i', 'o']);
-    format!("{} {noun}", if vowel { "an" } else { "a" })
 }
 
 fn words<T>(all: &[Named<T>]) -> impl Iterator<Item = &Word> {

@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::scope::Place;
-use crate::diagnostic::{Rule, Span};
+use crate::diagnostic::{Rule, Span, counted};
 use crate::expr::Expected;
 use crate::expr::arena::{ExprId, Node, Shape};
 use crate::model::{Basis, Network};
@@ -11,6 +11,8 @@ use crate::unit::Dimension;
 
 /// Most basis functions of a network.
 pub(super) const MAX_NODES: u128 = 2000;
+/// Number of nodes from which on a message does not tell it.
+const COUNTABLE: u128 = 1_000_000;
 
 /// Number of basis functions; saturates, so that no order and no number of inputs is too large to ask.
 fn node_count(basis: Basis, inputs: usize, order: u64) -> u128 {
@@ -27,16 +29,21 @@ fn node_count(basis: Basis, inputs: usize, order: u64) -> u128 {
         }
         // C(inputs + order, inputs), one factor at a time; each partial product is a binomial coefficient itself
         Basis::Complete => {
-            let mut count: u128 = 1;
-            for factor in 1..=inputs {
-                count = count.saturating_mul(order.saturating_add(factor)) / factor;
-                if count > MAX_NODES {
-                    break;
-                }
-            }
-            count
+            let mut factors = 1..=inputs;
+            let grown = factors.try_fold(1_u128, |count, factor| {
+                let product = count.checked_mul(order.checked_add(factor)?)?;
+                Some(product / factor)
+            });
+            grown.unwrap_or(u128::MAX)
         }
     }
+}
+
+/// The largest order whose network is small enough; 0 if none is.
+fn largest_order(basis: Basis, inputs: usize) -> u64 {
+    let fits = |order: &u64| node_count(basis, inputs, *order) <= MAX_NODES;
+    // With one input an order has one node more than the one before.
+    (1..=MAX_NODES as u64).take_while(fits).last().unwrap_or(0)
 }
 
 impl Context<'_> {
@@ -109,17 +116,20 @@ impl Context<'_> {
         }
         let nodes = node_count(basis, network.inputs.len(), order.value);
         if nodes > MAX_NODES {
+            let inputs = counted(network.inputs.len(), "input");
+            let nodes = match nodes {
+                ..COUNTABLE => nodes.to_string(),
+                _ => format!("more than {COUNTABLE}"),
+            };
             let message = format!(
-                "network of order {} with {} inputs has too many nodes, expected at most {MAX_NODES}",
-                order.value,
-                network.inputs.len()
+                "network of order {} with {inputs} has {nodes} nodes, expected at most {MAX_NODES}",
+                order.value
             );
-            self.fault(
-                Rule::E0609,
-                order.span,
-                message,
-                "lower the order or drop inputs",
-            );
+            let help = match largest_order(basis, network.inputs.len()) {
+                0 => "drop inputs: so many are too many for any order".to_owned(),
+                most => format!("with {inputs} the order may be {most} at most; 2 to 4 is usual"),
+            };
+            self.fault(Rule::E0609, order.span, message, help);
             return None;
         }
         u32::try_from(order.value).ok()
@@ -136,7 +146,7 @@ impl Context<'_> {
         );
         let id = self.expect(
             id,
-            parsed.span(),
+            &parsed,
             &Expected {
                 what: &what,
                 shape: Shape::Scalar,
@@ -172,10 +182,11 @@ impl Context<'_> {
             ),
             Shape::Vector(rows) if rows == inputs.len() => (numbers.values, numbers.dimensions),
             shape => {
-                let message = format!(
-                    "{what} is {shape}, expected a scalar or a vector of {}",
-                    inputs.len()
-                );
+                let expected = match inputs.len() {
+                    1 => "one number, as there is one input".to_owned(),
+                    count => format!("a scalar or a vector of {count}"),
+                };
+                let message = format!("{what} is {shape}, expected {expected}");
                 self.fault(
                     Rule::E0605,
                     numbers.span,
@@ -185,9 +196,10 @@ impl Context<'_> {
                 return None;
             }
         };
-        for ((&value, &found), (_, dimension)) in values.iter().zip(&dimensions).zip(inputs) {
-            self.check_gain_unit(found, numbers.span, &what, *dimension)?;
-            self.positive(value, numbers.span, &what)?;
+        for (at, (&value, (_, dimension))) in values.iter().zip(inputs).enumerate() {
+            let place = numbers.places.get(at).copied().unwrap_or(numbers.span);
+            self.check_gain_unit(dimensions[at], place, &what, *dimension)?;
+            self.positive(value, place, &what)?;
         }
         Some(values)
     }
@@ -226,6 +238,14 @@ mod tests {
         assert_eq!(node_count(Basis::Pairwise, 1, 5), 6);
         assert_eq!(node_count(Basis::Complete, 1, 5), 6);
         assert_eq!(node_count(Basis::Pairwise, 12, 30), 1 + 12 * 30 + 66 * 435);
+    }
+
+    #[test]
+    fn the_largest_order_is_the_last_that_fits() {
+        assert_eq!(largest_order(Basis::Pairwise, 1), 1999);
+        assert_eq!(largest_order(Basis::Pairwise, 2), 61);
+        assert_eq!(largest_order(Basis::Complete, 2), 61);
+        assert_eq!(largest_order(Basis::Pairwise, 4000), 0);
     }
 
     #[test]

@@ -3,8 +3,9 @@
 use super::Context;
 use super::formula::Parsed;
 use super::scope::Place;
-use crate::diagnostic::{Rule, Span};
+use crate::diagnostic::{Applicability, Base, Diagnostic, Rule, Span, rounded};
 use crate::expr::arena::{Shape, Type};
+use crate::expr::{self, shown};
 use crate::model::Matrix;
 use crate::spec::{Code, Formula};
 use crate::unit::Dimension;
@@ -20,6 +21,8 @@ pub(super) struct Numbers {
     pub(super) dimensions: Vec<Dimension>,
     /// Where it is written.
     pub(super) span: Span,
+    /// Where each entry is.
+    pub(super) places: Vec<Span>,
 }
 
 impl Numbers {
@@ -41,6 +44,14 @@ impl Context<'_> {
         self.numbers_of(&parsed)
     }
 
+    /// The same for a place with a name, which messages tell.
+    pub(super) fn numbers_for(&mut self, formula: &Formula, what: &str) -> Option<Numbers> {
+        self.names.subject = Some(what.to_owned());
+        let numbers = self.numbers(formula);
+        self.names.subject = None;
+        numbers
+    }
+
     /// The numbers of a parsed constant formula, all finite.
     pub(super) fn numbers_of(&mut self, parsed: &Parsed) -> Option<Numbers> {
         let id = self.elaborate(parsed, Place::Constant)?;
@@ -56,12 +67,11 @@ impl Context<'_> {
         };
         let values = self.evaluate_constant(id);
         if let Some(value) = values.iter().find(|value| !value.is_finite()) {
-            self.fault(
-                Rule::E0603,
-                span,
-                format!("value is {value}, expected a finite number"),
-                "look for a division by zero or a root of a negative number",
-            );
+            let message = format!("value is {value}, expected a finite number");
+            let fault = Diagnostic::error(Rule::E0603, span, message)
+                .with_help("look for a division by zero or a root of a negative number");
+            let fault = self.with_operation(fault, parsed, None);
+            self.faults.push(fault);
             return None;
         }
         let dimensions = dimensions.into_iter().map(Dimension::or_one).collect();
@@ -70,6 +80,7 @@ impl Context<'_> {
             values,
             dimensions,
             span,
+            places: parsed.places(shape),
         })
     }
 
@@ -84,13 +95,7 @@ impl Context<'_> {
         if found == dimension || value == 0.0 && found == Dimension::ONE {
             return Some(value);
         }
-        self.unit_mismatch(
-            code.base.span,
-            what,
-            found,
-            dimension,
-            written_in(dimension),
-        );
+        self.code_mismatch(code, what, found, dimension);
         None
     }
 
@@ -119,6 +124,21 @@ impl Context<'_> {
         None
     }
 
+    /// Reports a quantity of a wrong unit.
+    pub(super) fn code_mismatch(
+        &mut self,
+        code: &Code,
+        what: &str,
+        found: Dimension,
+        expected: Dimension,
+    ) {
+        self.unit_mismatch(code.base.span, what, found, expected, written_in(expected));
+        if let Some(fault) = self.faults.pop() {
+            self.faults
+                .push(with_unit(fault, &code.text, &code.base, expected));
+        }
+    }
+
     pub(super) fn unit_mismatch(
         &mut self,
         span: Span,
@@ -127,24 +147,17 @@ impl Context<'_> {
         expected: Dimension,
         help: impl Into<String>,
     ) {
-        let pure = |dimension, otherwise: String| {
-            if dimension == Dimension::ONE {
-                "a pure number".into()
-            } else {
-                otherwise
-            }
-        };
-        let (found, expected) = (
-            pure(found, format!("in {found}")),
-            pure(expected, expected.to_string()),
+        let message = format!(
+            "unit mismatch: {what} is {}, expected {}",
+            found.in_words(),
+            shown(expected)
         );
-        let message = format!("unit mismatch: {what} is {found}, expected {expected}");
         self.fault(Rule::E0604, span, message, help);
     }
 
     /// A constant scalar with its dimension.
     pub(super) fn scalar(&mut self, code: &Code, what: &str) -> Option<(f64, Dimension)> {
-        let numbers = self.numbers(&Formula::Code(code.clone()))?;
+        let numbers = self.numbers_for(&Formula::Code(code.clone()), what)?;
         if numbers.shape != Shape::Scalar {
             self.fault(
                 Rule::E0605,
@@ -163,6 +176,43 @@ pub(super) fn written_in(dimension: Dimension) -> String {
     if dimension == Dimension::ONE {
         "write it without a unit".into()
     } else {
-        format!("write it with its unit, as in `5 {dimension}`")
+        format!("write it with its unit, as in `1 {dimension}`")
+    }
+}
+
+/// The fault of a number of a wrong unit, whose remedy shows the number that is written with the unit that is expected. A bare
+/// number is changed so; of one with another unit nobody knows which of the two was meant.
+pub(super) fn with_unit(
+    fault: Diagnostic,
+    text: &str,
+    base: &Base,
+    expected: Dimension,
+) -> Diagnostic {
+    let text = text.trim();
+    let literal = expr::parse(text, base.clone()).is_ok_and(|expr| expr.as_literal().is_some());
+    let digits = text.find(|c: char| c.is_whitespace() || c.is_ascii_alphabetic() && c != 'e');
+    let number = text[..digits.unwrap_or(text.len())].trim();
+    if !literal || number.parse::<f64>().is_err() {
+        return fault;
+    }
+    if expected.is_dimensionless() {
+        return fault.with_help(format!("write it without a unit: `{number}`"));
+    }
+    let change = format!("{number} {expected}");
+    if digits.is_some() {
+        return fault.with_help(format!("write it in {expected}, as in `{change}`"));
+    }
+    let fault = fault.with_help(format!("write it with its unit: `{change}`"));
+    match base.holds(0..text.len()) {
+        true => fault.with_suggestion(base.span, change, Applicability::Possible),
+        false => fault,
+    }
+}
+
+/// A number with its SI unit.
+pub(super) fn in_unit(value: f64, dimension: Dimension) -> String {
+    match dimension.is_dimensionless() {
+        true => rounded(value),
+        false => format!("{} {dimension}", rounded(value)),
     }
 }

@@ -3,7 +3,7 @@
 use super::Context;
 use super::linear::{minus_product, rightmost_eigenvalue};
 use super::numbers::Numbers;
-use crate::diagnostic::Rule;
+use crate::diagnostic::{Rule, rounded};
 use crate::expr::arena::Shape;
 use crate::model::{Disturbance, Exosystem, Matrix};
 use crate::spec::Formula;
@@ -18,57 +18,61 @@ impl Context<'_> {
         block: &str,
     ) -> Option<Matrix> {
         let what = format!("observer of block `{block}`");
-        let (gain, error_dynamics, name) = match disturbance {
+        let (gain, error_dynamics, remedy) = match disturbance {
             Disturbance::None => return None,
             // (20): the estimate follows at the rate S
             Disturbance::Bounded(_) => {
                 let gain = self.square_gain(formula, &what)?;
                 let negative = gain.data.iter().map(|entry| -entry).collect();
-                (
-                    gain.clone(),
-                    Matrix {
-                        data: negative,
-                        ..gain
-                    },
-                    "-S",
-                )
+                let error_dynamics = Matrix {
+                    data: negative,
+                    ..gain
+                };
+                let remedy = match gain.data.len() {
+                    1 => "write a positive number",
+                    _ => {
+                        "write positive numbers on the diagonal that dominate the others: every eigenvalue of `observer` (S) has a positive real part"
+                    }
+                };
+                (gain, error_dynamics, remedy)
             }
             // (49): the error of w_hat follows M - S L
             Disturbance::Exosystem(channels) => {
                 let gain = self.exosystem_gain(formula, channels, &what)?;
                 let (m, l) = block_diagonal(channels);
                 let closed = minus_product(&m, &gain, &l);
-                (gain, closed, "M - S L")
+                let remedy = "choose `observer` (S) so that every eigenvalue of M - S L has a negative real part, with `M` and `L` of the exosystems";
+                (gain, closed, remedy)
             }
         };
-        match rightmost_eigenvalue(&error_dynamics) {
-            Some((re, _)) if re < 0.0 => Some(gain),
-            Some((re, im)) => {
-                let eigenvalue = if im > 0.0 {
-                    format!("{re:.4} +- {im:.4}i")
-                } else {
-                    format!("{re:.4}")
-                };
-                let message =
-                    format!("{what} does not converge: {name} has the eigenvalue {eigenvalue}");
-                self.fault(
-                    Rule::E0707,
-                    formula.span(),
-                    message,
-                    format!("choose S so that every eigenvalue of {name} has a negative real part"),
-                );
-                None
-            }
-            None => {
-                self.fault(
-                    Rule::E0707,
-                    formula.span(),
-                    format!("eigenvalues of {name} of the {what} cannot be computed"),
-                    "scale its entries",
-                );
-                None
-            }
+        let span = formula.span();
+        let Some((re, im)) = rightmost_eigenvalue(&error_dynamics) else {
+            let message = format!("eigenvalues of the error of the {what} cannot be computed");
+            self.fault(Rule::E0707, span, message, "scale its entries");
+            return None;
+        };
+        if re < 0.0 {
+            return Some(gain);
         }
+        let swings = match im > 0.0 {
+            true => format!(", swinging at {} rad/s", rounded(im)),
+            false => String::new(),
+        };
+        let error = match re > 0.0 {
+            true => format!("its error grows as exp({} t){swings}", rounded(re)),
+            false => format!("its error does not decay{swings}"),
+        };
+        let message = match (disturbance, gain.data.as_slice()) {
+            (Disturbance::Bounded(_), [only]) => {
+                format!(
+                    "{what} is {}, expected more than 0: {error}",
+                    rounded(*only)
+                )
+            }
+            _ => format!("{what} does not converge: {error}"),
+        };
+        self.fault(Rule::E0707, span, message, remedy);
+        None
     }
 
     fn exosystem_gain(
@@ -82,6 +86,7 @@ impl Context<'_> {
             values,
             dimensions,
             span,
+            ..
         } = self.numbers(formula)?;
         let rows: usize = channels.iter().map(|channel| channel.m.rows).sum();
         let cols = channels.len();
@@ -92,7 +97,7 @@ impl Context<'_> {
                 Rule::E0605,
                 span,
                 message,
-                "S has a row for each exosystem state and a column for each channel",
+                "`observer` (S) has a row for each exosystem state and a column for each state of the block",
             );
             return None;
         }

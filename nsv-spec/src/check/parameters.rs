@@ -9,7 +9,7 @@ use crate::expr::Symbol;
 use crate::expr::arena::{ParameterId, Type};
 use crate::model::Parameter;
 use crate::spec::{self, Code, Word};
-use crate::suggest::nearest;
+use crate::suggest::{beside, nearest};
 use crate::unit::{Dimension, Unit};
 
 impl Context<'_> {
@@ -101,17 +101,18 @@ impl Context<'_> {
                 .iter()
                 .position(|parameter| parameter.name.value == *name)
             else {
-                let known = spec
-                    .parameters
-                    .iter()
-                    .map(|parameter| &parameter.name.value);
+                let given = |name: &&String| {
+                    let mut given = spec.controller.parameters.iter();
+                    given.any(|design| design.name.value == **name)
+                };
+                let known = || spec.parameters.iter().map(|one| &one.name.value);
                 let message = format!("unknown parameter `{name}`");
                 let fault = Diagnostic::error(Rule::E0116, design.name.span, message);
-                let meant = nearest(name, known);
+                let meant = nearest(name, known().filter(|name| !given(name)));
+                let declare = "declare it under `parameters`";
+                let otherwise = || beside(name, known().filter(given), declare);
                 self.faults
-                    .push(fault.did_you_mean(design.name.span, name, meant, || {
-                        "declare it under `parameters`".into()
-                    }));
+                    .push(fault.did_you_mean(design.name.span, name, meant, otherwise));
                 continue;
             };
             let Some(dimension) = self.parameters[at]

@@ -68,8 +68,12 @@ impl Context<'_> {
         if let Some((_, parsed)) = &gain {
             self.check_feedback(parsed, "gain", at);
         }
-        let disturbance =
-            self.disturbance(written.disturbance.as_ref(), &rates, &what("disturbance"));
+        let disturbance = self.disturbance(
+            written.disturbance.as_ref(),
+            &rates,
+            &reasons,
+            &what("disturbance"),
+        );
         let noise = match &written.noise {
             Some(noise) => self.noise(at, noise, &own).map(Some),
             None => Some(None),
@@ -94,8 +98,8 @@ impl Context<'_> {
 
     /// What each column of G turns into those rates: the states of a block, or the inputs for the index after the last.
     fn column_reasons(&self, block: usize, inputs: Option<&[model::Input]>) -> Vec<(Span, String)> {
-        let reason = |noun: &str, name: &str, dimension, span| {
-            (span, format!("{noun} `{name}` is {}", in_unit(dimension)))
+        let reason = |noun: &str, name: &str, dimension: Dimension, span| {
+            (span, format!("{noun} `{name}` is {}", dimension.in_words()))
         };
         match (self.states.get(block), inputs) {
             (Some(states), _) => {
@@ -161,19 +165,18 @@ impl Context<'_> {
     }
 }
 
+/// What the dimension of a function of time follows from.
+pub(super) fn state_reason(state: &Word, dimension: Dimension) -> (Span, String) {
+    let reason = format!("state `{}` is {}", state.value, dimension.in_words());
+    (state.span, reason)
+}
+
 /// What the dimension of a state's rate follows from.
 pub(super) fn rate_reason(state: &Word, dimension: Dimension) -> (Span, String) {
     let reason = format!(
         "state `{}` is {}, its rate is that per second",
         state.value,
-        in_unit(dimension)
+        dimension.in_words()
     );
     (state.span, reason)
-}
-
-fn in_unit(dimension: Dimension) -> String {
-    match dimension == Dimension::ONE {
-        true => "a pure number".to_owned(),
-        false => format!("in {dimension}"),
-    }
 }

@@ -2,6 +2,7 @@
 
 use super::Context;
 use super::pairing::{Pairing, pair};
+use super::plant::state_reason;
 use crate::diagnostic::{Diagnostic, Rule};
 use crate::expr::Expected;
 use crate::expr::arena::{ExprId, Shape};
@@ -71,8 +72,8 @@ impl Context<'_> {
         formula: &Formula,
         dimension: Dimension,
     ) -> Option<ExprId> {
-        let name = &self.spec.blocks[0].value.states[channel].name.value;
-        let what = format!("reference of `{name}`");
+        let state = &self.spec.blocks[0].value.states[channel].name;
+        let what = format!("reference of `{}`", state.value);
         self.check_degrees_of((0, channel), &what, formula);
         let (id, parsed) = self.formula(
             formula,
@@ -80,7 +81,7 @@ impl Context<'_> {
                 what: &what,
                 shape: Shape::Scalar,
                 dimensions: &[dimension],
-                reasons: &[],
+                reasons: &[state_reason(state, dimension)],
                 columns: &[],
             },
         )?;

@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::plant::SECOND;
-use crate::diagnostic::{Rule, Span};
+use crate::diagnostic::{Rule, Span, rounded};
 use crate::model::{MAX_STEPS, NoiseModel, Scenario, Scheme};
 use crate::spec::{self, Located};
 
@@ -24,7 +24,7 @@ impl Context<'_> {
             Rule::E0602,
             code.base.span,
             format!("sample time is {value} s, expected {least} s to {largest} s"),
-            "write it with its unit, as in `2 ms`",
+            "it is the time from one step of the controller to the next, mostly some milliseconds: `2 ms`",
         );
         None
     }
@@ -77,7 +77,10 @@ impl Context<'_> {
                 Rule::E0602,
                 span,
                 format!("a run has {steps:.1e} steps, expected at most {MAX_STEPS:.0e}"),
-                "shorten the horizon or lengthen the sample time",
+                format!(
+                    "with this sample time the horizon may be {} s at most",
+                    rounded(MAX_STEPS * sample_time / substeps as f64)
+                ),
             );
             return None;
         }
@@ -184,8 +187,11 @@ impl Context<'_> {
         self.fault(
             Rule::E0602,
             span,
-            format!("{key} is {value}, expected {least} to {largest}"),
-            "choose a number in this range",
+            format!("`{key}` is {value}, expected {least} to {largest}"),
+            match key {
+                "substeps" => "it is the number of plant steps per sample: 1 to 4 mostly suffice",
+                _ => "choose a number in this range",
+            },
         );
         None
     }

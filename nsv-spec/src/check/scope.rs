@@ -56,10 +56,14 @@ pub(super) struct Names {
     symbols: BTreeMap<String, (Symbol, Dependence)>,
     refused: BTreeSet<String>,
     origins: BTreeMap<String, Origin>,
+    /// Names that nothing else has, of what no expression may name; with the reason.
+    unusable: BTreeMap<String, String>,
     /// How many suggestions have been asked for.
     asked: Cell<usize>,
     /// What each function uses beside its arguments, in the functions that it calls too.
     uses: BTreeMap<String, BTreeSet<String>>,
+    /// What is being computed, if it has a name.
+    pub(super) subject: Option<String>,
     /// How much calls and loops have inserted.
     inserted: usize,
     /// Polynomial data, derivatives that expressions ask for at the end.
@@ -77,6 +81,16 @@ impl Names {
             uses: Vec::new(),
         };
         self.origins.insert(name.into(), origin);
+    }
+
+    /// What a name stands for.
+    pub(super) fn symbol(&self, name: &str) -> Option<&Symbol> {
+        self.symbols.get(name).map(|(symbol, _)| symbol)
+    }
+
+    /// Where a name is declared; `None` for those of the language.
+    pub(super) fn origin_of(&self, name: &str) -> Option<&Origin> {
+        self.origins.get(name)
     }
 
     /// Tells which names a declared one is defined by.
@@ -101,6 +115,11 @@ impl Names {
         self.refused.insert(name.into());
         self.symbols
             .insert(name.into(), (Symbol::Faulty, Dependence::default()));
+    }
+
+    /// Declares a name that no expression may use, unless it means something else.
+    pub(super) fn forbid(&mut self, name: &str, why: impl Into<String>) {
+        self.unusable.insert(name.into(), why.into());
     }
 
     /// Declares what a function uses.
@@ -149,14 +168,17 @@ impl View<'_> {
 
 impl Scope for View<'_> {
     fn resolve(&self, name: &str) -> Option<Symbol> {
-        let (symbol, _) = self.names.symbols.get(name)?;
+        let Some((symbol, _)) = self.names.symbols.get(name) else {
+            let why = self.names.unusable.get(name)?;
+            return Some(Symbol::Unavailable(why.clone()));
+        };
         if self.visible(symbol) {
             return Some(symbol.clone());
         }
-        Some(Symbol::Unavailable(
-            "this number must be known when the code is generated: it may use constants only"
-                .into(),
-        ))
+        let what = self.names.subject.as_deref().unwrap_or("this number");
+        Some(Symbol::Unavailable(format!(
+            "{what} must be known when the code is generated: it may use constants only"
+        )))
     }
 
     fn names(&self) -> Vec<String> {

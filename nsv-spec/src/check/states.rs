@@ -2,8 +2,9 @@
 
 use super::Context;
 use super::dispersion::Dispersed;
+use super::numbers::in_unit;
 use super::scope::Dependence;
-use crate::diagnostic::Rule;
+use crate::diagnostic::{Diagnostic, Rule};
 use crate::expr::Symbol;
 use crate::model;
 use crate::spec::{self, Named, Word};
@@ -109,10 +110,25 @@ impl Context<'_> {
             .iter()
             .map(|input| self.input(&input.name, &input.value))
             .collect();
-        if spec.truth.is_some() {
-            self.name_inputs(&inputs);
+        match spec.truth {
+            Some(_) => self.name_inputs(&inputs),
+            None => self.forbid_inputs(),
         }
         inputs.into_iter().collect()
+    }
+
+    /// Without a flown plant of its own, no expression uses an input by name.
+    fn forbid_inputs(&mut self) {
+        let Some(last) = self.spec.blocks.last() else {
+            return;
+        };
+        let why = format!(
+            "leave it out: inputs act through `gain` of the last block, `{}`, which multiplies them",
+            last.name.value
+        );
+        for input in &self.spec.inputs {
+            self.names.forbid(&input.name.value, why.as_str());
+        }
     }
 
     /// Rates of the flown plant use the inputs by name.
@@ -150,16 +166,17 @@ impl Context<'_> {
             }
         };
         if safe.abs() > limit {
+            let most = in_unit(limit, dimension);
             let message = format!(
-                "safe value of input `{}` is {safe}, beyond its limit {limit}",
-                name.value
+                "safe value of input `{}` is {}, beyond its limit {most}",
+                name.value,
+                in_unit(safe, dimension)
             );
-            self.fault(
-                Rule::E0602,
-                written.safe.as_ref().map_or(span, |code| code.base.span),
-                message,
-                "choose a value within the limit",
-            );
+            let place = written.safe.as_ref().map_or(span, |code| code.base.span);
+            let fault = Diagnostic::error(Rule::E0602, place, message)
+                .with_related(span, "the limit")
+                .with_help(format!("choose a value from -{most} to {most}"));
+            self.faults.push(fault);
             return None;
         }
         let actuator = match &written.actuator {

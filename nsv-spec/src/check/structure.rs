@@ -3,31 +3,77 @@
 
 use super::Context;
 use super::formula::Parsed;
-use crate::diagnostic::{Rule, Span};
+use super::scope::Dependence;
+use crate::diagnostic::{Diagnostic, Rule, Span};
+use crate::spec::{Named, PlantBlock};
+
+/// Most definitions that are shown on the way to what they depend on.
+const MOST: usize = 4;
 
 impl Context<'_> {
     /// F, G, H or a network input of a block.
     pub(super) fn check_feedback(&mut self, parsed: &Parsed, what: &str, block: usize) {
-        let spec = self.spec;
-        let own = &spec.blocks[block].name.value;
-        self.check_design(parsed, &format!("{what} of block `{own}`"));
+        let own = &self.spec.blocks[block].name.value;
+        let what = format!("{what} of block `{own}`");
+        self.check_design(parsed, &what);
         for (name, span) in self.used(parsed) {
             let dependence = self.names.dependence(&name);
             if dependence.time {
-                let message = format!("{what} of block `{own}` depends on time through `{name}`");
-                self.fault(Rule::E0702, span, message, "the plant is time-invariant: put functions of time into `disturbance` or `reference`");
+                let message = match name.as_str() {
+                    "t" => format!("{what} depends on time"),
+                    _ => format!("{what} depends on time through `{name}`"),
+                };
+                let fault = Diagnostic::error(Rule::E0702, span, message).with_help("the plant is time-invariant: put functions of time into `disturbance` or `reference`");
+                let fault = self.traced(fault, &name, |dependence| dependence.time);
+                self.faults.push(fault);
             }
             if let Some(inner) = dependence.block.filter(|&inner| inner > block) {
-                let inner = &spec.blocks[inner].name.value;
-                let message = format!(
-                    "{what} of block `{own}` depends on the states of inner block `{inner}` through `{name}`"
-                );
-                let help = format!(
-                    "it may depend on the states of `{own}` and of blocks before it; inner states act through `gain` only"
-                );
-                self.fault(Rule::E0701, span, message, help);
+                let fault = self.inner_state(&what, block, &name, inner, span);
+                self.faults.push(fault);
             }
         }
+    }
+
+    /// The fault of dynamics that depend on the states of a later block.
+    fn inner_state(
+        &self,
+        what: &str,
+        block: usize,
+        name: &str,
+        inner: usize,
+        span: Span,
+    ) -> Diagnostic {
+        let blocks = &self.spec.blocks;
+        let block_name = |at: usize| &blocks[at].name.value;
+        let message = match self.is_state(name) {
+            true => format!(
+                "{what} depends on the state `{name}` of inner block `{}`",
+                block_name(inner)
+            ),
+            false => format!(
+                "{what} depends on the states of inner block `{}` through `{name}`",
+                block_name(inner)
+            ),
+        };
+        let own = match block {
+            0 => format!("the states of `{}`", block_name(block)),
+            _ => format!(
+                "the states of `{}` and of blocks before it",
+                block_name(block)
+            ),
+        };
+        let acts = match self.is_state(name) {
+            true => format!("leave `{name}` out: it acts"),
+            false => "inner states act".to_owned(),
+        };
+        let help = format!(
+            "{acts} through `gain` of block `{}`, which multiplies it already; only {own} may stand here",
+            block_name(inner - 1)
+        );
+        let fault = Diagnostic::error(Rule::E0701, span, message).with_help(help);
+        self.traced(fault, name, |dependence| {
+            dependence.block.is_some_and(|at| at > block)
+        })
     }
 
     /// The controller is designed on the blocks and knows nothing of the further states of the flown plant.
@@ -35,12 +81,11 @@ impl Context<'_> {
         for (name, span) in self.used(parsed) {
             if self.names.dependence(&name).truth {
                 let message = format!("{what} depends on the flown plant through `{name}`");
-                self.fault(
-                    Rule::E0710,
-                    span,
-                    message,
+                let fault = Diagnostic::error(Rule::E0710, span, message).with_help(
                     "inputs and states of `truth` may stand in its `rates` only: the controller is designed on the blocks",
                 );
+                let fault = self.traced(fault, &name, |dependence| dependence.truth);
+                self.faults.push(fault);
             }
         }
     }
@@ -52,20 +97,64 @@ impl Context<'_> {
 
     /// A signal given as a function of time.
     pub(super) fn check_signal(&mut self, parsed: &Parsed, what: &str) {
-        let spec = self.spec;
         self.check_design(parsed, what);
         for (name, span) in self.used(parsed) {
-            if let Some(block) = self.names.dependence(&name).block {
-                let block = &spec.blocks[block].name.value;
-                let message =
-                    format!("{what} depends on the states of block `{block}` through `{name}`");
-                self.fault(
-                    Rule::E0703,
-                    span,
-                    message,
-                    "it may depend on `t`, constants and parameters only",
-                );
+            let Some(block) = self.names.dependence(&name).block else {
+                continue;
+            };
+            let message = match self.is_state(&name) {
+                true => format!("{what} depends on the state `{name}`"),
+                false => {
+                    let block = &self.spec.blocks[block].name.value;
+                    format!("{what} depends on the states of block `{block}` through `{name}`")
+                }
+            };
+            let fault = Diagnostic::error(Rule::E0703, span, message)
+                .with_help("it may depend on `t`, constants and parameters only");
+            let fault = self.traced(fault, &name, |dependence| dependence.block.is_some());
+            self.faults.push(fault);
+        }
+    }
+
+    fn is_state(&self, name: &str) -> bool {
+        let origin = self.names.origin_of(name);
+        origin.is_some_and(|origin| origin.noun == "state")
+    }
+
+    /// The fault with the declaration of a name, and of what its definition takes the dependence from, one after the other.
+    fn traced(
+        &self,
+        mut fault: Diagnostic,
+        name: &str,
+        depends: impl Fn(Dependence) -> bool,
+    ) -> Diagnostic {
+        let mut name = name.to_owned();
+        for _ in 0..MOST {
+            let Some(origin) = self.names.origin_of(&name) else {
+                break;
+            };
+            let next = (origin.uses.iter()).find(|used| depends(self.names.dependence(used)));
+            let label = match (next, self.block_of(&name)) {
+                (Some(next), _) => format!("{} `{name}` uses `{next}`", origin.noun),
+                (None, Some(block)) => format!("`{name}` is a state of block `{block}`"),
+                (None, None) => format!("{} `{name}` is declared here", origin.noun),
+            };
+            fault = fault.with_related(origin.span, label);
+            match next {
+                Some(next) => name = next.clone(),
+                None => break,
             }
         }
+        fault
+    }
+
+    /// The block that has a state.
+    fn block_of(&self, name: &str) -> Option<&str> {
+        let has = |block: &&Named<PlantBlock>| {
+            let mut states = block.value.states.iter();
+            states.any(|state| state.name.value == name)
+        };
+        let block = self.spec.blocks.iter().find(has)?;
+        Some(&block.name.value)
     }
 }

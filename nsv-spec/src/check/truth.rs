@@ -7,7 +7,7 @@ use crate::expr::Expected;
 use crate::expr::arena::{ExprId, Shape};
 use crate::model::{self, State};
 use crate::spec::{Located, Named, Truth, Word};
-use crate::suggest::nearest;
+use crate::suggest::{beside, nearest};
 use crate::unit::Dimension;
 
 impl Context<'_> {
@@ -80,17 +80,23 @@ impl Context<'_> {
         let states: Vec<&str> = (truth.states.iter().chain(own))
             .map(|state| state.name.value.as_str())
             .collect();
+        // A rate that is meant for a state is not missing besides.
+        let mut meant: Vec<String> = Vec::new();
         for Named { name, .. } in &truth.rates {
             if states.contains(&name.value.as_str()) {
                 continue;
             }
             let message = format!("rate of `{}`, which is no state", name.value);
             let fault = Diagnostic::error(Rule::E0711, name.span, message);
-            let meant = nearest(&name.value, &states);
-            let otherwise =
-                || "declare it under `states` of the truth, with its initial value".into();
+            let given = |state: &&&str| truth.rates.iter().any(|rate| rate.name.value == **state);
+            let open = nearest(&name.value, states.iter().filter(|state| !given(state)));
+            meant.extend(open.iter().map(|meant| meant.name.clone()));
+            let otherwise = || {
+                let declare = "declare it under `states` of the truth, with its initial value";
+                beside(&name.value, states.iter().filter(given), declare)
+            };
             self.faults
-                .push(fault.did_you_mean(name.span, &name.value, meant, otherwise));
+                .push(fault.did_you_mean(name.span, &name.value, open, otherwise));
         }
         for Named { name, value } in &truth.states {
             if value.sensor.is_some() {
@@ -99,7 +105,7 @@ impl Context<'_> {
                 self.fault(Rule::E0713, name.span, message, help);
             }
             let given = truth.rates.iter().any(|rate| rate.name.value == name.value);
-            if !given {
+            if !given && !meant.contains(&name.value) {
                 let message = format!("state `{}` of the truth has no rate", name.value);
                 self.faults.push(
                     Diagnostic::error(Rule::E0712, name.span, message)

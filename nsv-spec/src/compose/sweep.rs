@@ -2,17 +2,21 @@
 
 use super::path::{keys, set};
 use super::setting;
-use crate::diagnostic::{Diagnostic, Rule, SourceMap, Span};
+use crate::diagnostic::{Diagnostic, Rule, SourceMap, Span, counted};
 use crate::yaml::{Entry, Key, Kind, Node, excerpt};
 
 /// Most combinations. Each is compiled and flown.
 pub const MAX_VARIANTS: usize = 100;
+/// Most keys whose numbers of values a message shows, and the number of combinations from which on it tells none.
+const SHOWN: usize = 6;
+const COUNTABLE: usize = 1_000_000;
 
 /// One key with its values.
 #[derive(Clone, Debug)]
 struct Axis {
     path: Vec<Key>,
     name: String,
+    place: Span,
     values: Vec<Node>,
 }
 
@@ -50,29 +54,40 @@ impl Sweep {
             let message = format!("found {found}, expected a map from paths to lists of values");
             return Err(vec![fault(entry.value.span, message, EXAMPLE)]);
         };
-        let too_many = || {
-            let message = format!("sweep has more than {MAX_VARIANTS} combinations");
+        let too_many = |lengths: &[usize]| {
+            let count = lengths.iter().copied().fold(1, usize::saturating_mul);
+            let product: Vec<String> = lengths.iter().map(usize::to_string).collect();
+            let product = match lengths {
+                [_, _, ..] if lengths.len() <= SHOWN => format!(" ({})", product.join(" x ")),
+                _ => String::new(),
+            };
+            let count = match count {
+                ..COUNTABLE => counted(count, "combination"),
+                _ => format!("more than {COUNTABLE} combinations"),
+            };
+            let message = format!("sweep has {count}{product}, expected at most {MAX_VARIANTS}");
             let help = "sweep fewer values, or fewer keys at once";
             fault(entry.key.span, message, help)
         };
-        let listed: usize = entries.iter().map(|entry| length(&entry.value)).sum();
+        let lengths: Vec<usize> = entries.iter().map(|entry| length(&entry.value)).collect();
+        let listed: usize = lengths.iter().sum();
         // Each value is tried, which takes time.
         if listed > 2 * MAX_VARIANTS {
-            return Err(vec![too_many()]);
+            return Err(vec![too_many(&lengths)]);
         }
         let (mut axes, mut faults): (Vec<Axis>, Vec<Diagnostic>) = Default::default();
         for entry in entries {
-            let twice = axes.iter().any(|axis| axis.name == entry.key.text);
-            match axis(tree, entry, twice) {
+            let twice = axes.iter().find(|axis| axis.name == entry.key.text);
+            let first = twice.map(|axis| axis.place);
+            match axis(tree, entry, first) {
                 Ok(axis) => axes.push(axis),
                 Err(fault) => faults.push(*fault),
             }
         }
         axes.retain(|axis| !fixed.contains(&axis.name));
-        let lengths = axes.iter().map(|axis| axis.values.len());
-        let count = lengths.fold(1_usize, usize::saturating_mul);
-        if count > MAX_VARIANTS {
-            faults.push(too_many());
+        let lengths: Vec<usize> = axes.iter().map(|axis| axis.values.len()).collect();
+        if lengths.iter().copied().fold(1, usize::saturating_mul) > MAX_VARIANTS {
+            faults.push(too_many(&lengths));
         }
         match faults.is_empty() {
             true => Ok(Sweep { axes }),
@@ -137,7 +152,7 @@ fn length(node: &Node) -> usize {
 }
 
 /// One key of a sweep. Every value must find its place in the tree.
-fn axis(tree: &Node, entry: Entry, twice: bool) -> Result<Axis, Box<Diagnostic>> {
+fn axis(tree: &Node, entry: Entry, first: Option<Span>) -> Result<Axis, Box<Diagnostic>> {
     let (name, span) = (entry.key.text, entry.key.span);
     let Kind::Seq(values) = entry.value.kind else {
         let message = format!(
@@ -146,22 +161,28 @@ fn axis(tree: &Node, entry: Entry, twice: bool) -> Result<Axis, Box<Diagnostic>>
         );
         return Err(Box::new(fault(entry.value.span, message, EXAMPLE)));
     };
-    if values.is_empty() || twice {
-        let message = match twice {
-            true => format!("`{}` is swept twice", excerpt(&name)),
-            false => format!("`{}` is swept over no value", excerpt(&name)),
-        };
-        return Err(Box::new(fault(
-            span,
-            message,
-            "write one list with at least one value",
-        )));
+    if let Some(first) = first {
+        let message = format!("`{}` is swept twice", excerpt(&name));
+        let help = "write its values in one list";
+        return Err(Box::new(
+            fault(span, message, help).with_related(first, "first swept here"),
+        ));
+    }
+    if values.is_empty() {
+        let message = format!("`{}` is swept over no value", excerpt(&name));
+        let help = "write at least one value, as in `[2, 4]`";
+        return Err(Box::new(fault(entry.value.span, message, help)));
     }
     let path = keys(&name, span);
     for value in &values {
         set(&mut tree.clone(), &path, value.clone())?;
     }
-    Ok(Axis { path, name, values })
+    Ok(Axis {
+        path,
+        name,
+        place: span,
+        values,
+    })
 }
 
 /// The entry `scenario.sweep`, taken out; a second one stays and is reported as a duplicate key.

@@ -4,6 +4,7 @@ mod base;
 pub mod explain;
 mod fix;
 mod rule;
+mod words;
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -12,6 +13,7 @@ use std::sync::Arc;
 pub use base::Base;
 pub use fix::Fixed;
 pub use rule::Rule;
+pub(crate) use words::{a, counted, quoted, rounded};
 
 /// Index of a file in a [`SourceMap`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -296,13 +298,5 @@ impl Diagnostics {
             old => format!("`{old}` -> `{replacement}`"),
         };
         format!("  {noun}: {name}:{line}:{column}: {change}\n")
-    }
-}
-
-/// A piece of source text between backquotes for a message, cut after 48 characters.
-pub(crate) fn quoted(text: &str) -> String {
-    match text.char_indices().nth(48) {
-        Some((cut, _)) => format!("`{}..`", &text[..cut]),
-        None => format!("`{text}`"),
     }
 }

@@ -53,7 +53,7 @@ codes! {
     E0020 "include path not allowed",
     E0021 "included file cannot be read",
     E0022 "file included twice or by itself",
-    E0023 "too many included files",
+    E0023 "too many files, or nested too deep",
     E0024 "section that an included file must not have",
     E0025 "key given in two files",
     // Composition
@@ -110,7 +110,7 @@ codes! {
     E0401 "unknown unit",
     E0402 "malformed unit",
     E0403 "operands of different units",
-    E0404 "unit where a pure number is expected",
+    E0404 "argument of the wrong unit",
     E0405 "real power of a quantity",
     E0406 "exponent of a unit out of range",
     E0407 "value of the wrong unit",
@@ -151,6 +151,7 @@ codes! {
     // Warnings
     W0001 "gain below its bound",
     W0002 "declaration without use",
+    W0003 "argument without use",
     W0010 "angle in degrees where a function takes radians",
     W0011 "number without a unit for a state in degrees",
 }

@@ -61,6 +61,7 @@ impl fmt::Display for Shape {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Shape::Scalar => f.write_str("a scalar"),
+            Shape::Vector(1) => f.write_str("a vector of one entry"),
             Shape::Vector(rows) => write!(f, "a vector of {rows}"),
             Shape::Matrix(rows, cols) => write!(f, "a {rows} x {cols} matrix"),
         }

@@ -20,11 +20,13 @@ pub struct Expected<'a> {
     pub columns: &'a [(Span, String)],
 }
 
-/// Checks the expression `id`, written at `span`, and reports every entry of a wrong dimension.
+/// Checks the expression `id`, written at `span` with its entries at `places`, if these are known, and reports every entry of a
+/// wrong dimension.
 pub fn expect(
     arena: &Arena,
     id: ExprId,
     span: Span,
+    places: &[Span],
     expected: &Expected<'_>,
 ) -> Result<(), Vec<Diagnostic>> {
     let what = expected.what;
@@ -36,12 +38,13 @@ pub fn expect(
         ]);
     };
     if *shape != expected.shape {
-        let message = format!(
-            "shape mismatch: {what} is {shape}, expected {}",
-            expected.shape
-        );
+        let wanted = match expected.shape.entries() {
+            1 => Shape::Scalar,
+            _ => expected.shape,
+        };
+        let message = format!("shape mismatch: {what} is {shape}, expected {wanted}");
         return Err(vec![
-            Diagnostic::error(Rule::E0504, span, message).with_help(shape_help(expected.shape)),
+            Diagnostic::error(Rule::E0504, span, message).with_help(shape_help(wanted)),
         ]);
     }
     let wanted = expected.dimensions.iter().cycle();
@@ -51,14 +54,18 @@ pub fn expect(
         .enumerate()
         .filter(|(_, (found, wanted))| found.agree(**wanted).is_none())
         .map(|(entry, (&found, &wanted))| {
-            let place = in_entry(*shape, entry);
+            let place = match shape.entries() {
+                1 => String::new(),
+                _ => in_entry(*shape, entry),
+            };
             let message = format!(
                 "unit mismatch{place}: {what} is {}, expected {}",
-                shown(found),
+                found.in_words(),
                 shown(wanted)
             );
-            let label = format!("this is {}", shown(found));
-            let fault = Diagnostic::error(Rule::E0407, span, message)
+            let label = format!("this is {}", found.in_words());
+            let at = places.get(entry).copied().unwrap_or(span);
+            let fault = Diagnostic::error(Rule::E0407, at, message)
                 .with_label(label)
                 .with_help(dimension_help(found, wanted));
             let cols = shape.size().1;
@@ -78,7 +85,9 @@ pub fn expect(
 
 fn shape_help(shape: Shape) -> String {
     match shape {
-        Shape::Scalar => "take one entry of an array with `v[1]` or `M[1, 2]`".to_owned(),
+        Shape::Scalar => {
+            "write one expression, or take an entry of an array with `v[1]` or `M[1, 2]`".to_owned()
+        }
         Shape::Vector(rows) => format!("write {rows} entries: `[..]`"),
         Shape::Matrix(rows, cols) => format!("write {rows} rows of {cols} entries: `[[..], ..]`"),
     }
@@ -89,8 +98,15 @@ fn dimension_help(found: Dimension, wanted: Dimension) -> String {
         Some(_) if wanted == Dimension::ONE => {
             format!("divide it by a quantity in {found}, such as `/(1 {found})`")
         }
-        Some(factor) if found == Dimension::ONE => format!("give it its unit, as in `1 {factor}`"),
-        Some(factor) => format!("a factor in {factor} is missing"),
+        Some(factor) if found == Dimension::ONE => {
+            format!("multiply it by its unit, as in `*(1 {factor})`")
+        }
+        Some(factor) => match factor.checked_powi(-1) {
+            Some(inverse) if factor.to_string().starts_with("1/") => {
+                format!("divide it by a quantity in {inverse}")
+            }
+            _ => format!("multiply it by a quantity in {factor}"),
+        },
         None => format!("write it in units of {}", shown(wanted)),
     }
 }

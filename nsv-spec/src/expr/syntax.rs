@@ -11,6 +11,13 @@ use crate::unit::Unit;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct NodeId(pub(super) u32);
 
+impl NodeId {
+    /// Its index among the nodes of its expression.
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
 /// A parsed expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expr {
@@ -99,6 +106,19 @@ pub enum Kind {
     },
 }
 
+impl Kind {
+    /// The nodes that it is made of; the body of an `each` is an expression of its own.
+    pub fn operands(&self) -> Vec<NodeId> {
+        match self {
+            Kind::Number(_) | Kind::Name(_) | Kind::Each { .. } => Vec::new(),
+            Kind::Negate(operand) | Kind::Not(operand) | Kind::Index(operand, _) => vec![*operand],
+            Kind::Infix(_, left, right) => vec![*left, *right],
+            Kind::Call(_, operands) | Kind::Array(operands) => operands.clone(),
+            Kind::Partial { at, .. } => at.clone(),
+        }
+    }
+}
+
 /// One index.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Index {
@@ -114,6 +134,13 @@ impl Expr {
     /// Every node, operands before operators.
     pub fn nodes(&self) -> &[Node] {
         &self.nodes
+    }
+
+    /// The part of it that ends with the node of that index, as an expression of its own.
+    pub fn part(&self, at: usize) -> Expr {
+        Expr {
+            nodes: self.nodes[..=at].to_vec(),
+        }
     }
 
     /// One node.

@@ -44,6 +44,7 @@ impl Joiner<'_> {
 
     /// Gives what a joined file declares the values of the arguments.
     pub(super) fn give(&mut self, file: &str, fragment: &mut Node, arguments: Vec<Entry>) {
+        let given: Vec<String> = arguments.iter().map(|one| one.key.text.clone()).collect();
         for argument in arguments {
             let (name, span) = (argument.key.text.clone(), argument.key.span);
             if let Some(entry) = declarations(fragment).find(|entry| entry.key.text == name) {
@@ -63,7 +64,7 @@ impl Joiner<'_> {
                 .push(Diagnostic::error(Rule::E0031, span, message).did_you_mean(
                     span,
                     &name,
-                    nearest(&name, &known),
+                    nearest(&name, known.iter().filter(|known| !given.contains(known))),
                     otherwise,
                 ));
         }

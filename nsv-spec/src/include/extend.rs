@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::Joiner;
 use crate::compose::overlay::overlay;
-use crate::diagnostic::{Diagnostic, Rule};
+use crate::diagnostic::{Applicability, Diagnostic, Rule};
 use crate::yaml::{Entry, Kind, Node};
 
 /// What every specification says for itself.
@@ -17,16 +17,8 @@ impl Joiner<'_> {
             return;
         };
         let Kind::Scalar(scalar) = &node.kind else {
-            let message = format!(
-                "found {}, expected the name of one specification",
-                node.describe()
-            );
-            self.fault(
-                Rule::E0020,
-                node.span,
-                message,
-                "write `extends: base.yaml`",
-            );
+            let fault = not_one_name(&node);
+            self.faults.push(fault);
             return;
         };
         let Some(path) = self.resolve(&scalar.text, node.span, below) else {
@@ -50,6 +42,34 @@ impl Joiner<'_> {
         self.open.pop();
         let top = std::mem::replace(tree, base);
         overlay(tree, top, &mut self.faults);
+    }
+}
+
+/// The fault of `extends` with something else than a name, mended with the names that it holds.
+fn not_one_name(node: &Node) -> Diagnostic {
+    let message = format!(
+        "found {}, expected the name of one specification",
+        node.describe()
+    );
+    let fault = Diagnostic::error(Rule::E0020, node.span, message);
+    let items = match &node.kind {
+        Kind::Seq(items) => items.as_slice(),
+        _ => &[],
+    };
+    let name = |item: &Node| matches!(item.kind, Kind::Scalar(_)).then(|| item.flow());
+    match items
+        .iter()
+        .map(name)
+        .collect::<Option<Vec<_>>>()
+        .as_deref()
+    {
+        Some([only]) => fault
+            .with_help(format!("write `extends: {only}`"))
+            .with_suggestion(node.span, only, Applicability::Certain),
+        Some([first, ..]) => fault.with_help(format!(
+            "write one of them, as in `extends: {first}`; that one may extend another"
+        )),
+        _ => fault.with_help("write its path, as in `extends: models/base.yaml`"),
     }
 }
 

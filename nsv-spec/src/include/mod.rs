@@ -16,7 +16,7 @@ use std::io::Read;
 use std::path::{Component, Path, PathBuf};
 
 use crate::diagnostic::{Diagnostic, FileId, Rule, SourceMap, Span};
-use crate::yaml::{self, Entry, Kind, MAX_BYTES, Node, excerpt};
+use crate::yaml::{self, Entry, Key, Kind, MAX_BYTES, Node, excerpt};
 use arguments::Included;
 
 /// Most files of one specification, itself included.
@@ -54,6 +54,7 @@ pub fn read_file(path: &Path, sources: &mut SourceMap) -> Result<Node, Vec<Diagn
         read: vec![(canonical, None)],
         data: BTreeMap::new(),
         faults: Vec::new(),
+        own: Vec::new(),
     };
     joiner.join_all(tree)
 }
@@ -72,6 +73,7 @@ pub fn read_text(
         read: Vec::new(),
         data: BTreeMap::new(),
         faults: Vec::new(),
+        own: Vec::new(),
     }
     .join_all(tree)
 }
@@ -139,10 +141,15 @@ struct Joiner<'a> {
     /// Data files that have been read.
     data: BTreeMap<PathBuf, FileId>,
     faults: Vec<Diagnostic>,
+    /// Sections of the specification itself.
+    own: Vec<Key>,
 }
 
 impl Joiner<'_> {
     fn join_all(mut self, mut tree: Node) -> Result<Node, Vec<Diagnostic>> {
+        if let Kind::Map(entries) = &tree.kind {
+            self.own = entries.iter().map(|entry| entry.key.clone()).collect();
+        }
         self.join(&mut tree, Path::new(""));
         if self.faults.is_empty() {
             Ok(tree)
@@ -270,12 +277,11 @@ impl Joiner<'_> {
     fn file(&mut self, name: &str, path: &Path, span: Span) -> Option<Node> {
         let shown = excerpt(name);
         if self.open.iter().any(|open| open == path) {
-            self.fault(
-                Rule::E0022,
-                span,
-                format!("file `{shown}` includes itself"),
-                "remove one of the includes of the circle",
-            );
+            let message = format!("file `{shown}` includes itself");
+            let fault = Diagnostic::error(Rule::E0022, span, message)
+                .with_help("remove one of the includes of the circle");
+            let fault = self.with_chain(fault);
+            self.faults.push(fault);
             return None;
         }
         if let Some((_, first)) = self.read.iter().find(|(read, _)| read == path) {
@@ -301,12 +307,15 @@ impl Joiner<'_> {
             return None;
         }
         if self.open.len() > MAX_DEPTH {
-            self.fault(
-                Rule::E0023,
-                span,
-                format!("includes are nested deeper than {MAX_DEPTH} files"),
-                "include the file from the specification itself",
+            let message = format!("includes are nested deeper than {MAX_DEPTH} files");
+            let root = &self.sources.source(FileId(0)).name;
+            let help = format!(
+                "take it out here, and include `{shown}` in `{}` itself",
+                excerpt(root)
             );
+            let fault = Diagnostic::error(Rule::E0023, span, message).with_help(help);
+            let fault = self.with_chain(fault);
+            self.faults.push(fault);
             return None;
         }
         self.read.push((path.into(), Some(span)));
@@ -333,6 +342,18 @@ impl Joiner<'_> {
         }
     }
 
+    /// The fault with the places that include the files that are being read, the innermost first.
+    fn with_chain(&self, fault: Diagnostic) -> Diagnostic {
+        let entry = |open: &PathBuf| {
+            let (_, included) = self.read.iter().find(|(read, _)| read == open)?;
+            *included
+        };
+        let places = self.open.iter().rev().filter_map(entry);
+        places.fold(fault, |fault, place| {
+            fault.with_related(place, "this file is named here")
+        })
+    }
+
     /// A fragment without the sections that it must not have, which are reported.
     fn check_fragment(&mut self, mut tree: Node, span: Span) -> Option<Node> {
         match &mut tree.kind {
@@ -346,8 +367,14 @@ impl Joiner<'_> {
                     );
                     let fault = Diagnostic::error(Rule::E0024, entry.key.span, message)
                         .with_related(span, "included here");
-                    self.faults
-                        .push(fault.with_help("move it to the specification"));
+                    let key = &entry.key.text;
+                    let own = self.own.iter().find(|own| own.text == *key);
+                    self.faults.push(match own {
+                        Some(own) => fault
+                            .with_related(own.span, format!("the specification has its own `{key}` here"))
+                            .with_help("remove it; what is still needed of it goes into the specification's own"),
+                        None => fault.with_help("move it to the specification"),
+                    });
                 }
                 entries.retain(|entry| !misplaced(entry));
                 Some(tree)

@@ -6,7 +6,7 @@
 mod dispersion;
 mod hardware;
 
-use crate::diagnostic::{SourceMap, Span};
+use crate::diagnostic::{SourceMap, Span, rounded};
 use crate::expr::arena::{Arena, ExprId};
 use crate::interpolation::Interpolant;
 use crate::unit::Dimension;
@@ -204,6 +204,18 @@ pub struct State {
     pub dispersion: Option<Dispersion>,
     /// How the controller measures it; `None` exactly.
     pub sensor: Option<Sensor>,
+}
+
+impl State {
+    /// A value of it, SI, in the unit to show it in.
+    pub(crate) fn shown(&self, value: f64) -> String {
+        let (unit, factor) = &self.display;
+        let number = rounded(value / factor);
+        match unit.as_str() {
+            "1" => number,
+            unit => format!("{number} {unit}"),
+        }
+    }
 }
 
 /// The flown plant where it is more than the blocks that the controller is designed on. A block state without a rate of its own here

@@ -35,6 +35,7 @@ impl Reader {
     fn controller_block(&mut self, node: &Node) -> ControllerBlock {
         let fields = self.fields(node, &CONTROLLER_BLOCK);
         ControllerBlock {
+            keys: fields.keys(),
             k: self.formula(&fields, "K"),
             kbar: self
                 .auto(&fields, "kbar")

@@ -27,6 +27,14 @@ impl<'a> Fields<'a> {
         self.entries.get(name).copied()
     }
 
+    /// Places of the keys that are given.
+    pub(crate) fn keys(&self) -> BTreeMap<&'static str, Span> {
+        let entries = self.entries.iter();
+        entries
+            .map(|(name, entry)| (*name, entry.key.span))
+            .collect()
+    }
+
     /// What the vocabulary says of a key.
     pub(crate) fn key(&self, name: &str) -> Option<&'static Key> {
         self.section.keys.iter().find(|key| key.name == name)
@@ -37,6 +45,8 @@ impl<'a> Fields<'a> {
 #[derive(Default)]
 pub(crate) struct Reader {
     pub(crate) faults: Vec<Diagnostic>,
+    /// Keys without a value, by the place where it would be.
+    empty: BTreeMap<Span, String>,
 }
 
 impl Reader {
@@ -60,21 +70,12 @@ impl Reader {
         };
         let Kind::Map(entries) = &node.kind else {
             let keys: Vec<&str> = section.keys.iter().map(|key| key.name).collect();
-            let message = format!(
-                "found {}, expected {}: a map",
-                node.describe(),
-                section.noun
-            );
-            self.fault(
-                Rule::E0103,
-                node.span,
-                message,
-                format!("its keys are {}", list(&keys)),
-            );
+            let expected = format!("{}: a map", section.noun);
+            self.kind(node, &expected, &format!("its keys are {}", list(&keys)));
             return fields;
         };
         let mut unknown = Vec::new();
-        for entry in unique(&mut self.faults, entries) {
+        for entry in self.unique(entries) {
             match fields.key(&entry.key.text) {
                 Some(key) => drop(fields.entries.insert(key.name, entry)),
                 None => unknown.push(entry),
@@ -159,7 +160,7 @@ impl Reader {
             self.kind(node, expected, "write one `name: value` on each line");
             return Vec::new();
         };
-        unique(&mut self.faults, entries)
+        self.unique(entries)
     }
 
     /// A map from names to values that `read` reads.
@@ -217,14 +218,40 @@ impl Reader {
         }
     }
 
+    /// Each key once; repeated ones are reported with both places.
+    fn unique<'a>(&mut self, entries: &'a [Entry]) -> Vec<&'a Entry> {
+        let mut first: BTreeMap<&str, Span> = BTreeMap::new();
+        let mut kept = Vec::new();
+        for entry in entries {
+            if entry.value.kind == Kind::Null {
+                self.empty.insert(entry.value.span, entry.key.text.clone());
+            }
+            match first.get(entry.key.text.as_str()) {
+                None => {
+                    first.insert(&entry.key.text, entry.key.span);
+                    kept.push(entry);
+                }
+                Some(earlier) => self.faults.push(
+                    Diagnostic::error(
+                        Rule::E0102,
+                        entry.key.span,
+                        format!("key `{}` is given twice", excerpt(&entry.key.text)),
+                    )
+                    .with_related(*earlier, "first given here")
+                    .with_help("remove one of them"),
+                ),
+            }
+        }
+        kept
+    }
+
     /// Reports a value of a wrong kind.
     pub(crate) fn kind(&mut self, node: &Node, expected: &str, help: &str) {
-        self.fault(
-            Rule::E0103,
-            node.span,
-            format!("found {}, expected {expected}", node.describe()),
-            help,
-        );
+        let message = match self.empty.get(&node.span) {
+            Some(key) => format!("`{}` has no value, expected {expected}", excerpt(key)),
+            None => format!("found {}, expected {expected}", node.describe()),
+        };
+        self.fault(Rule::E0103, node.span, message, help);
     }
 }
 
@@ -234,30 +261,6 @@ pub(crate) fn name(entry: &Entry) -> Word {
         value: entry.key.text.clone(),
         span: entry.key.span,
     }
-}
-
-/// Each key once; repeated ones are reported with both places.
-fn unique<'a>(faults: &mut Vec<Diagnostic>, entries: &'a [Entry]) -> Vec<&'a Entry> {
-    let mut first: BTreeMap<&str, Span> = BTreeMap::new();
-    let mut kept = Vec::new();
-    for entry in entries {
-        match first.get(entry.key.text.as_str()) {
-            None => {
-                first.insert(&entry.key.text, entry.key.span);
-                kept.push(entry);
-            }
-            Some(earlier) => faults.push(
-                Diagnostic::error(
-                    Rule::E0102,
-                    entry.key.span,
-                    format!("key `{}` is given twice", excerpt(&entry.key.text)),
-                )
-                .with_related(*earlier, "first given here")
-                .with_help("remove one of them"),
-            ),
-        }
-    }
-    kept
 }
 
 /// `a`, `b` or `c`.

@@ -44,6 +44,14 @@ impl Dimension {
         self == Self::ONE || self == Self::ANY
     }
 
+    /// What a quantity of it is, in words: `in m/s`, or `a pure number`.
+    pub fn in_words(self) -> String {
+        match self.is_dimensionless() {
+            true => "a pure number".to_owned(),
+            false => format!("in {self}"),
+        }
+    }
+
     /// The dimension to declare a quantity with: a literal 0 without a unit declares a pure number.
     pub fn or_one(self) -> Self {
         if self == Self::ANY { Self::ONE } else { self }

@@ -4,7 +4,7 @@ use serde_saphyr::Error;
 use serde_saphyr::budget::BudgetBreach;
 
 use super::read::{MAX_DEPTH, MAX_NODES, boundary};
-use crate::diagnostic::{Diagnostic, FileId, Rule, Span};
+use crate::diagnostic::{Diagnostic, FileId, Rule, Span, quoted};
 
 /// The diagnostic for an error of the YAML library.
 pub(super) fn diagnostic(error: &Error, text: &str, file: FileId) -> Diagnostic {
@@ -38,11 +38,7 @@ pub(super) fn diagnostic(error: &Error, text: &str, file: FileId) -> Diagnostic 
             ),
             "write the values out instead of nesting aliases",
         ),
-        Error::RecursiveReferencesRequireWeakTypes { .. } => fault(
-            Rule::E0009,
-            "alias refers to a value that contains it".into(),
-            "write the value out",
-        ),
+        Error::RecursiveReferencesRequireWeakTypes { .. } => endless(text, span),
         Error::UnknownAnchor { .. } => fault(
             Rule::E0009,
             "alias refers to an anchor that does not exist".into(),
@@ -64,6 +60,41 @@ pub(super) fn diagnostic(error: &Error, text: &str, file: FileId) -> Diagnostic 
             "every key is a plain word",
         ),
         other => syntax(other, span),
+    }
+}
+
+/// An alias within the value that it repeats.
+fn endless(text: &str, span: Span) -> Diagnostic {
+    let written = text.get(span.start as usize..).unwrap_or_default();
+    let end = written.find(|c: char| c.is_whitespace() || ",[]{}".contains(c));
+    let alias = &written[..end.unwrap_or(written.len())];
+    let Some(name) = alias.strip_prefix('*').filter(|name| !name.is_empty()) else {
+        let message = "alias stands inside the value that it repeats";
+        return Diagnostic::error(Rule::E0009, span, message)
+            .with_help("write the value that is meant in its place");
+    };
+    let place = |start: usize| Span {
+        start: start as u32,
+        end: (start + alias.len()) as u32,
+        ..span
+    };
+    let message = format!(
+        "alias {} stands inside the value that it repeats",
+        quoted(alias)
+    );
+    let fault =
+        Diagnostic::error(Rule::E0009, place(span.start as usize), message).with_help(format!(
+            "write the value that is meant in place of {}",
+            quoted(alias)
+        ));
+    // The mark of the same name that comes last before the alias.
+    let mark = format!("&{name}");
+    let before = text.get(..span.start as usize).unwrap_or_default();
+    let mut marks = before.rmatch_indices(&mark).map(|(at, _)| at);
+    let ends = |at: &usize| before[at + mark.len()..].starts_with([' ', '\n', '\r']);
+    match marks.find(ends) {
+        Some(at) => fault.with_related(place(at), "the value is marked here"),
+        None => fault,
     }
 }
 

@@ -14,7 +14,7 @@ pub use read::read;
 pub(crate) use read::{MAX_ALIASES, MAX_DEPTH, MAX_NODES};
 pub use text::{MAX_BYTES, text};
 
-use crate::diagnostic::{Base, Span};
+use crate::diagnostic::{Base, Span, counted};
 
 /// A value in a YAML file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -75,7 +75,8 @@ impl Node {
         match &self.kind {
             Kind::Null => "nothing".into(),
             Kind::Map(_) => "a map".into(),
-            Kind::Seq(items) => format!("a list of {}", items.len()),
+            Kind::Seq(items) if items.is_empty() => "an empty list".into(),
+            Kind::Seq(items) => format!("a list of {}", counted(items.len(), "item")),
             Kind::Scalar(scalar) => format!("`{}`", excerpt(&scalar.text)),
         }
     }

@@ -154,9 +154,9 @@ struct Placer<'a> {
 impl Placer<'_> {
     fn node(&self, raw: Spanned<Raw>) -> Node {
         let span = self.span(raw.defined);
-        let spanning = |last: Option<Span>| Span {
-            end: last.map_or(span.end, |last| last.end.max(span.end)),
-            ..span
+        let spanning = |last: Option<Span>| {
+            let end = last.map_or(span.end, |last| last.end.max(span.end));
+            self.closed(Span { end, ..span })
         };
         match raw.value {
             Raw::Null => Node {
@@ -183,6 +183,24 @@ impl Placer<'_> {
                 }
             }
         }
+    }
+
+    /// A list or map with the bracket that closes it, if it is written in brackets.
+    fn closed(&self, span: Span) -> Span {
+        let (start, end) = (span.start as usize, span.end as usize);
+        let close = match self.text.get(start..start + 1) {
+            Some("[") => ']',
+            Some("{") => '}',
+            _ => return span,
+        };
+        let rest = self.text.get(end..).unwrap_or_default();
+        // What may stand behind the content of the last part: its closing quote, blanks, a comma.
+        let before = rest.find(|c: char| !matches!(c, '"' | '\'' | ' ' | '\n' | '\r' | ','));
+        let last = before.filter(|&at| rest[at..].starts_with(close));
+        last.map_or(span, |at| Span {
+            end: (end + at + 1) as u32,
+            ..span
+        })
     }
 
     fn entry(&self, key: Spanned<String>, value: Spanned<Raw>) -> Entry {

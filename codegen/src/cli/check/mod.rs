@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use super::compile::show;
 use super::failure::{Exit, Failure};
 use super::output::{self, note};
-use super::render::records;
+use super::render::{more, records};
 use super::settings::Overrides;
 
 /// Check specifications: names, units, shapes, ranges; every fault at once, with its place
@@ -72,9 +72,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
             output::json(&json!({ "specs": checked.iter().map(document).collect::<Vec<_>>() }))?
         }
         Format::Sarif => output::json(&sarif::log(checked.iter().map(|one| &one.faults)))?,
-        format => checked
-            .iter()
-            .try_for_each(|one| tell(one, format, args.verbose))?,
+        format => tell_all(&checked, format, args.verbose)?,
     }
     let passes = |one: &Checked<'_>| {
         one.model.is_some() && (!args.deny_warnings || one.faults.items.is_empty())
@@ -127,6 +125,39 @@ fn checked<'a>(
     }
 }
 
+/// Tells the user of every specification; of a sweep in which all is well in one line.
+fn tell_all(checked: &[Checked<'_>], format: Format, verbose: bool) -> Result<(), Failure> {
+    let variants = |path: &Path| {
+        let variants = checked.iter().filter(|one| one.variant.is_some());
+        variants.filter(|one| one.path == path).collect::<Vec<_>>()
+    };
+    for one in checked {
+        let swept = variants(one.path);
+        let quiet = (swept.iter()).all(|one| one.model.is_some() && one.faults.items.is_empty());
+        if one.variant.is_some() && quiet {
+            continue;
+        }
+        tell(one, format, verbose)?;
+        if quiet && !swept.is_empty() {
+            let path = one.path.display();
+            note(format_args!(
+                "{path}: ok with every value of its sweep ({})",
+                counted(swept.len(), "combination")
+            ));
+        }
+    }
+    let faults = checked.iter().flat_map(|one| &one.faults.items);
+    if let Some(line) = more(faults).filter(|_| format == Format::Human) {
+        note(line);
+    }
+    Ok(())
+}
+
+fn counted(count: usize, noun: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {noun}{plural}")
+}
+
 fn tell(checked: &Checked<'_>, format: Format, verbose: bool) -> Result<(), Failure> {
     match format {
         Format::Short => note(checked.faults.short().trim_end_matches('\n')),
@@ -143,10 +174,7 @@ fn tell(checked: &Checked<'_>, format: Format, verbose: bool) -> Result<(), Fail
             .iter()
             .filter(|item| item.severity == nsv_spec::diagnostic::Severity::Error)
             .count();
-        note(format_args!(
-            "{path}: {errors} {}",
-            if errors == 1 { "error" } else { "errors" }
-        ));
+        note(format_args!("{path}: {}", counted(errors, "error")));
         return Ok(());
     };
     note(format_args!("{path}: ok, {}", size(model)));
@@ -163,11 +191,10 @@ fn tell(checked: &Checked<'_>, format: Format, verbose: bool) -> Result<(), Fail
 
 fn size(model: &Model) -> String {
     let (blocks, inputs) = (model.blocks.len(), model.inputs.len());
-    let plural = |count| if count == 1 { "" } else { "s" };
     format!(
-        "{blocks} block{} of {inputs} channel{}",
-        plural(blocks),
-        plural(inputs)
+        "{} of {}",
+        counted(blocks, "block"),
+        counted(inputs, "channel")
     )
 }
 

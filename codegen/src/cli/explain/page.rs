@@ -108,16 +108,16 @@ fn sections(example: &Example) -> Result<Vec<(String, String)>, Failure> {
     };
     let broken = changes(example, false);
     let mended = changes(example, true);
+    // A mend that takes everything back leaves nothing to show.
+    let right = match (example.twist, mended.is_empty()) {
+        (_, true) => "Without that it is right.",
+        (Twist::Latin1, _) => "This is right, saved in UTF-8:",
+        _ => "This is right:",
+    };
     Ok(vec![
         (format!("This breaks the rule{note}:"), broken),
         ("nsv says:".into(), said),
-        (
-            match example.twist {
-                Twist::Latin1 => "This is right, saved in UTF-8:".into(),
-                _ => "This is right:".into(),
-            },
-            mended,
-        ),
+        (right.to_owned(), mended),
     ])
 }
 
@@ -128,7 +128,10 @@ fn changes(example: &Example, mended: bool) -> String {
         whole = whole.replacen(edit.from, if mended { edit.good } else { edit.bad }, 1);
         changed.push(edit.from);
     }
-    let mut text = format!("```yaml\n{}```\n", relevant(&whole, example, mended));
+    let mut text = match relevant(&whole, example, mended).as_str() {
+        "" => String::new(),
+        sections => format!("```yaml\n{sections}```\n"),
+    };
     for (name, bad, good) in example.files {
         let body = if mended { good } else { bad };
         if !body.is_empty() {

@@ -1,7 +1,7 @@
 //! Tables written in the specification.
 
 use super::{Cell, Context, MAX_VALUES, Written};
-use crate::diagnostic::Rule;
+use crate::diagnostic::{Rule, counted};
 use crate::spec::{Grid, Table};
 
 impl Context<'_> {
@@ -60,11 +60,15 @@ impl Context<'_> {
                 return Some(());
             }
             (Grid::Number(_), _) => "a number".to_owned(),
-            (Grid::List(items, _), _) => format!("a list of {}", items.len()),
+            (Grid::List(items, _), _) => format!("a list of {}", counted(items.len(), "item")),
         };
         let expected = match (declared.axes.get(axis), points.get(axis)) {
             (Some(axis), Some(points)) => {
-                format!("{} values along `{}`", points.len(), axis.name.value)
+                format!(
+                    "{} along `{}`",
+                    counted(points.len(), "value"),
+                    axis.name.value
+                )
             }
             _ => "a number".to_owned(),
         };

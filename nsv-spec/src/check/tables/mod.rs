@@ -9,7 +9,7 @@ use super::Context;
 use super::constants::text;
 use super::csv::Cell;
 use super::scope::Dependence;
-use crate::diagnostic::{Diagnostic, Rule, SourceMap, Span, quoted};
+use crate::diagnostic::{Diagnostic, Rule, Span, counted, quoted};
 use crate::expr::arena::TableId;
 use crate::expr::{Signature, Symbol};
 use crate::interpolation::Interpolant;
@@ -32,14 +32,23 @@ struct Written<'a> {
 
 impl Context<'_> {
     /// Takes over every table.
-    pub(super) fn check_tables(&mut self, sources: &SourceMap) {
+    pub(super) fn check_tables(&mut self) {
         let spec = self.spec;
         for (at, declared) in spec.tables.iter().enumerate() {
             let name = &declared.name.value;
             let before = self.faults.len();
-            let table = self.table(&declared.name, &declared.value, sources);
+            let table = self.table(&declared.name, &declared.value);
             self.name_file(before, &declared.value);
             let id = TableId(u32::try_from(at).expect("invariant: fewer than 2^32 tables"));
+            for axis in &declared.value.axes {
+                let unit = axis
+                    .value
+                    .unit
+                    .as_ref()
+                    .map_or(axis.name.span, |unit| unit.span);
+                let argument = format!("{name}.{}", axis.name.value);
+                self.names.declare(&argument, unit, "axis");
+            }
             match &table {
                 Some(table) => {
                     let signature = Signature {
@@ -70,9 +79,13 @@ impl Context<'_> {
             }));
     }
 
-    fn table(&mut self, name: &Word, declared: &spec::Table, sources: &SourceMap) -> Option<Table> {
+    fn table(&mut self, name: &Word, declared: &spec::Table) -> Option<Table> {
         if !(1..=MAX_AXES).contains(&declared.axes.len()) {
-            let message = format!("table `{}` has {} axes", name.value, declared.axes.len());
+            let message = format!(
+                "table `{}` has {}",
+                name.value,
+                counted(declared.axes.len(), "axis")
+            );
             let help = format!("a table has 1 to {MAX_AXES} axes");
             self.fault(Rule::E0324, name.span, message, help);
             return None;
@@ -85,7 +98,7 @@ impl Context<'_> {
         let unit = self.optional_unit(declared.unit.as_ref());
         let written = match (&declared.values, &declared.file) {
             (Some(values), _) => self.inline_table(declared, values),
-            (None, Some(file)) => self.table_file(name, declared, file, sources),
+            (None, Some(file)) => self.table_file(name, declared, file),
             (None, None) => None,
         };
         let (units, unit, written) = (
@@ -171,9 +184,9 @@ impl Context<'_> {
     ) -> Option<Vec<f64>> {
         if !(fewest..=MAX_POINTS).contains(&written.len()) {
             let message = format!(
-                "axis `{}` has {} values, expected {fewest} to {MAX_POINTS}",
+                "axis `{}` has {}, expected {fewest} to {MAX_POINTS}",
                 axis.value,
-                written.len()
+                counted(written.len(), "value")
             );
             let help = "linear interpolation takes 2 points on each axis, cubic 4";
             self.fault(Rule::E0324, axis.span, message, help);

@@ -75,7 +75,7 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
     (
         Rule::E0009,
         plain(
-            "An alias `*x` repeats the value marked `&x` before it. It cannot stand for a value that is not marked or that contains the alias itself. The merge key `<<` is no part of YAML 1.2 and hides where a key comes from; included files do its work.",
+            "An alias `*x` repeats the value marked `&x` before it. It cannot stand for a value that is not marked, nor for one that contains the alias itself, as in `a: &c {b: *c}`: written out, that would never end. Write the value that is meant in its place. The merge key `<<` is no part of YAML 1.2 and hides where a key comes from; included files do its work.",
             &[undo("drift: \"-v/(1 s)\"", "drift: *v")],
         ),
     ),
@@ -97,7 +97,7 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
     (
         Rule::E0020,
         with_files(
-            "Included files lie below the directory of the specification and are named relative to the file that includes them. So a specification can be copied with its folder, and one from elsewhere cannot read your other files.",
+            "Included files lie below the directory of the specification and are named relative to the file that names them. `include` is a list of files, `extends` the name of one specification, for a specification is another one with changes, not several. So a specification can be copied with its folder, and one from elsewhere cannot read your other files.",
             &[edit(
                 "name: cart\n",
                 "name: cart\ninclude: [../data.yaml]\n",
@@ -133,7 +133,7 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
     (
         Rule::E0023,
         with_files(
-            "A specification has at most 16 files, nested at most four deep, so that a person can still find where something is declared.",
+            "A specification has at most 16 files, nested at most four deep, so that a person can still find where something is declared. A file at the end of too long a chain is taken out of the file that includes it, and included by the specification itself, by its path from there.",
             &[edit(
                 "name: cart\n",
                 "name: cart\ninclude: [a.yaml]\n",
@@ -151,13 +151,17 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
     (
         Rule::E0024,
         with_files(
-            "An included file describes a part, mostly a plant. The language version, the name and the scenario belong to the whole and stand in the specification itself.",
+            "An included file describes a part, mostly a plant. The language version, the name and the scenario belong to the whole and stand in the specification itself: move the section there, or remove it if the specification has its own.",
             &[edit(
                 "name: cart\n",
                 "name: cart\ninclude: [data.yaml]\n",
-                "name: cart\ninclude: [data.yaml]\n",
+                "name: cart\ntitle: A cart\ninclude: [data.yaml]\n",
             )],
-            &[("data.yaml", "title: A cart\n", "# title: A cart\n")],
+            &[(
+                "data.yaml",
+                "title: A cart\nconstants: {mass: 2 kg}\n",
+                "constants: {mass: 2 kg}\n",
+            )],
         ),
     ),
     (
@@ -171,8 +175,8 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
             )],
             &[(
                 "data.yaml",
-                "reference: {v: 2 m/s}\n",
-                "# reference: {v: 2 m/s}\n",
+                "reference: {v: 2 m/s}\nconstants: {mass: 2 kg}\n",
+                "constants: {mass: 2 kg}\n",
             )],
         ),
     ),

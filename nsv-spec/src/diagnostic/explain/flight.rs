@@ -22,7 +22,7 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
     (
         Rule::E0612,
         plain(
-            "A covariance matrix is symmetric, and positive semidefinite: no combination of the parameters has a negative variance. Most often a covariance is larger than the product of the two standard deviations.",
+            "A covariance matrix is symmetric, for the covariance of two parameters stands in it twice, and positive semidefinite: no combination of the parameters has a negative variance. Variances stand on the diagonal; a covariance beside it is at most the product of the two standard deviations, their roots.",
             &[
                 edit(
                     "plant:\n",

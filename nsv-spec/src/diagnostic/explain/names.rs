@@ -14,8 +14,15 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
     (
         Rule::E0111,
         plain(
-            "A word of Rust cannot name anything in generated code, and a name such as `sin` or `t` would hide that of the expression language.",
-            &[undo("plant:\n", "constants: {sin: 1}\nplant:\n")],
+            "A word of Rust cannot name anything in generated code, and a name such as `pi`, `sin` or `t` would hide that of the expression language. A constant that the language has is left out, or gets a name of its own if it has another value.",
+            &[
+                edit(
+                    "plant:\n",
+                    "constants: {pi: 3}\nplant:\n",
+                    "constants: {rough_pi: 3}\nplant:\n",
+                ),
+                edit("v: 1 m/s", "v: pi*(1 m/s)", "v: rough_pi*(1 m/s)"),
+            ],
         ),
     ),
     (
@@ -35,7 +42,7 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
     (
         Rule::E0113,
         plain(
-            "Constants, parameters, states and definitions share one space of names, for an expression does not say which kind it means.",
+            "Constants, parameters, states and definitions share one space of names, for an expression does not say which kind it means. An argument of a function has a name that nothing else has, too: it would hide the other within the function. Whoever renames it does so under `arguments` and in `value`; in `value` alone or in `arguments` alone, the function would use the other quantity and leave its argument unused (`W0003`).",
             &[
                 edit(
                     "plant:\n",
@@ -142,7 +149,7 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
     (
         Rule::E0303,
         plain(
-            "Gains, limits, sample time and the like are numbers when the code is generated. They may use constants, but not states, parameters or time, which change while the controller runs.",
+            "Gains, limits, sample time and the like are numbers when the code is generated. They may use constants, but not states, parameters or time, which change while the controller runs. No expression of a plant uses an input by its name: inputs act through the gain of the last block, and only rates of `truth` may name them.",
             &[undo("C: 20}", "C: 20*v}")],
         ),
     ),

@@ -66,7 +66,7 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
     (
         Rule::E0707,
         plain(
-            "The estimate of an observer converges if its error dynamics do: every eigenvalue of `-S`, or of `M - S L` with an exosystem, has a negative real part.",
+            "The estimate of an observer converges if its error decays. Against a `bounded` disturbance it decays at the rate `observer` (S in the theory): one positive number, or a matrix whose eigenvalues have positive real parts. Against an exosystem, every eigenvalue of `M - S L` has a negative real part, with `M` and `L` as given under `exosystem` and `observer` for S.",
             &[
                 edit(
                     "      gain: \"1/(2 kg)\"\n",
@@ -114,6 +114,20 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
                     "constants: {mass: 2 kg}\nplant:\n",
                 ),
                 edit("\"1/(2 kg)\"", "\"1/(2 kg)\"", "1/mass"),
+            ],
+        ),
+    ),
+    (
+        Rule::W0003,
+        plain(
+            "An argument that the value of its function does not use gives every call a number in vain. Mostly the value names something else than was meant, such as a state, or the argument is left over from an earlier version.",
+            &[
+                edit(
+                    "plant:\n",
+                    "functions: {drag: {arguments: [rate, limit], value: -rate/(1 s)}}\nplant:\n",
+                    "functions: {drag: {arguments: [rate, limit], value: \"-clamp(rate, -limit, limit)/(1 s)\"}}\nplant:\n",
+                ),
+                edit("\"-v/(1 s)\"", "\"drag(v, 3 m/s)\"", "\"drag(v, 3 m/s)\""),
             ],
         ),
     ),

@@ -39,7 +39,7 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
     (
         Rule::E0404,
         plain(
-            "`sin`, `exp` and the other functions of pure numbers, exponents, and the arguments of polynomial data have no unit: the sine of a length depends on whether you measure in metres or feet. Divide by a quantity of the same unit that means something in your plant.",
+            "`sin`, `exp` and the other functions of pure numbers, exponents, and the arguments of polynomial data have no unit: the sine of a length depends on whether you measure in metres or feet. Divide by a quantity of the same unit that means something in your plant. The arguments of a lookup table have the units of its axes; what has another unit is divided or multiplied by a quantity, or the axis is given its unit.",
             &[edit(
                 "\"-v/(1 s)\"",
                 "\"-sin(v)*(1 m/s^2)\"",
@@ -108,7 +108,7 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
     (
         Rule::E0503,
         plain(
-            "The blocks of a plant have one width: as many states in each as there are inputs, exosystems and references. An index lies within its array.",
+            "All blocks of a plant have the same number of states, and the plant has as many inputs, for the controller solves each block's `gain` (G in the theory) for the states of the next block or for the inputs: it is square. A disturbance of exosystems has one for each state. An index lies within its array.",
             &[undo(
                 "    force: {limit: 5 N, safe: 0 N}\n",
                 "    force: {limit: 5 N, safe: 0 N}\n    brake: {limit: 5 N, safe: 0 N}\n",

@@ -38,14 +38,14 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
     (
         Rule::E0604,
         plain(
-            "A quantity is written with its unit, and that must be the one its key asks for. Gains may also be bare numbers in SI.",
+            "A quantity is written with its unit, and that must be the one its key asks for. Gains may also be bare numbers in SI. The help shows the number that is written in the SI unit; if it was meant in another one, write that: `0.002 s` is `2 ms`.",
             &[undo("sample_time: 2 ms", "sample_time: 0.002")],
         ),
     ),
     (
         Rule::E0605,
         plain(
-            "A gain is one number for all channels or one for each; some may be matrices. Other numbers of entries say nothing about how they belong to the channels.",
+            "A gain is one number for all states of a block or one for each; some may be matrices. Other numbers of entries say nothing about how they belong to the states. A covariance has a row and a column for each parameter of its group.",
             &[undo("K: 1,", "K: [1, 2],")],
         ),
     ),
@@ -87,7 +87,7 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
     (
         Rule::E0609,
         plain(
-            "The nodes of a network grow with its order and the number of its inputs. Order 0 knows a constant only, which an observer estimates better; more than 2000 nodes are slow to run and never learn.",
+            "The nodes of a network grow with its order and the number of its inputs: with `basis: pairwise` n inputs of order p make 1 + n p + n (n - 1)/2 p (p - 1)/2 nodes, with `basis: complete` (n + p)!/(n! p!). With 3 inputs of order 3 that is 19 and 20. Order 0 knows a constant only, which an observer estimates better; more than 2000 nodes are slow to run and never learn.",
             &[edit(
                 "C: 20}",
                 "C: 20, network: {order: 0, inputs: [v], scale: [1 m/s], iota: 1, Gamma: 1, lambda: 1}, error_bound: {iota: 1, b: 1}}",

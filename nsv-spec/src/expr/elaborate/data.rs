@@ -55,6 +55,25 @@ impl Elaborator<'_> {
         self.apply_data(&name.text, &data, orders, at)
     }
 
+    /// The last fault with the place from which an argument of a table has its unit.
+    fn show_axis(&mut self, path: &str, axis: &str, found: Dimension, wanted: Dimension) {
+        let Some(origin) = self.scope.origin(path) else {
+            return;
+        };
+        if let Some(mut fault) = self.faults.pop() {
+            let change = match found.is_dimensionless() {
+                true => format!(", or take the unit of axis `{axis}` away"),
+                false => format!(", or give axis `{axis}` the unit {found}"),
+            };
+            fault
+                .help
+                .iter_mut()
+                .for_each(|help| help.push_str(&change));
+            let label = format!("axis `{axis}` is {}", wanted.in_words());
+            self.faults.push(fault.with_related(origin.span, label));
+        }
+    }
+
     /// The data of a name in place of a function.
     fn data(&mut self, name: &Name) -> Option<Data> {
         let text = &name.text;
@@ -129,6 +148,8 @@ impl Elaborator<'_> {
                 Err(fault) => {
                     let span = self.span_of(node);
                     self.report::<()>(span, fault, &[]);
+                    let path = format!("{name}.{argument}");
+                    self.show_axis(&path, argument, real.dimensions[0], wanted);
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Dimension, Elaborator, ExprId, Fault, NodeId, Real, Shape, Span, Symbol, typing};
+use super::{Dimension, Elaborator, ExprId, Fault, NodeId, Real, Shape, Span, Symbol};
 use crate::diagnostic::{Diagnostic, Rule};
 use crate::expr::builtin::{self, Entry};
 use crate::expr::parser::INDEX;
@@ -110,7 +110,7 @@ impl Elaborator<'_> {
             return self.report(span, fault, &[]);
         }
         if real.dimensions[0].agree(wanted).is_none() {
-            let found = typing::shown(real.dimensions[0]);
+            let found = real.dimensions[0].in_words();
             let message = format!("unit mismatch: {what} is {found}, expected {unit}");
             let fault = Fault::new(Rule::E0404, message, format!("give it in {unit}"));
             return self.report(span, fault, &[]);

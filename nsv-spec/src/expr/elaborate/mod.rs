@@ -206,7 +206,7 @@ impl Elaborator<'_> {
             let message = format!("index {place} outside {}", real.shape);
             return self.report(
                 span,
-                Fault::new(Rule::E0503, message, "indices start at 1"),
+                Fault::new(Rule::E0503, message, index_help(real.shape)),
                 &[],
             );
         }
@@ -319,5 +319,14 @@ impl Elaborator<'_> {
 
     fn span_of(&self, node: NodeId) -> Span {
         self.expr.node(node).span
+    }
+}
+
+fn index_help(shape: Shape) -> String {
+    match shape {
+        Shape::Matrix(rows, cols) => {
+            format!("rows are counted from 1 to {rows}, columns from 1 to {cols}")
+        }
+        shape => format!("entries are counted from 1 to {}", shape.entries()),
     }
 }

@@ -1,7 +1,7 @@
 //! Names in place of values.
 
 use super::{Bits, Dimension, Elaborator, ExprId, Fault, Node, Span, Symbol, Type};
-use crate::diagnostic::{Rule, quoted};
+use crate::diagnostic::{Rule, a, quoted};
 use crate::expr::builtin;
 use crate::expr::syntax::{self, Kind, Name};
 use crate::suggest::nearest;
@@ -61,15 +61,16 @@ impl Elaborator<'_> {
     }
 
     pub(super) fn unavailable(&mut self, span: Span, name: &str, why: String) -> Option<ExprId> {
-        self.report::<()>(
-            span,
-            Fault::new(Rule::E0303, format!("`{name}` cannot be used here"), why),
-            &[],
-        );
-        if let Some(origin) = self.scope.origin(name)
+        let origin = self.scope.origin(name);
+        let message = match &origin {
+            Some(origin) => format!("{} `{name}` cannot be used here", origin.noun),
+            None => format!("`{name}` cannot be used here"),
+        };
+        self.report::<()>(span, Fault::new(Rule::E0303, message, why), &[]);
+        if let Some(origin) = origin
             && let Some(fault) = self.faults.pop()
         {
-            let label = format!("it is a {}, declared here", origin.noun);
+            let label = format!("it is {}, declared here", a(origin.noun));
             self.faults.push(fault.with_related(origin.span, label));
         }
         None

@@ -211,7 +211,7 @@ fn a_wrong_kind_of_value_is_refused_at_its_place() {
             reasons: &[],
             columns: &[],
         };
-        match expect(&arena, id, base(text).span, &expected) {
+        match expect(&arena, id, base(text).span, &[], &expected) {
             Ok(()) => "accepted".to_owned(),
             Err(faults) => shown(&faults),
         }

@@ -123,7 +123,7 @@ fn products_of_matrices_add_up_terms_of_one_dimension() {
     check(
         "transpose(pair)*pair",
         "MatMul(Transpose(d1) d1)",
-        "a vector of 1 in m^2",
+        "a vector of one entry in m^2",
     );
     check(
         "transpose([[1 m, 2 s], [3 kg, 4 A]])",

@@ -96,7 +96,7 @@ impl Real {
     /// What the value is, for labels: its dimension, or its shape.
     pub(super) fn described(&self) -> String {
         match self.shape {
-            Shape::Scalar => shown(self.dimensions[0]),
+            Shape::Scalar => self.dimensions[0].in_words(),
             array => array.to_string(),
         }
     }
@@ -107,8 +107,7 @@ impl Real {
             Some((first, rest)) if rest.iter().any(|other| other != first) => {
                 "in several units".to_owned()
             }
-            Some((&first, _)) if first.is_dimensionless() => shown(first),
-            Some((first, _)) => format!("in {first}"),
+            Some((first, _)) => first.in_words(),
             None => String::new(),
         };
         match self.shape {
@@ -119,7 +118,7 @@ impl Real {
 }
 
 /// A dimension in words.
-pub(super) fn shown(dimension: Dimension) -> String {
+pub(crate) fn shown(dimension: Dimension) -> String {
     if dimension.is_dimensionless() {
         "a pure number".to_owned()
     } else {
@@ -226,7 +225,7 @@ pub(super) fn dimensionless(what: &str, dimension: Dimension) -> Result<(), Faul
     if dimension.is_dimensionless() {
         return Ok(());
     }
-    let message = format!("unit mismatch: {what} is {dimension}, expected a pure number");
+    let message = format!("unit mismatch: {what} is in {dimension}, expected a pure number");
     Err(Fault::new(
         Rule::E0404,
         message,
@@ -244,13 +243,13 @@ pub(super) fn argument(what: &str, found: Dimension, wanted: Dimension) -> Resul
     }
     let message = format!(
         "unit mismatch: {what} is {}, expected {wanted}",
-        shown(found)
+        found.in_words()
     );
-    Err(Fault::new(
-        Rule::E0404,
-        message,
-        format!("give it in {wanted}"),
-    ))
+    let help = match wanted.checked_div(found) {
+        Some(factor) => format!("multiply it by a quantity in {factor}, such as `*(1 {factor})`"),
+        None => format!("give it in {wanted}"),
+    };
+    Err(Fault::new(Rule::E0404, message, help))
 }
 
 /// Whole power of a scalar.
@@ -289,7 +288,7 @@ pub(super) fn real_power(base: &Real, exponent: &Real) -> Result<Real, Fault> {
         return Ok(Real::scalar(Dimension::ONE));
     }
     let message =
-        format!("unit mismatch: base is {dimension}, but its exponent is not a whole number");
+        format!("unit mismatch: base is in {dimension}, but its exponent is not a whole number");
     Err(Fault::new(
         Rule::E0405,
         message,
@@ -320,7 +319,15 @@ fn mismatch(symbol: &str, at: &str, left: Dimension, right: Dimension) -> Fault 
             Some(unit) => format!("give the pure number its unit: `1 {unit}`"),
             None => "both sides must have one unit".to_owned(),
         },
-        Some(missing) => format!("the sides differ by a factor in {missing}"),
+        Some(missing) => match missing.checked_powi(-1) {
+            // A unit above the line reads better than one below it.
+            Some(inverse) if missing.to_string().starts_with("1/") => format!(
+                "divide the left side by a quantity in {inverse}, or multiply the right side by one"
+            ),
+            _ => format!(
+                "multiply the left side by a quantity in {missing}, or divide the right side by one"
+            ),
+        },
         None => "both sides must have one unit".to_owned(),
     };
     Fault::new(Rule::E0403, message, help)
