@@ -47,7 +47,9 @@ impl Context<'_> {
             let label = self.reason(expr, at, point);
             if label.starts_with(BY_ZERO) {
                 let elsewhere = match has_state(&self.names, expr, at) {
-                    true => ", or start elsewhere",
+                    true => {
+                        " wherever the plant goes; another start helps only if it never gets there"
+                    }
                     false => "",
                 };
                 fault.help = Some(format!(

@@ -62,12 +62,16 @@ impl Context<'_> {
                 block_name(block)
             ),
         };
+        let rest = match what.starts_with("drift") {
+            true => ", and write 0 if nothing is left",
+            false => "",
+        };
         let acts = match self.is_state(name) {
-            true => format!("leave `{name}` out: it acts"),
-            false => "inner states act".to_owned(),
+            true => "it acts",
+            false => "inner states act",
         };
         let help = format!(
-            "{acts} through `gain` of block `{}`, which multiplies it already; only {own} may stand here",
+            "take the terms with `{name}` out{rest}: {acts} through `gain` of block `{}`, which multiplies it already; only {own} may stand here",
             block_name(inner - 1)
         );
         let fault = Diagnostic::error(Rule::E0701, span, message).with_help(help);

@@ -101,16 +101,14 @@ impl Elaborator<'_> {
         }
         let meant = nearest(name, self.known_names());
         let message = format!("unknown name {}", quoted(name));
-        let fault = Fault::unknown(
-            Rule::E0301,
-            message,
-            &written,
-            meant,
-            || match parse_unit(name).is_ok() {
+        let fault = Fault::unknown(Rule::E0301, message, &written, meant, || {
+            match parse_unit(name).is_ok() {
                 true => format!("a unit follows its number directly: `1 {name}`"),
-                false => "declare it under `constants`, `parameters` or `definitions`".to_owned(),
-            },
-        );
+                false => "declare it: under `constants` with its value and unit, under `parameters` if that is uncertain, or under `definitions` \
+                          as a formula"
+                    .to_owned(),
+            }
+        });
         self.report(span, fault, &[])
     }
 
