@@ -244,7 +244,7 @@ fn report(output: &Output) -> String {
 
 /// Runs a step of the installation, without input.
 fn installed(command: &mut Command) -> Result<Output, Failure> {
-    process::run(command, Vec::new(), INSTALLATION_OUTPUT, INSTALLATION)
+    process::run(command, INSTALLATION_OUTPUT, INSTALLATION)
 }
 
 fn why(failure: &Failure) -> String {

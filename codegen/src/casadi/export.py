@@ -1,6 +1,6 @@
 """Takes the partial derivatives that nsv asks for, with CasADi.
 
-Reads one JSON request on standard input and writes one JSON answer on standard output; needs the standard library and casadi.
+Reads JSON requests, one a line, on standard input and answers each with a line on standard output; needs the standard library and casadi.
 The request is data: it is looked up in tables, never evaluated as code. The answer depends on the request and on casadi's version
 only: not on hash order, the environment or earlier runs.
 
@@ -393,15 +393,20 @@ def answer(document):
     return {"tape": Tape(ca, formula, formula.answer(request)).document()}
 
 
-def main():
+def reply(question):
     try:
-        body = answer(json.load(sys.stdin))
+        body = answer(json.loads(question))
     except Refusal as refusal:
         body = {"error": {"code": refusal.code, "message": str(refusal)}}
     except Exception as error:  # a report, not a traceback, is what the compiler can show
         lines = str(error).strip().splitlines() or [""]
         body = {"error": {"code": "failed", "message": f"{type(error).__name__}: {lines[-1]}"}}
-    json.dump({"schema": SCHEMA, **body}, sys.stdout, allow_nan=False, sort_keys=True, separators=(",", ":"))
+    return json.dumps({"schema": SCHEMA, **body}, allow_nan=False, sort_keys=True, separators=(",", ":"))
+
+
+def main():
+    for question in sys.stdin:
+        print(reply(question), flush=True)
 
 
 main()

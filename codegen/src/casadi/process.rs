@@ -1,8 +1,8 @@
-//! Runs a child process with input, a deadline and a bound on its output.
+//! Child processes with a deadline and a bound on their output: run to their end, or asked line by line.
 
-use std::io::{self, Read, Write};
+use std::io::{self, BufRead, BufReader, Read, Write};
 use std::process::{Child, Command, ExitStatus, Stdio};
-use std::sync::mpsc::{self, Receiver};
+use std::sync::mpsc::{self, Receiver, Sender};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -34,69 +34,57 @@ pub(crate) enum Failure {
     TooLarge,
 }
 
-/// Runs `command` with `input` on standard input until it ends. Reading and writing go on in parallel, so that no full pipe can stop
-/// both sides; at the deadline the child and its process group are killed.
+/// Runs `command` without input until it ends; at the deadline the child and its process group are killed.
 pub(crate) fn run(
     command: &mut Command,
-    input: Vec<u8>,
     limit: usize,
     timeout: Duration,
 ) -> Result<Output, Failure> {
     let deadline = Instant::now() + timeout;
-    command
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped());
-    let mut tended = Tended::spawn(command).map_err(Failure::Start)?;
+    let mut tended = spawn(command.stdin(Stdio::null()))?;
     let child = &mut tended.child;
-    let mut stdin = child
-        .stdin
-        .take()
-        .expect("invariant: standard input is piped");
-    let stdout = reader(
-        child
-            .stdout
-            .take()
-            .expect("invariant: standard output is piped"),
-        limit + 1,
-    );
-    let stderr = reader(
-        child
-            .stderr
-            .take()
-            .expect("invariant: standard error is piped"),
-        STDERR_BYTES,
-    );
-    // A child that ends early closes the pipe; its status tells more than the failed write.
-    thread::spawn(move || {
-        let _ = stdin.write_all(&input);
+    let stdout = child.stdout.take().expect("invariant: it is piped");
+    let stdout = reader(stdout, limit + 1);
+    let stderr = errors(child);
+    let result = receive(&stdout, deadline).and_then(|stdout| match stdout.len() > limit {
+        true => Err(Failure::TooLarge),
+        false => ended(child, stdout, &stderr, deadline),
     });
-    let result = collect(child, &stdout, &stderr, limit, deadline);
     if result.is_err() {
         kill(child);
     }
     result
 }
 
-fn collect(
+fn spawn(command: &mut Command) -> Result<Tended, Failure> {
+    command.stdout(Stdio::piped()).stderr(Stdio::piped());
+    Tended::spawn(command).map_err(Failure::Start)
+}
+
+fn errors(child: &mut Child) -> Receiver<io::Result<Vec<u8>>> {
+    let stderr = child.stderr.take().expect("invariant: it is piped");
+    reader(stderr, STDERR_BYTES)
+}
+
+fn receive(
+    receiver: &Receiver<io::Result<Vec<u8>>>,
+    deadline: Instant,
+) -> Result<Vec<u8>, Failure> {
+    let left = deadline.saturating_duration_since(Instant::now());
+    receiver
+        .recv_timeout(left)
+        .map_err(|_| Failure::Timeout)?
+        .map_err(Failure::Io)
+}
+
+/// What a child left that has closed its output.
+fn ended(
     child: &mut Child,
-    stdout: &Receiver<io::Result<Vec<u8>>>,
+    stdout: Vec<u8>,
     stderr: &Receiver<io::Result<Vec<u8>>>,
-    limit: usize,
     deadline: Instant,
 ) -> Result<Output, Failure> {
-    let receive = |receiver: &Receiver<io::Result<Vec<u8>>>| {
-        let left = deadline.saturating_duration_since(Instant::now());
-        receiver
-            .recv_timeout(left)
-            .map_err(|_| Failure::Timeout)?
-            .map_err(Failure::Io)
-    };
-    let stdout = receive(stdout)?;
-    if stdout.len() > limit {
-        return Err(Failure::TooLarge);
-    }
-    let stderr = String::from_utf8_lossy(&receive(stderr)?).into_owned();
+    let stderr = String::from_utf8_lossy(&receive(stderr, deadline)?).into_owned();
     loop {
         if let Some(status) = child.try_wait().map_err(Failure::Io)? {
             return Ok(Output {
@@ -110,6 +98,91 @@ fn collect(
         }
         thread::sleep(POLL);
     }
+}
+
+/// A child that answers each line with a line. Reading and writing go on in threads of their own, so that no full pipe can stop both
+/// sides; it is killed with its process group when dropped.
+pub(crate) struct Session {
+    tended: Tended,
+    questions: Sender<Vec<u8>>,
+    answers: Receiver<io::Result<Vec<u8>>>,
+    stderr: Receiver<io::Result<Vec<u8>>>,
+    limit: usize,
+}
+
+/// What a child makes of a question.
+#[derive(Debug)]
+pub(crate) enum Reply {
+    /// Its answer.
+    Line(Vec<u8>),
+    /// It ended instead.
+    Ended(Output),
+}
+
+impl Session {
+    /// Starts `command`; a line of its output has at most `limit` bytes.
+    pub(crate) fn start(command: &mut Command, limit: usize) -> Result<Session, Failure> {
+        let mut tended = spawn(command.stdin(Stdio::piped()))?;
+        let child = &mut tended.child;
+        let mut stdin = child.stdin.take().expect("invariant: it is piped");
+        let stdout = child.stdout.take().expect("invariant: it is piped");
+        let stderr = errors(child);
+        let (questions, asked) = mpsc::channel::<Vec<u8>>();
+        thread::spawn(move || {
+            // A child that ended has closed the pipe; its status tells more than the failed write.
+            while let Ok(question) = asked.recv() {
+                let _ = stdin.write_all(&question).and_then(|()| stdin.flush());
+            }
+        });
+        Ok(Session {
+            answers: lines(stdout, limit),
+            tended,
+            questions,
+            stderr,
+            limit,
+        })
+    }
+
+    /// The answer to a line.
+    pub(crate) fn ask(
+        &mut self,
+        mut question: Vec<u8>,
+        timeout: Duration,
+    ) -> Result<Reply, Failure> {
+        let deadline = Instant::now() + timeout;
+        question.push(b'\n');
+        // The thread ends with the session only.
+        let _ = self.questions.send(question);
+        let answer = receive(&self.answers, deadline)?;
+        if answer.len() > self.limit {
+            return Err(Failure::TooLarge);
+        }
+        match answer.ends_with(b"\n") {
+            true => Ok(Reply::Line(answer)),
+            false => {
+                ended(&mut self.tended.child, answer, &self.stderr, deadline).map(Reply::Ended)
+            }
+        }
+    }
+}
+
+/// Reads lines with their ends until one is longer than `limit`; what stands behind the last end, perhaps nothing, is the last.
+fn lines(pipe: impl Read + Send + 'static, limit: usize) -> Receiver<io::Result<Vec<u8>>> {
+    let (sender, receiver) = mpsc::channel();
+    thread::spawn(move || {
+        let mut pipe = BufReader::new(pipe);
+        loop {
+            let mut line = Vec::new();
+            let most = u64::try_from(limit).unwrap_or(u64::MAX).saturating_add(1);
+            let read = (&mut pipe).take(most).read_until(b'\n', &mut line);
+            let last = read.is_err() || !line.ends_with(b"\n");
+            // The other side is gone after a failure.
+            if sender.send(read.map(|_| line)).is_err() || last {
+                return;
+            }
+        }
+    });
+    receiver
 }
 
 /// Reads at most `limit` bytes, then closes the pipe. The thread is not joined: a process that outlives its group may hold the pipe.

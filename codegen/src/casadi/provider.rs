@@ -1,13 +1,12 @@
 //! Answers questions about partial derivatives: from memory, from stored exports, or from CasADi.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::PathBuf;
 
 use super::decode::decode;
 use super::document::{CASADI_VERSION, Export, SCHEMA};
 use super::environment::{Mode, Settings};
 use super::error::Error;
-use super::exporter;
+use super::exporter::Exporter;
 use super::job::Job;
 use super::request::Question;
 use super::store::{Key, Store};
@@ -18,7 +17,7 @@ pub struct Provider<'a> {
     settings: Settings,
     exports: Store,
     cache: Option<Store>,
-    python: Option<PathBuf>,
+    exporter: Option<Exporter>,
     progress: Box<dyn FnMut(&str) + 'a>,
     used: BTreeMap<Key, Export>,
 }
@@ -32,7 +31,7 @@ impl<'a> Provider<'a> {
             settings,
             exports,
             cache,
-            python: None,
+            exporter: None,
             progress: Box::new(progress),
             used: BTreeMap::new(),
         }
@@ -106,16 +105,19 @@ impl<'a> Provider<'a> {
     }
 
     fn ask(&mut self, question: &Question<'_>) -> Result<Export, Error> {
-        let python = match &self.python {
-            Some(python) => python.clone(),
-            None => self.settings.provision(&mut *self.progress)?,
+        let mut exporter = match self.exporter.take() {
+            Some(exporter) => exporter,
+            None => {
+                let python = self.settings.provision(&mut *self.progress)?;
+                Exporter::start(&python, self.settings.timeout)?
+            }
         };
         let formula = &question.formula.name;
         (self.progress)(&format!(
             "taking the partial derivatives of `{formula}` with casadi"
         ));
-        let tape = exporter::tape(&python, self.settings.timeout, formula, &question.request)?;
-        self.python = Some(python);
+        let tape = exporter.tape(formula, &question.request)?;
+        self.exporter = Some(exporter);
         let fits = decode(question, &tape);
         fits.map_err(|error| Error::Tape {
             formula: formula.clone(),
