@@ -1,6 +1,5 @@
 //! Numbers from expressions, while a specification is read: constants, initial values, suprema over the horizon.
 
-use std::collections::BTreeMap;
 use std::fmt;
 
 use nsv_math::real::Real;
@@ -88,37 +87,65 @@ pub fn evaluate(
     let mut evaluator = Evaluator {
         arena,
         environment,
-        values: BTreeMap::new(),
+        values: Values::of(arena),
     };
     let mut pending = vec![id];
     while let Some(&next) = pending.last() {
-        if evaluator.values.contains_key(&next) {
+        if evaluator.values.get(next).is_some() {
             pending.pop();
             continue;
         }
-        let operands = evaluator.operands(next)?;
+        let operands = evaluator.operands(next)?.into_iter();
         let missing = pending.len();
-        pending.extend(
-            operands
-                .into_iter()
-                .filter(|operand| !evaluator.values.contains_key(operand)),
-        );
+        pending.extend(operands.filter(|&operand| evaluator.values.get(operand).is_none()));
         if pending.len() == missing {
             let value = evaluator.compute(next)?;
-            evaluator.values.insert(next, value);
+            evaluator.values.insert(next, &value);
             pending.pop();
         }
     }
-    Ok(evaluator
-        .values
-        .remove(&id)
-        .expect("invariant: the loop ends when the root has its value"))
+    Ok(evaluator.values.at(id).to_vec())
 }
 
 struct Evaluator<'a> {
     arena: &'a Arena,
     environment: &'a dyn Environment,
-    values: BTreeMap<ExprId, Vec<f64>>,
+    values: Values,
+}
+
+/// Values of expressions, one behind the other.
+struct Values {
+    /// Start and end of the entries of each expression of the arena, [`Values::UNKNOWN`] before it has any.
+    ranges: Vec<(u32, u32)>,
+    entries: Vec<f64>,
+}
+
+impl Values {
+    const UNKNOWN: (u32, u32) = (1, 0);
+
+    fn of(arena: &Arena) -> Values {
+        Values {
+            ranges: vec![Self::UNKNOWN; arena.len()],
+            entries: Vec::new(),
+        }
+    }
+
+    fn get(&self, id: ExprId) -> Option<&[f64]> {
+        let (start, end) = self.ranges[id.0 as usize];
+        (start <= end).then(|| &self.entries[start as usize..end as usize])
+    }
+
+    fn at(&self, id: ExprId) -> &[f64] {
+        self.get(id).expect("invariant: operands have their values")
+    }
+
+    fn insert(&mut self, id: ExprId, value: &[f64]) {
+        let place =
+            |length: usize| u32::try_from(length).expect("invariant: expressions are bounded");
+        let start = place(self.entries.len());
+        self.entries.extend(value);
+        self.ranges[id.0 as usize] = (start, place(self.entries.len()));
+    }
 }
 
 impl Evaluator<'_> {
@@ -151,7 +178,7 @@ impl Evaluator<'_> {
             Node::Time => scalar(environment.time())?,
             Node::Definition(definition) => {
                 let body = self.found(id, environment.definition(*definition))?;
-                self.values[&body].clone()
+                self.values.at(body).to_vec()
             }
             Node::Polynomial(polynomial, arguments) => {
                 let data = self.found(id, environment.polynomial(*polynomial))?;
@@ -175,7 +202,7 @@ impl Evaluator<'_> {
 
     /// Value of a node made of other nodes.
     fn combine(&self, node: &Node) -> Vec<f64> {
-        let value = |id: &ExprId| self.values[id].as_slice();
+        let value = |id: &ExprId| self.values.at(*id);
         let truth = |id: &ExprId| self.number(*id) != 0.0;
         match node {
             Node::Apply(f, a) => value(a).iter().map(|&x| function(*f, x)).collect(),
@@ -219,7 +246,7 @@ impl Evaluator<'_> {
 
     fn matrix_product(&self, a: ExprId, b: ExprId) -> Vec<f64> {
         let ((rows, inner), (_, cols)) = (self.size(a), self.size(b));
-        let (a, b) = (&self.values[&a], &self.values[&b]);
+        let (a, b) = (self.values.at(a), self.values.at(b));
         let entry = |row: usize, col: usize| {
             sum((0..inner).map(|k| a[row * inner + k] * b[k * cols + col]))
         };
@@ -230,7 +257,7 @@ impl Evaluator<'_> {
     }
 
     fn number(&self, id: ExprId) -> f64 {
-        self.values[&id][0]
+        self.values.at(id)[0]
     }
 
     fn size(&self, id: ExprId) -> (usize, usize) {
