@@ -4,7 +4,7 @@
 //! renaming a set of files, runs under [`shielded`], for which the handler waits.
 
 use std::collections::BTreeSet;
-use std::io;
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -36,6 +36,11 @@ pub fn install() {
         for folder in &live.scratch {
             let _ = std::fs::remove_dir_all(folder);
         }
+        // On a line of its own, behind what may tell the progress.
+        let _ = writeln!(
+            io::stderr(),
+            "\ninterrupted: nothing is left but what `--checkpoint` keeps"
+        );
         std::process::exit(INTERRUPTED);
     };
     // Without a handler Ctrl-C still ends the process; only scratch folders would stay.

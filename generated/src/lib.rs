@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 85b9f0a30d648331b750afdc611f3b4a3c80f5f2ecc1fb9417f6eccbcbfdc869
+// SHA-256 of the text below: 4106b374fe90c7de5b336d95f4a4ff2d0c1bf6e8c5aa6e4ff60a7b816971933c
 //! Committed output of the nsv compiler, one module per specification under `specs/`.
 #![no_std]
 #![forbid(unsafe_code)]
@@ -31,7 +31,7 @@ pub mod motor_arm;
 #[rustfmt::skip]
 pub mod nsv_attitude;
 
-/// The attitude controller on a near space vehicle that climbs, turns and accelerates
+/// The attitude controller on a near space vehicle that climbs and accelerates
 #[rustfmt::skip]
 pub mod nsv_six_dof;
 

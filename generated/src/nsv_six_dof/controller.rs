@@ -1,6 +1,6 @@
-// SHA-256 of the text below: a89cffc3f34f40a3bc4430a86ea3bfec4d2b4f83ed80e69f3653fefdc34b2154
+// SHA-256 of the text below: d3a199b720e13000f5770c08059d59b0de83dd847620da28b4dfb8a4efc41e04
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 f1ed1a103e422183001e3307dcbafd51dd8416eb6bf6c3da335ba5b9a83cacd7
+// specification sha256 d9c4134bcbe0b312f0aa158f031e4efb6f9e95bfa5b8cb48d579689484a3195c
 // initial: 87 additions, 132 multiplications, 7 divisions, 0 square roots, 12 elementary functions, 43 comparisons and selections
 // control: 547 additions, 828 multiplications, 12 divisions, 4 square roots, 18 elementary functions, 58 comparisons and selections
 
@@ -192,7 +192,7 @@ impl<T: Real> Output<T> {
     }
 }
 
-/// The attitude controller on a near space vehicle that climbs, turns and accelerates
+/// The attitude controller on a near space vehicle that climbs and accelerates
 ///
 /// The sampled controller: [`Controller::step`] is total, allocates nothing and cannot panic.
 #[derive(Clone, Debug)]

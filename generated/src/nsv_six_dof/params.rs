@@ -1,6 +1,6 @@
-// SHA-256 of the text below: a856e3b88183f53afccaa6f814e0bde3190a28e92a6bc30559a04e03c4640f5a
+// SHA-256 of the text below: f888b61af2f81e9ac0dadf8f6ecda2e12a74131973b7f27dd5cb341f1022dca6
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 f1ed1a103e422183001e3307dcbafd51dd8416eb6bf6c3da335ba5b9a83cacd7
+// specification sha256 d9c4134bcbe0b312f0aa158f031e4efb6f9e95bfa5b8cb48d579689484a3195c
 
 //! `nsv_six_dof`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

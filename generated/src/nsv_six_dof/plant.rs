@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 7791fca2615d3cee4ed8a127c2059ab572d2ebceb8931a72b9e1a2c205822c31
+// SHA-256 of the text below: 618e0bd191de2888eb59880caa710dbc585e679d1f7c59b94362a9c3cc5bfee7
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 f1ed1a103e422183001e3307dcbafd51dd8416eb6bf6c3da335ba5b9a83cacd7
+// specification sha256 d9c4134bcbe0b312f0aa158f031e4efb6f9e95bfa5b8cb48d579689484a3195c
 // plant: 350 additions, 507 multiplications, 10 divisions, 1 square roots, 20 elementary functions, 47 comparisons and selections
 
 //! `nsv_six_dof`: plant and disturbances.

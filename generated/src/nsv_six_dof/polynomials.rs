@@ -1,6 +1,6 @@
-// SHA-256 of the text below: b953c0929ce5601da74947f0c2a2bad1bb8f85454fc52c60466055fb0e8dc031
+// SHA-256 of the text below: de58404bccaa1fb82f6d572001954e55adc916fe459a14ef159b3e7ebfe36f14
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 f1ed1a103e422183001e3307dcbafd51dd8416eb6bf6c3da335ba5b9a83cacd7
+// specification sha256 d9c4134bcbe0b312f0aa158f031e4efb6f9e95bfa5b8cb48d579689484a3195c
 
 //! `nsv_six_dof`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

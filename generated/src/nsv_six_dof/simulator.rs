@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 225c4e07fd4c55b7e4ca66182c580c9d868a4e83becc2e76df2b1201944db3dc
+// SHA-256 of the text below: 6b79a9abcf09633db09f064041be92fb0da43eba1cf567ec0759912dccfdcedd
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 f1ed1a103e422183001e3307dcbafd51dd8416eb6bf6c3da335ba5b9a83cacd7
+// specification sha256 d9c4134bcbe0b312f0aa158f031e4efb6f9e95bfa5b8cb48d579689484a3195c
 
 //! `nsv_six_dof`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

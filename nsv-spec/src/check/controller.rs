@@ -6,6 +6,7 @@ use super::plant::{PlantBlock, SECOND};
 use crate::diagnostic::{Diagnostic, Rule};
 use crate::model::{Block, Controller, Integration, Norm, VirtualDerivative};
 use crate::spec::{Code, ControllerBlock, Named, Word};
+use crate::suggest::Meant;
 use crate::unit::Dimension;
 
 const PER_SECOND: Dimension = Dimension::new(0, 0, -1, 0);
@@ -89,6 +90,11 @@ impl Context<'_> {
             let own = &gains.value[at].name;
             let message = format!("controller block `{}` is no block of the plant", own.value);
             let fault = Diagnostic::error(Rule::E0114, own.span, message);
+            // Either of the two names may be the misspelt one.
+            let meant = meant.map(|meant| Meant {
+                sure: false,
+                ..meant
+            });
             let otherwise = || format!("the plant's blocks are `{}`", wanted.join("`, `"));
             self.faults
                 .push(fault.did_you_mean(own.span, &own.value, meant, otherwise));

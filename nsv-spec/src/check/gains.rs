@@ -134,6 +134,7 @@ impl Context<'_> {
         for (&found, &place) in numbers.dimensions.iter().zip(&numbers.places) {
             self.check_gain_unit(found, place, what, dimension)?;
         }
+        self.check_no_angle(formula, what, dimension)?;
         Some(numbers)
     }
 

@@ -103,7 +103,43 @@ impl Context<'_> {
     pub(super) fn gain(&mut self, code: &Code, what: &str, dimension: Dimension) -> Option<f64> {
         let (value, found) = self.scalar(code, what)?;
         self.check_gain_unit(found, code.base.span, what, dimension)?;
+        self.check_no_angle(&Formula::Code(code.clone()), what, dimension)?;
         Some(value)
+    }
+
+    /// A gain with a dimension is no angle, though the dimension of an angle is that of a bare number.
+    pub(super) fn check_no_angle(
+        &mut self,
+        formula: &Formula,
+        what: &str,
+        dimension: Dimension,
+    ) -> Option<()> {
+        if dimension == Dimension::ONE {
+            return Some(());
+        }
+        let code = match formula {
+            Formula::List(items, _) => {
+                return items
+                    .iter()
+                    .try_for_each(|item| self.check_no_angle(item, what, dimension));
+            }
+            Formula::Code(code) => code,
+        };
+        let expr = expr::parse(&code.text, code.base.clone()).ok()?;
+        let Some((_, Some(unit))) = expr.as_literal() else {
+            return Some(());
+        };
+        if unit.dimension != Dimension::ONE {
+            return Some(());
+        }
+        let message = format!(
+            "unit mismatch: {what} is in {}, expected {}",
+            unit.text,
+            shown(dimension)
+        );
+        let help = format!("write it in {dimension}, or as a bare number in SI");
+        self.fault(Rule::E0604, code.base.span, message, help);
+        None
     }
 
     pub(super) fn check_gain_unit(

@@ -88,19 +88,19 @@ fn counts(cost: Cost) -> Value {
 
 /// The explanations as text.
 pub(super) fn table(model: &Model, explanations: &[Explanation]) -> String {
-    let mut text = String::new();
+    let mut text = format!("{LEGEND}\n");
     for explanation in explanations {
         let _ = writeln!(text, "program {}", explanation.program);
         passes(&mut text, explanation);
         equations(&mut text, model, explanation);
         text.push('\n');
     }
-    text.push_str(LEGEND);
     text
 }
 
 const LEGEND: &str = "Operations on numbers, those of arrays counted entry by entry: add also subtracts, a fused multiply-add is an add \
-and a mul, call is an elementary function, select a comparison or a choice. `a > b`: a before the optimiser, b after it.\n";
+and a mul, call is an elementary function, select a comparison or a choice. `a > b`: a before the optimiser, b after it, `-` none. \
+Numbers in round brackets are those of the equations in the paper, behind a pass its round.\n";
 
 /// Width of a count, and of a pair of counts.
 const COUNT: usize = 7;

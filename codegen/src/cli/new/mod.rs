@@ -79,7 +79,8 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     file.write_all(text.as_bytes())
         .map_err(|error| Failure::io("write", &path, &error))?;
     note(format_args!(
-        "wrote `{0}`: `nsv check {0}`, then `nsv simulate {0} --report report.html`",
+        "wrote `{0}`: `nsv check {0}`, then `nsv simulate {0} --report report.html`, which takes derivatives with CasADi \
+         (needs Python, and about 110 MB from PyPI the first time)",
         path.display()
     ));
     Ok(())
