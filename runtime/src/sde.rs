@@ -44,9 +44,10 @@ pub enum Scheme {
     ///
     /// `x' = ((x + f dt) + G dw) + r_1 + r_2 + ...`, `r_j = (g_j(t, (x + f dt) + g_j h) - g_j(t, x)) ((dw_j dw_j - dt) / (h + h))`,
     ///
-    /// with `g_j` column j of `G` and `h = sqrt(dt)`; `r_j` is 0, and is left out, where [`Sde::STATE_DEPENDENT`] is false. Order 1 needs that no channel changes another's diffusion: the derivative of `g_j`
-    /// along `g_i` is zero for i != j. So it is if each channel drives a state of its own and its column depends on no other noisy state
-    /// (diagonal noise), or if no column depends on a state that noise drives (additive noise). Otherwise the order is 1/2.
+    /// with `g_j` column j of `G` and `h = sqrt(dt)`; `r_j` is 0, and is left out, where [`Sde::STATE_DEPENDENT`] is false. Order 1 needs
+    /// that no channel changes another's diffusion: the derivative of `g_j` along `g_i` is zero for i != j. So it is if each channel drives
+    /// a state of its own and its column depends on no other noisy state (diagonal noise), or if no column depends on a state that noise
+    /// drives (additive noise). Otherwise the order is 1/2.
     Platen,
     /// The classical Runge-Kutta scheme on the drift; `dw` is ignored. With `k_1..k_4` at `(t, x)`, `(t + dt/2, x + k_1 (dt/2))`,
     /// `(t + dt/2, x + k_2 (dt/2))`, `(t + dt, x + k_3 dt)`: `x' = x + (((k_1 + k_2 2) + k_3 2) + k_4) (dt/6)`.
