@@ -28,13 +28,12 @@ pub mod yaml;
 use std::path::Path;
 
 use compose::Composition;
-use diagnostic::{Diagnostic, Diagnostics, SourceMap};
+use diagnostic::{Diagnostic, Diagnostics};
 use model::Model;
 pub use schema::json_schema;
-use yaml::Node;
 
-/// Reads, checks and joins a specification and all that it includes. Gives the model with its warnings, or every fault of the
-/// phase that failed. The files named in `include` lie below the specification's directory; nothing else is read.
+/// Reads, checks and joins a specification and all that it includes. Gives the model with its warnings, or every fault. The
+/// files named in `include` lie below the specification's directory; nothing else is read.
 pub fn load(path: &Path) -> Result<(Model, Vec<Diagnostic>), Diagnostics> {
     Composition::read(path, &[])?.base()
 }
@@ -47,18 +46,4 @@ pub fn load_str(name: &str, text: &str) -> Result<(Model, Vec<Diagnostic>), Diag
 /// The same for bytes that may not even be text.
 pub fn load_bytes(name: &str, bytes: &[u8]) -> Result<(Model, Vec<Diagnostic>), Diagnostics> {
     Composition::read_bytes(name, bytes)?.base()
-}
-
-fn build(tree: &Node, sources: SourceMap) -> Result<(Model, Vec<Diagnostic>), Diagnostics> {
-    let spec = parse::parse(tree);
-    let model = spec.and_then(|spec| check::check(&spec, &sources, hash::of(&sources)));
-    model.map_err(|items| sorted(items, sources))
-}
-
-/// Faults in order of place, each once.
-fn sorted(mut items: Vec<Diagnostic>, sources: SourceMap) -> Diagnostics {
-    items.sort_by_key(|item| item.span);
-    // A fault in the body of a function is found at each of its calls.
-    items.dedup_by(|a, b| (a.rule, a.span, &a.message) == (b.rule, b.span, &b.message));
-    Diagnostics { sources, items }
 }

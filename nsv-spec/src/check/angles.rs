@@ -5,9 +5,8 @@
 use super::Context;
 use super::formula::Parsed;
 use crate::diagnostic::{Diagnostic, Rule, Span};
-use crate::expr;
 use crate::expr::syntax::{Expr, Infix, Kind, Node, NodeId};
-use crate::spec::{Code, Formula};
+use crate::spec::{Code, Formula, Unreadable};
 use crate::unit::{Dimension, Unit};
 
 /// Functions of an angle in radians.
@@ -88,9 +87,12 @@ impl Context<'_> {
         formula: &Formula,
     ) {
         let (block, channel) = state;
-        let written = &self.spec.blocks[block].value.states[channel];
+        let Some(written) = self.spec.blocks[block].value.states.get(channel) else {
+            return;
+        };
         let declared = match &written.value.unit {
-            Some(unit) => unit.value.starts_with("deg").then_some(unit.span),
+            Some(Ok(unit)) => unit.value.starts_with("deg").then_some(unit.span),
+            Some(Err(Unreadable)) => None,
             None => written_in_degrees(&written.value.initial),
         };
         let Some(declared) = declared else {
@@ -132,7 +134,7 @@ fn is_degree(unit: &Unit) -> bool {
 
 /// The place of a number in degrees, or degrees in some time.
 fn written_in_degrees(code: &Code) -> Option<Span> {
-    let expr = expr::parse(&code.text, code.base.clone()).ok()?;
+    let expr = code.parsed()?;
     let (_, unit) = expr.as_literal()?;
     let in_degrees = unit?.symbols().next() == Some("deg");
     in_degrees.then(|| expr.span())
@@ -140,7 +142,7 @@ fn written_in_degrees(code: &Code) -> Option<Span> {
 
 /// A number other than 0 without a unit.
 fn bare_number(code: &Code) -> Option<f64> {
-    let expr = expr::parse(&code.text, code.base.clone()).ok()?;
+    let expr = code.parsed()?;
     let (value, unit) = expr.as_literal()?;
     (unit.is_none() && value != 0.0).then_some(value)
 }

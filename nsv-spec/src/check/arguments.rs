@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use super::Context;
 use super::names::Use;
 use crate::diagnostic::{Applicability, Diagnostic, Rule, SourceMap, Span, a};
-use crate::expr;
 use crate::spec::{Function, Named, Word};
 
 /// Longest text that a renaming replaces, bytes.
@@ -16,7 +15,9 @@ impl Context<'_> {
     pub(super) fn check_arguments(&mut self, declared: &BTreeMap<String, (Span, &str)>) {
         let spec = self.spec;
         for function in &spec.functions {
-            let arguments = &function.value.arguments;
+            let Ok(arguments) = &function.value.arguments else {
+                continue;
+            };
             self.declare(
                 &mut BTreeMap::new(),
                 arguments.iter(),
@@ -52,11 +53,11 @@ impl Context<'_> {
     pub(super) fn warn_of_unused_arguments(&mut self) {
         let spec = self.spec;
         for Named { name, value } in &spec.functions {
-            let Ok(body) = expr::parse(&value.value.text, value.value.base.clone()) else {
+            let Some(body) = value.value.parsed() else {
                 continue;
             };
             let used = body.free_names();
-            for argument in &value.arguments {
+            for argument in value.arguments.iter().flatten() {
                 if used.iter().any(|(used, _)| *used == argument.value) {
                     continue;
                 }
@@ -81,7 +82,7 @@ fn fresh_name(
     declared: &BTreeMap<String, (Span, &str)>,
 ) -> Option<String> {
     let taken = |name: &String| {
-        let mut arguments = function.value.arguments.iter();
+        let mut arguments = function.value.arguments.iter().flatten();
         declared.contains_key(name) || arguments.any(|argument| argument.value == *name)
     };
     ["in", "arg", "given", "value"]
@@ -99,7 +100,7 @@ fn renamed(
     fresh: &str,
 ) -> Option<(Span, String)> {
     let code = &function.value;
-    let body = expr::parse(&code.text, code.base.clone()).ok()?;
+    let body = code.parsed()?;
     let uses = body.free_names().into_iter();
     let uses = uses.filter(|(name, _)| *name == argument.value);
     let mut places: Vec<Span> = uses.map(|(_, span)| span).collect();

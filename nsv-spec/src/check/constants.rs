@@ -11,7 +11,7 @@ use crate::diagnostic::{Applicability, Base, Diagnostic, Rule};
 use crate::expr::Symbol;
 use crate::expr::arena::{ConstantId, Shape, Type};
 use crate::model::Constant;
-use crate::spec::{Code, Formula, Named, Word};
+use crate::spec::{Code, Formula, Named, Read, Word};
 use crate::unit::{Dimension, Unit, parse_unit};
 
 impl Context<'_> {
@@ -55,7 +55,7 @@ impl Context<'_> {
         &mut self,
         name: &Word,
         written: &Formula,
-        unit: Option<&Word>,
+        unit: Option<&Read<Word>>,
         numbers: Numbers,
     ) -> Option<(Shape, Constant)> {
         let numbers = match unit {
@@ -88,8 +88,14 @@ impl Context<'_> {
     }
 
     /// Bare numbers in the unit that is given beside them.
-    fn in_unit(&mut self, written: &Formula, numbers: Numbers, unit: &Word) -> Option<Numbers> {
+    fn in_unit(
+        &mut self,
+        written: &Formula,
+        numbers: Numbers,
+        unit: &Read<Word>,
+    ) -> Option<Numbers> {
         let parsed = self.unit(unit)?;
+        let unit = unit.as_ref().ok()?;
         if let Some(found) = numbers
             .dimensions
             .iter()
@@ -133,7 +139,8 @@ impl Context<'_> {
     }
 
     /// A unit given under its own key.
-    pub(super) fn unit(&mut self, unit: &Word) -> Option<Unit> {
+    pub(super) fn unit(&mut self, unit: &Read<Word>) -> Option<Unit> {
+        let unit = unit.as_ref().ok()?;
         match parse_unit(&unit.value) {
             Ok(unit) => Some(unit),
             Err(error) => {
@@ -211,7 +218,7 @@ impl Context<'_> {
 /// A bare number in a unit, rounded once if its digits are known.
 pub(super) fn convert(code: Option<&Code>, value: f64, unit: &Unit) -> f64 {
     let digits = code
-        .map(|code| code.text.trim())
+        .and_then(|code| Some(code.text.as_ref().ok()?.trim()))
         .filter(|text| text.parse::<f64>().is_ok_and(|parsed| parsed == value));
     digits
         .and_then(|digits| unit.si(digits))
@@ -235,7 +242,8 @@ fn bare_number(written: &Formula, unit: &str) -> Option<String> {
     let Formula::Code(code) = written else {
         return None;
     };
-    let number = code.text.trim_end().strip_suffix(unit)?.trim_end();
-    let exact = code.base.holds(0..code.text.len());
+    let text = code.text.as_ref().ok()?;
+    let number = text.trim_end().strip_suffix(unit)?.trim_end();
+    let exact = code.base.holds(0..text.len());
     (exact && number.parse::<f64>().is_ok()).then(|| number.to_owned())
 }

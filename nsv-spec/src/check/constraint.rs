@@ -21,24 +21,22 @@ impl Context<'_> {
     /// k(t) of a block.
     pub(super) fn constraint(&mut self, at: usize, formula: &Formula) -> Option<ExprId> {
         let what = format!("constraint of block `{}`", self.spec.blocks[at].name.value);
-        let dimensions = [self.error_dimension(at)];
-        let states = &self.spec.blocks[at].value.states;
-        let reasons: Vec<_> = (states.first().filter(|_| states.len() == 1).iter())
-            .map(|state| state_reason(&state.name, dimensions[0]))
-            .collect();
+        let dimension = self.error_dimension(at);
+        let reasons: Vec<_> = match (&*self.spec.blocks[at].value.states, dimension) {
+            ([state], Some(dimension)) => vec![state_reason(&state.name, dimension)],
+            _ => Vec::new(),
+        };
+        let expected = dimension.as_ref().map(|dimension| Expected {
+            what: &what,
+            shape: Shape::Scalar,
+            dimensions: std::slice::from_ref(dimension),
+            reasons: &reasons,
+            columns: &[],
+        });
         self.check_degrees_of((at, 0), &what, formula);
-        let (id, parsed) = self.formula(
-            formula,
-            &Expected {
-                what: &what,
-                shape: Shape::Scalar,
-                dimensions: &dimensions,
-                reasons: &reasons,
-                columns: &[],
-            },
-        )?;
-        self.check_signal(&parsed, &what);
-        Some(id)
+        let (id, parsed) = self.formula(formula, expected.as_ref())?;
+        self.check_signal(&parsed, &what)?;
+        dimension.map(|_| id)
     }
 
     /// The times at which functions of time are examined.

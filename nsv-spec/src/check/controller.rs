@@ -18,12 +18,17 @@ impl Context<'_> {
     /// Choices for the controller as a whole.
     pub(super) fn controller(&mut self, sample_time: Option<f64>) -> Option<Controller> {
         let written = &self.spec.controller;
-        let norm = written.norm.map(|norm| norm.value).unwrap_or_else(|| {
-            self.default("controller.norm".into(), "frobenius", "the paper's");
-            Norm::Frobenius
-        });
+        let norm = written
+            .norm
+            .ok()?
+            .map(|norm| norm.value)
+            .unwrap_or_else(|| {
+                self.default("controller.norm".into(), "frobenius", "the paper's");
+                Norm::Frobenius
+            });
         let virtual_derivative = written
             .virtual_derivative
+            .ok()?
             .map(|choice| choice.value)
             .unwrap_or_else(|| {
                 self.default(
@@ -35,6 +40,7 @@ impl Context<'_> {
             });
         let integration = written
             .integration
+            .ok()?
             .map(|choice| choice.value)
             .unwrap_or_else(|| {
                 self.default(
@@ -85,9 +91,9 @@ impl Context<'_> {
     pub(super) fn match_blocks(&mut self) -> Vec<Option<usize>> {
         let (plant, gains) = (&self.spec.blocks, &self.spec.controller.blocks);
         let wanted: Vec<&str> = texts(plant);
-        let Pairing { matched, strangers } = pair(&wanted, &texts(&gains.value));
-        for (at, meant) in strangers {
-            let own = &gains.value[at].name;
+        let Pairing { matched, strangers } = pair(&wanted, &texts(gains));
+        for (at, meant) in strangers.into_iter().filter(|_| plant.complete) {
+            let own = &gains[at].name;
             let message = format!("controller block `{}` is no block of the plant", own.value);
             let fault = Diagnostic::error(Rule::E0114, own.span, message);
             // Either of the two names may be the misspelt one.
@@ -100,7 +106,7 @@ impl Context<'_> {
                 .push(fault.did_you_mean(own.span, &own.value, meant, otherwise));
         }
         for (block, matched) in plant.iter().zip(&matched) {
-            if matched.is_none() {
+            if matched.is_none() && gains.complete {
                 self.report_missing_gains(&block.name);
             }
         }

@@ -42,7 +42,7 @@ impl Context<'_> {
     /// Indices of the parameters; each is known, listed once and has no dispersion yet.
     fn members(&mut self, correlation: &Correlation) -> Option<Vec<usize>> {
         let mut members = Vec::new();
-        for name in &correlation.parameters {
+        for name in correlation.parameters.as_ref().ok()? {
             let at = self.member(name, correlation)?;
             let taken = (self.parameters[at].as_ref()).is_some_and(|one| one.dispersion.is_some());
             if taken || members.contains(&at) {
@@ -62,12 +62,12 @@ impl Context<'_> {
     fn member(&mut self, name: &Word, correlation: &Correlation) -> Option<usize> {
         let known = || self.spec.parameters.iter().map(|one| &one.name.value);
         let found = known().position(|known| *known == name.value);
-        if found.is_none() {
+        if found.is_none() && self.spec.parameters.complete {
             let message = format!("unknown parameter `{}`", name.value);
             let fault = Diagnostic::error(Rule::E0116, name.span, message);
             // One that is listed already cannot have been meant.
             let listed = |known: &&String| {
-                let mut listed = correlation.parameters.iter();
+                let mut listed = correlation.parameters.iter().flatten();
                 listed.any(|other| other.value == **known)
             };
             let meant = nearest(&name.value, known().filter(|known| !listed(known)));

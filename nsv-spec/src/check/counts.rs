@@ -12,27 +12,25 @@ pub(super) const MAX_WIDTH: usize = 32;
 const SHOWN: usize = 4;
 
 impl Context<'_> {
-    /// Width of the blocks: that of the first.
-    pub(super) fn width(&self) -> usize {
-        self.spec
-            .blocks
-            .first()
-            .map_or(0, |block| block.value.states.len())
-    }
-
-    /// Checks the numbers of blocks, states and inputs. Nothing else can be checked if they are wrong.
-    pub(super) fn check_counts(&mut self) -> bool {
+    /// Checks the numbers of blocks, states and inputs. Gives the number of states of each block; `None` if it is wrong or hidden
+    /// by another fault.
+    pub(super) fn check_counts(&mut self) -> Option<usize> {
         let spec = self.spec;
         let before = self.faults.len();
         let Some(first) = spec.blocks.first() else {
-            self.fault(
-                Rule::E0602,
-                spec.reference.span,
-                "plant has no blocks, expected at least one",
-                "declare the output's block under `plant.blocks`",
-            );
-            return false;
+            if spec.blocks.complete {
+                self.fault(
+                    Rule::E0602,
+                    spec.blocks.span,
+                    "plant has no blocks, expected at least one",
+                    "declare the output's block under `plant.blocks`",
+                );
+            }
+            return None;
         };
+        if !first.value.states.complete {
+            return None;
+        }
         if spec.blocks.len() > MAX_BLOCKS {
             let message = format!(
                 "plant has {} blocks, expected at most {MAX_BLOCKS}",
@@ -45,7 +43,7 @@ impl Context<'_> {
                 "control the inner dynamics separately",
             );
         }
-        let width = self.width();
+        let width = first.value.states.len();
         if width == 0 || width > MAX_WIDTH {
             let message = format!(
                 "block `{}` has {}, expected 1 to {MAX_WIDTH}",
@@ -59,11 +57,11 @@ impl Context<'_> {
                 "declare its states under `states`",
             );
         }
-        for block in spec
-            .blocks
-            .iter()
-            .filter(|block| block.value.states.len() != width)
-        {
+        let differs = |block: &&Named<PlantBlock>| {
+            let states = &block.value.states;
+            states.complete && states.len() != width
+        };
+        for block in spec.blocks.iter().filter(differs) {
             let message = format!(
                 "block `{}` has {}, expected {width} as in block `{}`",
                 block.name.value,
@@ -82,11 +80,15 @@ impl Context<'_> {
                     .with_help("all blocks of the chain have the same number of states"),
             );
         }
-        if spec.inputs.len() != width {
+        if spec.inputs.complete && spec.inputs.len() != width {
             let fault = self.input_count(first, width);
             self.faults.push(fault);
         }
-        self.faults.len() == before
+        let mut blocks = spec.blocks.iter();
+        let complete = spec.blocks.complete
+            && spec.inputs.complete
+            && blocks.all(|block| block.value.states.complete);
+        (complete && self.faults.len() == before).then_some(width)
     }
 
     /// The fault of a plant with more or fewer inputs than its blocks have states.

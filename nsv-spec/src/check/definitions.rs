@@ -13,14 +13,14 @@ impl Context<'_> {
     pub(super) fn check_polynomials(&mut self) {
         let spec = self.spec;
         for group in &spec.polynomials {
-            let arguments: Vec<String> = group
-                .value
-                .arguments
-                .iter()
-                .map(|name| name.value.clone())
-                .collect();
+            let arguments = group.value.arguments.iter().flatten();
+            let arguments: Vec<String> = arguments.map(|name| name.value.clone()).collect();
             for part in &group.value.parts {
                 let name = format!("{}.{}", group.name.value, part.name.value);
+                let Ok(terms) = &part.value else {
+                    self.names.refuse(&name);
+                    continue;
+                };
                 let id = PolynomialId(
                     u32::try_from(self.names.polynomials.len())
                         .expect("invariant: fewer than 2^32 polynomials"),
@@ -34,7 +34,7 @@ impl Context<'_> {
                 let polynomial = Polynomial {
                     name,
                     arguments: arguments.clone(),
-                    terms: part.value.clone(),
+                    terms: terms.clone(),
                     doc,
                     span: part.name.span,
                 };

@@ -5,7 +5,7 @@ use crate::diagnostic::{Rule, Span, counted};
 use crate::expr::Expected;
 use crate::expr::arena::Shape;
 use crate::model::{Disturbance, Exosystem, Matrix};
-use crate::spec::{self, Formula, Located};
+use crate::spec::{self, Formula, Located, Read, Unreadable};
 use crate::unit::Dimension;
 
 /// Most states and noise inputs of one exosystem.
@@ -15,31 +15,32 @@ impl Context<'_> {
     /// d of a block.
     pub(super) fn disturbance(
         &mut self,
-        written: Option<&Located<spec::Disturbance>>,
-        rates: &[Dimension],
+        written: Option<&Located<Read<spec::Disturbance>>>,
+        rates: Option<&[Dimension]>,
         reasons: &[(Span, String)],
         what: &str,
     ) -> Option<Disturbance> {
         match written.map(|written| (&written.value, written.span)) {
             None => Some(Disturbance::None),
-            Some((spec::Disturbance::Bounded(formula), _)) => {
-                let expected = Expected {
+            Some((Err(Unreadable), _)) => None,
+            Some((Ok(spec::Disturbance::Bounded(formula)), _)) => {
+                let expected = rates.map(|rates| Expected {
                     what,
                     shape: Shape::Vector(rates.len()),
                     dimensions: rates,
                     reasons,
                     columns: &[],
-                };
-                let (id, parsed) = self.formula(formula, &expected)?;
-                self.check_signal(&parsed, what);
+                });
+                let (id, parsed) = self.formula(formula, expected.as_ref())?;
+                self.check_signal(&parsed, what)?;
                 Some(Disturbance::Bounded(id))
             }
-            Some((spec::Disturbance::Exosystem(channels), span)) => {
-                if channels.len() != rates.len() {
+            Some((Ok(spec::Disturbance::Exosystem(channels)), span)) => {
+                let wanted = rates.map_or(channels.len(), <[Dimension]>::len);
+                if channels.len() != wanted {
                     let message = format!(
-                        "{what} has {}, expected {}, one for each state",
+                        "{what} has {}, expected {wanted}, one for each state",
                         counted(channels.len(), "exosystem"),
-                        rates.len()
                     );
                     self.fault(
                         Rule::E0503,

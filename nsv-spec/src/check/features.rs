@@ -3,12 +3,12 @@
 use super::Context;
 use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::model::VirtualDerivative;
-use crate::spec::{ControllerBlock, Disturbance, Named};
+use crate::spec::{ControllerBlock, Disturbance, Named, Read, Unreadable};
 
 /// A gain, and whether the block needs it.
 struct Need {
     key: &'static str,
-    needed: bool,
+    needed: Read<bool>,
     /// When it is needed.
     when: &'static str,
     /// What would make it needed, where the block could have that.
@@ -20,17 +20,19 @@ impl Context<'_> {
     fn needs(&self, at: usize, own: &ControllerBlock) -> [Need; 8] {
         let spec = self.spec;
         let plant = &spec.blocks[at].value;
-        let inner = at + 1 < spec.blocks.len();
-        let filtered = spec
-            .controller
-            .virtual_derivative
-            .is_none_or(|choice| choice.value == VirtualDerivative::Filter);
-        let disturbed = plant.disturbance.is_some();
-        let bounded = matches!(
-            plant.disturbance.as_ref().map(|written| &written.value),
-            Some(Disturbance::Bounded(_))
-        );
-        let noisy = plant.noise.is_some();
+        let inner = is_given(at + 1 < spec.blocks.len(), spec.blocks.complete);
+        let filtered = (spec.controller.virtual_derivative)
+            .map(|choice| choice.is_none_or(|choice| choice.value == VirtualDerivative::Filter));
+        let (disturbed, bounded) = match plant.disturbance.as_ref().map(|given| &given.value) {
+            Some(Ok(disturbance)) => (Ok(true), Ok(matches!(disturbance, Disturbance::Bounded(_)))),
+            Some(Err(Unreadable)) => (Err(Unreadable), Err(Unreadable)),
+            None => (
+                is_given(false, plant.complete),
+                is_given(false, plant.complete),
+            ),
+        };
+        let noisy = is_given(plant.noise.is_some(), plant.complete);
+        let networked = is_given(own.network.is_some(), own.complete);
         let need = |key, needed, when, with| Need {
             key,
             needed,
@@ -44,7 +46,7 @@ impl Context<'_> {
         [
             need(
                 "filter",
-                inner && filtered,
+                both(inner, filtered),
                 "in every block but the last, with `virtual_derivative: filter`",
                 None,
             ),
@@ -53,18 +55,18 @@ impl Context<'_> {
             need("eta_3", inner, chain, None),
             need(
                 "eta_noise",
-                noisy && disturbed,
+                both(noisy, disturbed),
                 "in a block with noise and a disturbance",
                 match (noisy, disturbed) {
-                    (true, _) => disturbance,
-                    (_, true) => noise,
+                    (Ok(true), _) => disturbance,
+                    (_, Ok(true)) => noise,
                     _ => Some("both `noise` and a `disturbance`"),
                 },
             ),
             need("observer", disturbed, observed, disturbance),
             need(
                 "error_bound",
-                own.network.is_some() && !bounded,
+                both(networked, bounded.map(|bounded| !bounded)),
                 "in a block with a network and no `bounded` disturbance",
                 None,
             ),
@@ -89,7 +91,7 @@ impl Context<'_> {
         let given = &gains.value.keys;
         for need in self.needs(at, &gains.value) {
             match (need.needed, given.get(need.key)) {
-                (true, None) => {
+                (Ok(true), None) if gains.value.complete => {
                     let message = format!("`{}` is missing in block `{}`", need.key, block.value);
                     let help = format!("add `{}: ..`; it is needed {}", need.key, need.when);
                     let fault = Diagnostic::error(Rule::E0118, block.span, message).with_help(help);
@@ -99,7 +101,7 @@ impl Context<'_> {
                         None => fault,
                     });
                 }
-                (false, Some(&span)) => {
+                (Ok(false), Some(&span)) => {
                     let message = format!("`{}` has no use in block `{}`", need.key, block.value);
                     let help = match need.with {
                         Some(with) => format!(
@@ -113,5 +115,21 @@ impl Context<'_> {
                 _ => {}
             }
         }
+    }
+}
+
+/// Whether something is given: what is not may be under a key that could not be read.
+fn is_given(given: bool, complete: bool) -> Read<bool> {
+    match given || complete {
+        true => Ok(given),
+        false => Err(Unreadable),
+    }
+}
+
+/// Whether both hold, if that can be told.
+fn both(one: Read<bool>, other: Read<bool>) -> Read<bool> {
+    match (one, other) {
+        (Ok(false), _) | (_, Ok(false)) => Ok(false),
+        (one, other) => one.and(other),
     }
 }

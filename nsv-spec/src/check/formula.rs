@@ -110,10 +110,10 @@ impl Names {
 impl Context<'_> {
     /// Parses one expression.
     pub(super) fn parse(&mut self, code: &Code) -> Option<Parsed> {
+        let text = code.text.as_ref().ok()?;
         // YAML's own numbers that are none.
         if matches!(
-            code.text
-                .trim_start_matches(['+', '-'])
+            text.trim_start_matches(['+', '-'])
                 .to_ascii_lowercase()
                 .as_str(),
             ".nan" | ".inf"
@@ -121,12 +121,12 @@ impl Context<'_> {
             self.fault(
                 Rule::E0603,
                 code.base.span,
-                format!("value is {}, expected a finite number", code.text),
+                format!("value is {text}, expected a finite number"),
                 "write a number",
             );
             return None;
         }
-        let parsed = expr::parse(&code.text, code.base.clone());
+        let parsed = expr::parse(text, code.base.clone());
         let parsed = self.accept(parsed)?;
         let names = parsed
             .free_names()
@@ -259,14 +259,18 @@ impl Context<'_> {
         self.accept(checked).map(|()| id)
     }
 
-    /// Parses, elaborates and checks a formula of the model.
+    /// Parses, elaborates and checks a formula of the model; without shape and units to check where faults elsewhere hide what
+    /// they should be.
     pub(super) fn formula(
         &mut self,
         formula: &Formula,
-        expected: &Expected<'_>,
+        expected: Option<&Expected<'_>>,
     ) -> Option<(ExprId, Parsed)> {
         let parsed = self.parse_formula(formula)?;
         let id = self.elaborate(&parsed, Place::Model)?;
+        let Some(expected) = expected else {
+            return Some((id, parsed));
+        };
         let before = self.faults.len();
         let Some(expected_id) = self.expect(id, &parsed, expected) else {
             for fault in self.faults.split_off(before) {
@@ -275,7 +279,7 @@ impl Context<'_> {
                     (Formula::Code(code), Parsed::Expr(expr), &[wanted])
                         if fault.rule == Rule::E0407 && expr.as_literal().is_some() =>
                     {
-                        with_unit(fault, &code.text, &code.base, wanted)
+                        with_unit(fault, code, wanted)
                     }
                     _ => fault,
                 };

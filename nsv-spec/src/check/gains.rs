@@ -17,7 +17,7 @@ impl Context<'_> {
         &mut self,
         code: &Code,
         what: &str,
-        dimension: Dimension,
+        dimension: impl Into<Option<Dimension>>,
     ) -> Option<f64> {
         let value = self.gain(code, what, dimension)?;
         self.positive(value, code.base.span, what)?;
@@ -43,10 +43,10 @@ impl Context<'_> {
         &mut self,
         formula: &Formula,
         what: &str,
-        dimension: Dimension,
+        dimension: impl Into<Option<Dimension>>,
     ) -> Option<Vec<f64>> {
-        let width = self.width();
-        let numbers = self.gain_numbers(formula, what, dimension)?;
+        let numbers = self.gain_numbers(formula, what, dimension.into())?;
+        let width = self.width.unwrap_or(numbers.values.len());
         let gains = match numbers.shape {
             Shape::Scalar => vec![numbers.values[0]; width],
             Shape::Vector(rows) if rows == width => numbers.values,
@@ -83,8 +83,8 @@ impl Context<'_> {
 
     /// A square gain, given as a scalar, its diagonal, or a matrix.
     pub(super) fn square_gain(&mut self, formula: &Formula, what: &str) -> Option<Matrix> {
-        let width = self.width();
-        let numbers = self.gain_numbers(formula, what, PER_SECOND)?;
+        let numbers = self.gain_numbers(formula, what, Some(PER_SECOND))?;
+        let width = self.width?;
         let diagonal = match numbers.shape {
             Shape::Scalar => vec![numbers.values[0]; width],
             Shape::Vector(rows) if rows == width => numbers.values,
@@ -128,9 +128,12 @@ impl Context<'_> {
         &mut self,
         formula: &Formula,
         what: &str,
-        dimension: Dimension,
+        dimension: Option<Dimension>,
     ) -> Option<Numbers> {
         let numbers = self.numbers_for(formula, what)?;
+        let Some(dimension) = dimension else {
+            return Some(numbers);
+        };
         for (&found, &place) in numbers.dimensions.iter().zip(&numbers.places) {
             self.check_gain_unit(found, place, what, dimension)?;
         }
@@ -240,18 +243,13 @@ impl Context<'_> {
         })
     }
 
-    /// The dimension of a block's error: that of its states if they share one, else a pure number of SI values.
-    pub(super) fn error_dimension(&self, at: usize) -> Dimension {
-        let Some(states) = self.states.get(at).and_then(Option::as_ref) else {
-            return Dimension::ONE;
-        };
-        let first = states
-            .first()
-            .map_or(Dimension::ONE, |state| state.dimension);
-        if states.iter().all(|state| state.dimension == first) {
-            first
-        } else {
-            Dimension::ONE
-        }
+    /// The dimension of a block's error: that of its states if they share one, else a pure number of SI values; `None` where some
+    /// are not known.
+    pub(super) fn error_dimension(&self, at: usize) -> Option<Dimension> {
+        self.width?;
+        let states = self.states.get(at)?.as_ref()?;
+        let first = states.first()?.dimension;
+        let shared = states.iter().all(|state| state.dimension == first);
+        Some(if shared { first } else { Dimension::ONE })
     }
 }

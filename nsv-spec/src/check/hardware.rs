@@ -5,7 +5,7 @@ use super::dispersion::Dispersed;
 use super::plant::SECOND;
 use crate::diagnostic::{Rule, Span, rounded};
 use crate::model::{Actuator, Effect, Fault, Scenario, Sensor};
-use crate::spec::{self, Bias, Code};
+use crate::spec::{self, Bias, Code, Unreadable};
 use crate::unit::Dimension;
 
 /// Most plant steps of a delay.
@@ -104,10 +104,11 @@ impl Context<'_> {
         let what = of("bias");
         let bias = match &written.bias {
             None => Some((0.0, None)),
-            Some(Bias::Fixed(code)) => {
+            Some(Err(Unreadable)) => None,
+            Some(Ok(Bias::Fixed(code))) => {
                 (self.quantity(code, &what, dimension)).map(|bias| (bias, None))
             }
-            Some(Bias::Drawn(dispersion)) => {
+            Some(Ok(Bias::Drawn(dispersion))) => {
                 let of = Dispersed {
                     what: &what,
                     dimension,

@@ -166,7 +166,7 @@ impl<'a> Context<'a> {
         let spec = self.spec;
         let outputs = model.blocks[0].states.iter();
         let given = outputs.map(|state| {
-            let mut signals = spec.reference.value.iter();
+            let mut signals = spec.reference.iter();
             let signal = signals.find(|signal| signal.name.value == state.name);
             let signal = signal.expect("invariant: every output has a reference");
             (&signal.value, format!("reference of `{}`", state.name))
@@ -198,7 +198,6 @@ impl<'a> Context<'a> {
             let span = spec
                 .controller
                 .blocks
-                .value
                 .iter()
                 .find(|gains| gains.name.value == output.name);
             let span = span
@@ -214,7 +213,7 @@ impl<'a> Context<'a> {
                 .with_help("start nearer to the reference, or widen the constraint");
             if let ([state], [declared], [signal]) = (
                 output.states.as_slice(),
-                spec.blocks[0].value.states.as_slice(),
+                &*spec.blocks[0].value.states,
                 written.as_slice(),
             ) {
                 let start = format!("`{}` is {} at the start", state.name, shown(state.initial));
@@ -233,7 +232,7 @@ impl<'a> Context<'a> {
         let mut signals = vec![(model.reference, written, what)];
         for (block, written) in model.blocks.iter().zip(&self.spec.blocks) {
             let written = written.value.disturbance.as_ref();
-            if let (Disturbance::Bounded(id), Some(spec::Disturbance::Bounded(formula))) =
+            if let (Disturbance::Bounded(id), Some(Ok(spec::Disturbance::Bounded(formula)))) =
                 (&block.disturbance, written.map(|written| &written.value))
             {
                 let what = format!("disturbance of block `{}`", block.name);

@@ -51,13 +51,16 @@ use crate::spec::Spec;
 use scope::{Dependence, Names};
 pub(crate) use tables::{MAX_AXES, MAX_POINTS, MAX_VALUES};
 
-/// Makes the model of a specification, with warnings; or reports everything that is wrong with it.
+/// Makes the model of a specification, with warnings; or reports everything that is wrong with it, `faults` of reading it among
+/// that.
 pub(crate) fn check(
     spec: &Spec,
+    faults: Vec<Diagnostic>,
     sources: &SourceMap,
     hash: String,
 ) -> Result<(Model, Vec<Diagnostic>), Vec<Diagnostic>> {
     let mut context = Context::new(spec, sources);
+    context.faults = faults;
     let model = context.model(hash);
     if let Some(model) = &model
         && context.faults.is_empty()
@@ -97,6 +100,8 @@ struct Context<'a> {
     /// Further states of the flown plant.
     truth_states: Vec<Option<State>>,
     inputs: Option<Vec<Input>>,
+    /// Number of states of each block; `None` after a fault in the number of any.
+    width: Option<usize>,
     /// Definitions that are an angle divided by a degree, with their places.
     in_degrees: BTreeMap<String, Span>,
 }
@@ -104,6 +109,7 @@ struct Context<'a> {
 impl<'a> Context<'a> {
     fn new(spec: &'a Spec, sources: &'a SourceMap) -> Self {
         let mut names = Names::default();
+        names.complete = spec.complete;
         names.define(
             "t",
             Symbol::Time,
@@ -127,6 +133,7 @@ impl<'a> Context<'a> {
             states: Vec::new(),
             truth_states: Vec::new(),
             inputs: None,
+            width: None,
             in_degrees: BTreeMap::new(),
         }
     }
@@ -144,30 +151,27 @@ impl<'a> Context<'a> {
         self.check_definitions();
         let sample_time = self.sample_time();
         let horizon = self.horizon();
-        let scenario = sample_time
-            .zip(horizon)
-            .and_then(|(sample_time, horizon)| self.scenario(sample_time, horizon));
+        let scenario = self.scenario(sample_time, horizon);
         if let (Some(sample_time), Some(scenario)) = (sample_time, &scenario) {
             self.check_delays(sample_time, scenario);
         }
         let controller = self.controller(sample_time);
         let matched = self.match_blocks();
-        if !self.check_counts() {
-            return None;
-        }
+        self.width = self.check_counts();
         let inputs = self.inputs.clone();
         let reference = self.check_reference();
         let mut blocks = Vec::new();
         for (at, gains) in matched.into_iter().enumerate() {
             let plant = self.check_plant_block(at, inputs.as_deref());
-            let gains = gains.map(|gains| &self.spec.controller.blocks.value[gains]);
+            let gains = gains.map(|gains| &self.spec.controller.blocks[gains]);
             blocks.push(gains.and_then(|gains| self.block(at, gains, plant, horizon)));
         }
         let blocks: Option<Vec<Block>> = blocks.into_iter().collect();
         let truth = self.check_truth();
+        let name = self.spec.name.as_ref().ok()?;
         Some(Model {
-            name: self.spec.name.value.clone(),
-            title: self.title(),
+            name: name.value.clone(),
+            title: self.title(&name.value),
             sources: self.sources.clone(),
             hash,
             exprs: self.arena.clone(),
@@ -186,13 +190,12 @@ impl<'a> Context<'a> {
         })
     }
 
-    fn title(&mut self) -> String {
-        let spec = self.spec;
-        match &spec.title {
+    fn title(&mut self, name: &str) -> String {
+        match &self.spec.title {
             Some(title) => title.value.clone(),
             None => {
-                self.default("title".into(), &spec.name.value, "the name");
-                spec.name.value.clone()
+                self.default("title".into(), name, "the name");
+                name.to_owned()
             }
         }
     }

@@ -81,7 +81,9 @@ impl Context<'_> {
     /// Checks every declared name. Names declared twice get no meaning.
     pub(super) fn check_names(&mut self) {
         let spec = self.spec;
-        self.check_module_name(&spec.name);
+        spec.name
+            .iter()
+            .for_each(|name| self.check_module_name(name));
         let mut declared: BTreeMap<String, (Span, &str)> = BTreeMap::new();
         self.declare(
             &mut declared,
@@ -278,7 +280,7 @@ impl Context<'_> {
             self.check_identifier(&group.name, "polynomial group", Use::Label);
             self.declare(
                 &mut BTreeMap::new(),
-                group.value.arguments.iter(),
+                group.value.arguments.iter().flatten(),
                 "argument",
                 Use::Label,
             );

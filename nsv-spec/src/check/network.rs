@@ -59,21 +59,20 @@ impl Context<'_> {
             span,
         } = written;
         let what = |key: &str| format!("`network.{key}` of block `{block}`");
-        let basis = network.basis.map(|basis| basis.value).unwrap_or_else(|| {
-            self.default(
-                format!("controller.blocks.{block}.network.basis"),
-                "pairwise",
-                "the paper's",
-            );
-            Basis::Pairwise
-        });
+        let basis = network
+            .basis
+            .ok()?
+            .map(|basis| basis.value)
+            .unwrap_or_else(|| {
+                self.default(
+                    format!("controller.blocks.{block}.network.basis"),
+                    "pairwise",
+                    "the paper's",
+                );
+                Basis::Pairwise
+            });
         let order = self.order(network, basis, *span);
-        let inputs: Vec<Option<(ExprId, Dimension)>> = network
-            .inputs
-            .iter()
-            .map(|input| self.network_input(at, input))
-            .collect();
-        let inputs: Option<Vec<(ExprId, Dimension)>> = inputs.into_iter().collect();
+        let inputs = self.network_inputs(at, network);
         let scale = inputs
             .as_ref()
             .and_then(|inputs| self.scale(network.scale.as_ref(), inputs, block));
@@ -95,8 +94,8 @@ impl Context<'_> {
     }
 
     fn order(&mut self, network: &spec::Network, basis: Basis, span: Span) -> Option<u32> {
-        let order = network.order;
-        if network.inputs.is_empty() {
+        let (order, inputs) = (network.order.ok()?, network.inputs.as_ref().ok()?.len());
+        if inputs == 0 {
             self.fault(
                 Rule::E0609,
                 span,
@@ -114,9 +113,10 @@ impl Context<'_> {
             );
             return None;
         }
-        let nodes = node_count(basis, network.inputs.len(), order.value);
+        let nodes = node_count(basis, inputs, order.value);
         if nodes > MAX_NODES {
-            let inputs = counted(network.inputs.len(), "input");
+            let most = largest_order(basis, inputs);
+            let inputs = counted(inputs, "input");
             let nodes = match nodes {
                 ..COUNTABLE => nodes.to_string(),
                 _ => format!("more than {COUNTABLE}"),
@@ -125,14 +125,24 @@ impl Context<'_> {
                 "network of order {} with {inputs} has {nodes} nodes, expected at most {MAX_NODES}",
                 order.value
             );
-            let help = match largest_order(basis, network.inputs.len()) {
+            let help = match most {
                 0 => "drop inputs: so many are too many for any order".to_owned(),
-                most => format!("with {inputs} the order may be {most} at most; 2 to 4 is usual"),
+                _ => format!("with {inputs} the order may be {most} at most; 2 to 4 is usual"),
             };
             self.fault(Rule::E0609, order.span, message, help);
             return None;
         }
         u32::try_from(order.value).ok()
+    }
+
+    fn network_inputs(
+        &mut self,
+        at: usize,
+        network: &spec::Network,
+    ) -> Option<Vec<(ExprId, Dimension)>> {
+        let inputs = network.inputs.as_ref().ok()?.iter();
+        let inputs: Vec<_> = inputs.map(|input| self.network_input(at, input)).collect();
+        inputs.into_iter().collect()
     }
 
     fn network_input(&mut self, at: usize, formula: &Formula) -> Option<(ExprId, Dimension)> {

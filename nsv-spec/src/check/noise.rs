@@ -16,7 +16,7 @@ impl Context<'_> {
         &mut self,
         at: usize,
         written: &Located<spec::Noise>,
-        own: &[Dimension],
+        own: Option<&[Dimension]>,
     ) -> Option<Noise> {
         let spec::Noise {
             effectiveness,
@@ -42,7 +42,7 @@ impl Context<'_> {
             );
             return None;
         }
-        let model = self.noise_model();
+        let (own, model) = (own?, self.noise_model()?);
         let reason = self.noise_reason(model);
         let rates = self.ratios(own, &[unit_of(model)?], block.span)?;
         let dimensions = self.ratios(&rates, &sigma.dimensions, block.span)?;
@@ -70,17 +70,16 @@ impl Context<'_> {
         })
     }
 
-    fn noise_model(&self) -> NoiseModel {
-        let written = self.spec.scenario.noise;
-        written.map_or(NoiseModel::Sampled, |noise| noise.value)
+    fn noise_model(&self) -> Option<NoiseModel> {
+        let written = self.spec.scenario.noise.ok()?;
+        Some(written.map_or(NoiseModel::Sampled, |noise| noise.value))
     }
 
     /// The place that says which noise it is, and what follows for its unit.
     fn noise_reason(&self, model: NoiseModel) -> (Span, String) {
         let scenario = &self.spec.scenario;
-        let span = scenario
-            .noise
-            .map_or(scenario.horizon.base.span, |noise| noise.span);
+        let noise = scenario.noise.ok().flatten();
+        let span = noise.map_or(scenario.horizon.base.span, |noise| noise.span);
         let (word, per) = match model {
             NoiseModel::Wiener => ("wiener", "per sqrt(s)"),
             NoiseModel::Sampled => ("sampled", "per second"),
@@ -119,15 +118,18 @@ impl Context<'_> {
     /// The faults from number `before` on, mended by the kind of noise whose units they have.
     fn suggest_other_model(&mut self, before: usize, model: NoiseModel, wanted: &[Dimension]) {
         let scenario = &self.spec.scenario;
+        let (noise, scheme) = (
+            scenario.noise.ok().flatten(),
+            scenario.scheme.ok().flatten(),
+        );
         let (word, amplitude) = match model {
             NoiseModel::Sampled => ("wiener", "the amplitude of sampled noise"),
             NoiseModel::Wiener => ("sampled", "the intensity of wiener noise"),
         };
         // Runge-Kutta cannot integrate Wiener noise.
-        let runge_kutta = scenario
-            .scheme
+        let runge_kutta = scheme
             .filter(|scheme| scheme.value == Scheme::RungeKutta4 && model == NoiseModel::Sampled);
-        let write = match (scenario.noise, runge_kutta) {
+        let write = match (noise, runge_kutta) {
             (_, Some(_)) => "write `noise: wiener` with `scheme: euler_maruyama`".to_owned(),
             (Some(_), None) => format!("write `noise: {word}`"),
             (None, None) => format!("add `noise: {word}` to `scenario`"),
@@ -143,7 +145,7 @@ impl Context<'_> {
             fault.help = Some(format!(
                 "{write}, which takes this unit; or give {amplitude}, {unit}"
             ));
-            if let (Some(noise), None) = (scenario.noise, runge_kutta) {
+            if let (Some(noise), None) = (noise, runge_kutta) {
                 fault.suggestion = Some(Suggestion {
                     span: noise.span,
                     replacement: word.to_owned(),

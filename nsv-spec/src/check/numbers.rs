@@ -3,9 +3,9 @@
 use super::Context;
 use super::formula::Parsed;
 use super::scope::Place;
-use crate::diagnostic::{Applicability, Base, Diagnostic, Rule, Span, rounded};
+use crate::diagnostic::{Applicability, Diagnostic, Rule, Span, rounded};
 use crate::expr::arena::{Shape, Type};
-use crate::expr::{self, shown};
+use crate::expr::shown;
 use crate::model::Matrix;
 use crate::spec::{Code, Formula};
 use crate::unit::Dimension;
@@ -99,9 +99,17 @@ impl Context<'_> {
         None
     }
 
-    /// A scalar gain: in its own dimension, or a bare number in SI.
-    pub(super) fn gain(&mut self, code: &Code, what: &str, dimension: Dimension) -> Option<f64> {
+    /// A scalar gain: in its own dimension, where that is known, or a bare number in SI.
+    pub(super) fn gain(
+        &mut self,
+        code: &Code,
+        what: &str,
+        dimension: impl Into<Option<Dimension>>,
+    ) -> Option<f64> {
         let (value, found) = self.scalar(code, what)?;
+        let Some(dimension) = dimension.into() else {
+            return Some(value);
+        };
         self.check_gain_unit(found, code.base.span, what, dimension)?;
         self.check_no_angle(&Formula::Code(code.clone()), what, dimension)?;
         Some(value)
@@ -125,7 +133,7 @@ impl Context<'_> {
             }
             Formula::Code(code) => code,
         };
-        let expr = expr::parse(&code.text, code.base.clone()).ok()?;
+        let expr = code.parsed()?;
         let Some((_, Some(unit))) = expr.as_literal() else {
             return Some(());
         };
@@ -170,8 +178,7 @@ impl Context<'_> {
     ) {
         self.unit_mismatch(code.base.span, what, found, expected, written_in(expected));
         if let Some(fault) = self.faults.pop() {
-            self.faults
-                .push(with_unit(fault, &code.text, &code.base, expected));
+            self.faults.push(with_unit(fault, code, expected));
         }
     }
 
@@ -218,14 +225,11 @@ pub(super) fn written_in(dimension: Dimension) -> String {
 
 /// The fault of a number of a wrong unit, whose remedy shows the number that is written with the unit that is expected. A bare
 /// number is changed so; of one with another unit nobody knows which of the two was meant.
-pub(super) fn with_unit(
-    fault: Diagnostic,
-    text: &str,
-    base: &Base,
-    expected: Dimension,
-) -> Diagnostic {
-    let text = text.trim();
-    let literal = expr::parse(text, base.clone()).is_ok_and(|expr| expr.as_literal().is_some());
+pub(super) fn with_unit(fault: Diagnostic, code: &Code, expected: Dimension) -> Diagnostic {
+    let literal = code
+        .parsed()
+        .is_some_and(|expr| expr.as_literal().is_some());
+    let text = code.text.as_ref().map_or("", |text| text.trim());
     let digits = text.find(|c: char| c.is_whitespace() || c.is_ascii_alphabetic() && c != 'e');
     let number = text[..digits.unwrap_or(text.len())].trim();
     if !literal || number.parse::<f64>().is_err() {
@@ -239,8 +243,8 @@ pub(super) fn with_unit(
         return fault.with_help(format!("write it in {expected}, as in `{change}`"));
     }
     let fault = fault.with_help(format!("write it with its unit: `{change}`"));
-    match base.holds(0..text.len()) {
-        true => fault.with_suggestion(base.span, change, Applicability::Possible),
+    match code.base.holds(0..text.len()) {
+        true => fault.with_suggestion(code.base.span, change, Applicability::Possible),
         false => fault,
     }
 }

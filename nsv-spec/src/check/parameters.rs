@@ -49,7 +49,7 @@ impl Context<'_> {
                     dimension,
                     unit: unit.as_ref(),
                 };
-                Some(self.dispersion(dispersion, &of)?)
+                Some(self.dispersion(dispersion.as_ref().ok()?, &of)?)
             }
             None => None,
         };
@@ -106,6 +106,9 @@ impl Context<'_> {
                     given.any(|design| design.name.value == **name)
                 };
                 let known = || spec.parameters.iter().map(|one| &one.name.value);
+                if !spec.parameters.complete {
+                    continue;
+                }
                 let message = format!("unknown parameter `{name}`");
                 let fault = Diagnostic::error(Rule::E0116, design.name.span, message);
                 let meant = nearest(name, known().filter(|name| !given(name)));

@@ -31,51 +31,47 @@ impl Context<'_> {
             name,
             value: written,
         } = &spec.blocks[at];
-        let width = self.width();
-        let own = self.channel_dimensions(at, inputs)?;
+        let own = self.channel_dimensions(at, inputs);
         let next = self.channel_dimensions(at + 1, inputs);
-        let rates = self.ratios(&own, &[SECOND], name.span)?;
-        let vector = Shape::Vector(width);
+        let rates = (own.as_ref()).and_then(|own| self.ratios(own, &[SECOND], name.span));
         let what = |term: &str| format!("{term} of block `{}`", name.value);
+        let (drift_of, gain_of) = (what("drift"), what("gain"));
         let reasons = self.rate_reasons(at);
         let columns = self.column_reasons(at + 1, inputs);
-        let drift = self.formula(
-            &written.drift,
-            &Expected {
-                what: &what("drift"),
-                shape: vector,
-                dimensions: &rates,
-                reasons: &reasons,
-                columns: &[],
-            },
-        );
+        let expected = rates.as_deref().map(|rates| Expected {
+            what: &drift_of,
+            shape: Shape::Vector(rates.len()),
+            dimensions: rates,
+            reasons: &reasons,
+            columns: &[],
+        });
+        let drift = self.formula(&written.drift, expected.as_ref());
         if let Some((_, parsed)) = &drift {
             self.check_feedback(parsed, "drift", at);
         }
-        let gains = next.and_then(|next| self.ratios(&rates, &next, name.span));
-        let gain = gains.and_then(|gains| {
-            self.formula(
-                &written.gain,
-                &Expected {
-                    what: &what("gain"),
-                    shape: Shape::Matrix(width, width),
-                    dimensions: &gains,
-                    reasons: &reasons,
-                    columns: &columns,
-                },
-            )
-        });
+        let channels = rates.as_ref().zip(next.as_ref());
+        let gains = channels.and_then(|(rates, next)| self.ratios(rates, next, name.span));
+        let expected = channels
+            .zip(gains.as_deref())
+            .map(|((rates, next), gains)| Expected {
+                what: &gain_of,
+                shape: Shape::Matrix(rates.len(), next.len()),
+                dimensions: gains,
+                reasons: &reasons,
+                columns: &columns,
+            });
+        let gain = self.formula(&written.gain, expected.as_ref());
         if let Some((_, parsed)) = &gain {
             self.check_feedback(parsed, "gain", at);
         }
         let disturbance = self.disturbance(
             written.disturbance.as_ref(),
-            &rates,
+            rates.as_deref(),
             &reasons,
             &what("disturbance"),
         );
         let noise = match &written.noise {
-            Some(noise) => self.noise(at, noise, &own).map(Some),
+            Some(noise) => self.noise(at, noise, own.as_deref()).map(Some),
             None => Some(None),
         };
         Some(PlantBlock {
@@ -124,12 +120,13 @@ impl Context<'_> {
         }
     }
 
-    /// Dimensions of the states of a block, or of the inputs for the index after the last.
+    /// Dimensions of the states of a block, or of the inputs for the index after the last; `None` where some are not known.
     fn channel_dimensions(
         &self,
         block: usize,
         inputs: Option<&[model::Input]>,
     ) -> Option<Vec<Dimension>> {
+        self.width?;
         match self.states.get(block) {
             Some(states) => Some(
                 states

@@ -4,20 +4,25 @@ use super::Context;
 use super::pairing::{Pairing, pair};
 use super::plant::state_reason;
 use crate::diagnostic::{Diagnostic, Rule};
-use crate::expr::Expected;
 use crate::expr::arena::{ExprId, Shape};
+use crate::expr::{Expected, Symbol};
 use crate::spec::{Formula, Named};
-use crate::unit::Dimension;
 
 impl Context<'_> {
     /// Checks the reference: one function of time for each output.
     pub(super) fn check_reference(&mut self) -> Option<ExprId> {
         let spec = self.spec;
-        let Named {
+        let signals = &spec.reference;
+        let Some(Named {
             name: block,
             value: output,
-        } = &spec.blocks[0];
-        let signals = &spec.reference.value;
+        }) = spec.blocks.first()
+        else {
+            for signal in signals {
+                self.formula(&signal.value, None);
+            }
+            return None;
+        };
         let given: Vec<&str> = signals
             .iter()
             .map(|signal| signal.name.value.as_str())
@@ -31,6 +36,10 @@ impl Context<'_> {
         let mut entries: Vec<Option<ExprId>> = Vec::new();
         for (channel, name) in outputs.iter().enumerate() {
             let Some(signal) = matched[channel].map(|at| &signals[at]) else {
+                entries.push(None);
+                if !signals.complete {
+                    continue;
+                }
                 let message = format!("reference of output `{name}` is missing");
                 let fault = Diagnostic::error(Rule::E0115, spec.reference.span, message)
                     .with_related(
@@ -39,18 +48,12 @@ impl Context<'_> {
                     );
                 self.faults
                     .push(fault.with_help(format!("add `{name}: ..`, a function of `t`")));
-                entries.push(None);
                 continue;
             };
-            let dimension = self.states[0]
-                .as_ref()
-                .map(|states| states[channel].dimension);
-            entries.push(
-                dimension
-                    .and_then(|dimension| self.reference_of(channel, &signal.value, dimension)),
-            );
+            entries.push(self.reference_of(channel, &signal.value));
         }
-        for (at, meant) in strangers {
+        let known = output.states.complete;
+        for (at, meant) in strangers.into_iter().filter(|_| known) {
             let name = &signals[at].name;
             let message = format!(
                 "reference of `{}`, which is no state of the output block `{}`",
@@ -66,26 +69,24 @@ impl Context<'_> {
         entries.map(|entries| self.array(entries, Shape::Vector(output.states.len())))
     }
 
-    fn reference_of(
-        &mut self,
-        channel: usize,
-        formula: &Formula,
-        dimension: Dimension,
-    ) -> Option<ExprId> {
+    fn reference_of(&mut self, channel: usize, formula: &Formula) -> Option<ExprId> {
         let state = &self.spec.blocks[0].value.states[channel].name;
+        let dimension = match self.names.symbol(&state.value) {
+            Some(&Symbol::State { dimension, .. }) => Some(dimension),
+            _ => None,
+        };
+        let reason = dimension.map(|dimension| state_reason(state, dimension));
         let what = format!("reference of `{}`", state.value);
+        let expected = dimension.as_ref().map(|dimension| Expected {
+            what: &what,
+            shape: Shape::Scalar,
+            dimensions: std::slice::from_ref(dimension),
+            reasons: reason.as_slice(),
+            columns: &[],
+        });
         self.check_degrees_of((0, channel), &what, formula);
-        let (id, parsed) = self.formula(
-            formula,
-            &Expected {
-                what: &what,
-                shape: Shape::Scalar,
-                dimensions: &[dimension],
-                reasons: &[state_reason(state, dimension)],
-                columns: &[],
-            },
-        )?;
-        self.check_signal(&parsed, &what);
+        let (id, parsed) = self.formula(formula, expected.as_ref())?;
+        self.check_signal(&parsed, &what)?;
         Some(id)
     }
 }

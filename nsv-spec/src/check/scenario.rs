@@ -37,8 +37,12 @@ impl Context<'_> {
         Some(value)
     }
 
-    /// Checks the scenario, given the sample time and the horizon.
-    pub(super) fn scenario(&mut self, sample_time: f64, horizon: f64) -> Option<Scenario> {
+    /// Checks the scenario, given the sample time and the horizon, if they are right.
+    pub(super) fn scenario(
+        &mut self,
+        sample_time: Option<f64>,
+        horizon: Option<f64>,
+    ) -> Option<Scenario> {
         let written = &self.spec.scenario;
         let substeps = self.count_or(
             written.substeps,
@@ -60,8 +64,9 @@ impl Context<'_> {
                 Some(0.0)
             }
         };
-        let (scheme, noise) = self.scheme();
+        let chosen = self.scheme();
         let (substeps, span) = (substeps?, written.horizon.base.span);
+        let (sample_time, horizon) = (sample_time?, horizon?);
         let steps = horizon / sample_time * substeps as f64;
         if horizon < sample_time {
             self.fault(
@@ -84,6 +89,7 @@ impl Context<'_> {
             );
             return None;
         }
+        let (scheme, noise) = chosen?;
         let substeps = u32::try_from(substeps).expect("invariant: substeps are capped");
         Some(Scenario {
             horizon,
@@ -96,8 +102,9 @@ impl Context<'_> {
         })
     }
 
-    fn settle(&mut self, code: &spec::Code, horizon: f64) -> Option<f64> {
+    fn settle(&mut self, code: &spec::Code, horizon: Option<f64>) -> Option<f64> {
         let value = self.quantity(code, "settle", SECOND)?;
+        let horizon = horizon?;
         if (0.0..horizon).contains(&value) {
             return Some(value);
         }
@@ -113,9 +120,10 @@ impl Context<'_> {
     }
 
     /// Scheme and noise model; Runge-Kutta is for functions of time, which Wiener increments are not.
-    fn scheme(&mut self) -> (Scheme, NoiseModel) {
+    fn scheme(&mut self) -> Option<(Scheme, NoiseModel)> {
         let written = &self.spec.scenario;
-        let noise = written.noise.map(|noise| noise.value).unwrap_or_else(|| {
+        let (scheme, noise) = (written.scheme.ok()?, written.noise.ok()?);
+        let noise = noise.map(|noise| noise.value).unwrap_or_else(|| {
             self.default(
                 "scenario.noise".into(),
                 "sampled",
@@ -123,7 +131,7 @@ impl Context<'_> {
             );
             NoiseModel::Sampled
         });
-        let scheme = match (written.scheme, noise) {
+        let chosen = match (scheme, noise) {
             (Some(scheme), _) => scheme.value,
             (None, NoiseModel::Sampled) => {
                 self.default("scenario.scheme".into(), "rk4", "noise is sampled");
@@ -144,7 +152,7 @@ impl Context<'_> {
                 span,
             }),
             NoiseModel::Wiener,
-        ) = (written.scheme, noise)
+        ) = (scheme, noise)
         {
             let help = "write `scheme: euler_maruyama` or `platen`, or `noise: sampled`";
             self.fault(
@@ -154,7 +162,7 @@ impl Context<'_> {
                 help,
             );
         }
-        (scheme, noise)
+        Some((chosen, noise))
     }
 
     fn count_or(

@@ -70,6 +70,8 @@ pub(super) struct Names {
     pub(super) polynomials: Vec<Polynomial>,
     /// Lookup tables; `None` after a fault.
     pub(super) tables: Vec<Option<Table>>,
+    /// Whether there are no others; a name that is not known may be one that could not be read.
+    pub(super) complete: bool,
 }
 
 impl Names {
@@ -169,8 +171,10 @@ impl View<'_> {
 impl Scope for View<'_> {
     fn resolve(&self, name: &str) -> Option<Symbol> {
         let Some((symbol, _)) = self.names.symbols.get(name) else {
-            let why = self.names.unusable.get(name)?;
-            return Some(Symbol::Unavailable(why.clone()));
+            return match self.names.unusable.get(name) {
+                Some(why) => Some(Symbol::Unavailable(why.clone())),
+                None => (!self.names.complete).then_some(Symbol::Faulty),
+            };
         };
         if self.visible(symbol) {
             return Some(symbol.clone());

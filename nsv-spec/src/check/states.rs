@@ -68,7 +68,7 @@ impl Context<'_> {
             unit: unit.as_ref(),
         };
         let dispersion = match &written.dispersion {
-            Some(dispersion) => Some(self.dispersion(dispersion, &of)?),
+            Some(dispersion) => Some(self.dispersion(dispersion.as_ref().ok()?, &of)?),
             None => None,
         };
         let sensor = match &written.sensor {
@@ -91,7 +91,7 @@ impl Context<'_> {
 
     /// The unit in which a quantity is written, or SI.
     fn display(&mut self, code: &spec::Code, dimension: Dimension) -> (String, f64) {
-        let parsed = crate::expr::parse(&code.text, code.base.clone()).ok();
+        let parsed = code.parsed();
         let unit = parsed
             .as_ref()
             .and_then(|expr| expr.as_literal())
@@ -112,7 +112,8 @@ impl Context<'_> {
             .collect();
         match spec.truth {
             Some(_) => self.name_inputs(&inputs),
-            None => self.forbid_inputs(),
+            None if spec.complete => self.forbid_inputs(),
+            None => {}
         }
         inputs.into_iter().collect()
     }

@@ -100,7 +100,8 @@ impl Context<'_> {
     }
 
     /// A signal given as a function of time.
-    pub(super) fn check_signal(&mut self, parsed: &Parsed, what: &str) {
+    pub(super) fn check_signal(&mut self, parsed: &Parsed, what: &str) -> Option<()> {
+        let before = self.faults.len();
         self.check_design(parsed, what);
         for (name, span) in self.used(parsed) {
             let Some(block) = self.names.dependence(&name).block else {
@@ -118,6 +119,7 @@ impl Context<'_> {
             let fault = self.traced(fault, &name, |dependence| dependence.block.is_some());
             self.faults.push(fault);
         }
+        (self.faults.len() == before).then_some(())
     }
 
     fn is_state(&self, name: &str) -> bool {

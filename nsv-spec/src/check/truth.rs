@@ -48,29 +48,18 @@ impl Context<'_> {
             .rates
             .iter()
             .find(|rate| rate.name.value == state.value)?;
-        let own = own?;
-        let dimension = own.checked_div(SECOND);
-        let Some(dimension) = dimension else {
-            let message = format!(
-                "unit of the rate of `{}` has an exponent out of range",
-                state.value
-            );
-            self.fault(
-                Rule::E0606,
-                written.name.span,
-                message,
-                "choose simpler units",
-            );
-            return None;
-        };
-        let expected = Expected {
-            what: &format!("rate of `{}`", state.value),
+        let rates = own.and_then(|own| self.ratios(&[own], &[SECOND], written.name.span));
+        let reasons = own.map(|own| rate_reason(state, own));
+        let what = format!("rate of `{}`", state.value);
+        let expected = rates.as_deref().map(|dimensions| Expected {
+            what: &what,
             shape: Shape::Scalar,
-            dimensions: &[dimension],
-            reasons: &[rate_reason(state, own)],
+            dimensions,
+            reasons: reasons.as_slice(),
             columns: &[],
-        };
-        self.formula(&written.value, &expected).map(|(id, _)| id)
+        });
+        let (id, _) = self.formula(&written.value, expected.as_ref())?;
+        own.map(|_| id)
     }
 
     /// Rates of what is no state, and further states without a rate.
@@ -82,8 +71,14 @@ impl Context<'_> {
             .collect();
         // A rate that is meant for a state is not missing besides.
         let mut meant: Vec<String> = Vec::new();
+        let blocks = self.spec.blocks.iter();
+        let all = self.spec.blocks.complete
+            && truth.states.complete
+            && blocks
+                .map(|block| &block.value.states)
+                .all(|states| states.complete);
         for Named { name, .. } in &truth.rates {
-            if states.contains(&name.value.as_str()) {
+            if !all || states.contains(&name.value.as_str()) {
                 continue;
             }
             let message = format!("rate of `{}`, which is no state", name.value);
@@ -105,7 +100,7 @@ impl Context<'_> {
                 self.fault(Rule::E0713, name.span, message, help);
             }
             let given = truth.rates.iter().any(|rate| rate.name.value == name.value);
-            if !given && !meant.contains(&name.value) {
+            if !given && truth.rates.complete && !meant.contains(&name.value) {
                 let message = format!("state `{}` of the truth has no rate", name.value);
                 self.faults.push(
                     Diagnostic::error(Rule::E0712, name.span, message)

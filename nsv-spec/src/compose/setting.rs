@@ -61,14 +61,17 @@ fn from_file(
     path: &[Key],
     sources: &mut SourceMap,
 ) -> Result<Node, Vec<Diagnostic>> {
-    let tree = read_file(Path::new(name), sources).map_err(|mut faults| {
+    let joined = read_file(Path::new(name), sources).map_err(|mut faults| {
         // A file that cannot be read has no place of its own.
         for fault in faults.iter_mut().filter(|fault| fault.span.is_none()) {
             fault.span = Some(span);
         }
         faults
     })?;
-    match get(&tree, path) {
+    if !joined.faults.is_empty() {
+        return Err(joined.faults);
+    }
+    match get(&joined.tree, path) {
         Some(node) if !matches!(node.kind, Kind::Null) => Ok(node.clone()),
         _ => {
             let path: Vec<&str> = path.iter().map(|key| &*key.text).collect();

@@ -28,13 +28,12 @@ impl Joiner<'_> {
         let fields = reader.fields(node, &INCLUDE);
         let arguments = match fields.entry("with") {
             Some(entry) => reader.entries(&entry.value, "a map from names to values"),
-            None => Vec::new(),
+            None => Ok(Vec::new()),
         };
         let name = reader.text(&fields, "file");
-        let arguments = arguments.into_iter().cloned().collect();
-        let sound = reader.faults.is_empty();
         self.faults.extend(reader.faults);
-        let name = name.filter(|_| sound)?;
+        let name = name?.ok()?;
+        let arguments = arguments.into_iter().flatten().cloned().collect();
         Some(Included {
             name: name.value,
             span: name.span,

@@ -16,32 +16,36 @@ impl Joiner<'_> {
         let Some(node) = extends else {
             return;
         };
+        let Some(base) = self.base(&node, below) else {
+            self.partial = true;
+            return;
+        };
+        let top = std::mem::replace(tree, base);
+        overlay(tree, top, &mut self.faults);
+    }
+
+    /// The extended specification, joined with what it includes.
+    fn base(&mut self, node: &Node, below: &Path) -> Option<Node> {
         let Kind::Scalar(scalar) = &node.kind else {
-            let fault = not_one_name(&node);
-            self.faults.push(fault);
-            return;
+            self.faults.push(not_one_name(node));
+            return None;
         };
-        let Some(path) = self.resolve(&scalar.text, node.span, below) else {
-            return;
-        };
+        let path = self.resolve(&scalar.text, node.span, below)?;
         let name = below.join(&scalar.text);
-        let Some(mut base) = self.file(&name.display().to_string(), &path, node.span) else {
-            return;
-        };
+        let mut base = self.file(&name.display().to_string(), &path, node.span)?;
         let Kind::Map(entries) = &mut base.kind else {
             let message = format!("found {}, expected a specification", base.describe());
             let fault = Diagnostic::error(Rule::E0103, base.span, message)
                 .with_related(node.span, "extended here")
                 .with_help("extend a file with sections such as `plant:`");
             self.faults.push(fault);
-            return;
+            return None;
         };
         entries.retain(|entry| !OWN.contains(&entry.key.text.as_str()));
         self.open.push(path);
         self.join(&mut base, name.parent().unwrap_or(below));
         self.open.pop();
-        let top = std::mem::replace(tree, base);
-        overlay(tree, top, &mut self.faults);
+        Some(base)
     }
 }
 

@@ -26,8 +26,17 @@ pub(crate) const MAX_DEPTH: usize = 4;
 /// Sections that belong to the specification itself.
 const NOT_IN_FRAGMENTS: [&str; 5] = ["nsv", "name", "title", "extends", "scenario"];
 
-/// Reads a specification with all that it includes.
-pub fn read_file(path: &Path, sources: &mut SourceMap) -> Result<Node, Vec<Diagnostic>> {
+/// The files of a specification as one tree.
+pub(crate) struct Joined {
+    pub(crate) tree: Node,
+    /// What is wrong with what they name.
+    pub(crate) faults: Vec<Diagnostic>,
+    /// Whether one of them is not in the tree: what is missing there may stand in it.
+    pub(crate) partial: bool,
+}
+
+/// Reads a specification with all that it includes; fails if the specification itself cannot be read.
+pub(crate) fn read_file(path: &Path, sources: &mut SourceMap) -> Result<Joined, Vec<Diagnostic>> {
     let name = path.display().to_string();
     let bytes = read_capped(path).map_err(|error| {
         let message = format!("cannot read `{name}`: {}", reason(&error));
@@ -54,28 +63,30 @@ pub fn read_file(path: &Path, sources: &mut SourceMap) -> Result<Node, Vec<Diagn
         read: vec![(canonical, None)],
         data: BTreeMap::new(),
         faults: Vec::new(),
+        partial: false,
         own: Vec::new(),
     };
-    joiner.join_all(tree)
+    Ok(joiner.join_all(tree))
 }
 
 /// Reads a specification that is not in a file and therefore cannot include any.
-pub fn read_text(
+pub(crate) fn read_text(
     name: &str,
     text: &[u8],
     sources: &mut SourceMap,
-) -> Result<Node, Vec<Diagnostic>> {
+) -> Result<Joined, Vec<Diagnostic>> {
     let tree = parse(name, text, sources)?;
-    Joiner {
+    let joiner = Joiner {
         root: None,
         sources,
         open: Vec::new(),
         read: Vec::new(),
         data: BTreeMap::new(),
         faults: Vec::new(),
+        partial: false,
         own: Vec::new(),
-    }
-    .join_all(tree)
+    };
+    Ok(joiner.join_all(tree))
 }
 
 /// Registers a file and parses it. A file that is not text is registered empty, so that faults can name it.
@@ -141,20 +152,22 @@ struct Joiner<'a> {
     /// Data files that have been read.
     data: BTreeMap<PathBuf, FileId>,
     faults: Vec<Diagnostic>,
+    /// Whether a file that is named is not in the tree.
+    partial: bool,
     /// Sections of the specification itself.
     own: Vec<Key>,
 }
 
 impl Joiner<'_> {
-    fn join_all(mut self, mut tree: Node) -> Result<Node, Vec<Diagnostic>> {
+    fn join_all(mut self, mut tree: Node) -> Joined {
         if let Kind::Map(entries) = &tree.kind {
             self.own = entries.iter().map(|entry| entry.key.clone()).collect();
         }
         self.join(&mut tree, Path::new(""));
-        if self.faults.is_empty() {
-            Ok(tree)
-        } else {
-            Err(self.faults)
+        Joined {
+            tree,
+            faults: self.faults,
+            partial: self.partial,
         }
     }
 
@@ -170,12 +183,14 @@ impl Joiner<'_> {
                 arguments,
             } = included;
             let Some(path) = self.resolve(&name, span, below) else {
+                self.partial = true;
                 continue;
             };
             let name = below.join(&name);
             let shown = name.display().to_string();
             let file = self.file(&shown, &path, span);
             let Some(mut fragment) = file.and_then(|tree| self.check_fragment(tree, span)) else {
+                self.partial = true;
                 continue;
             };
             self.open.push(path);
@@ -201,6 +216,7 @@ impl Joiner<'_> {
             Kind::Map(_) => {
                 let message = "found a map, expected a list of files";
                 self.fault(Rule::E0020, node.span, message, EXPECTED);
+                self.partial = true;
                 Vec::new()
             }
         };
@@ -212,8 +228,12 @@ impl Joiner<'_> {
                     span: item.span,
                     arguments: Vec::new(),
                 }),
-                Kind::Map(_) => included.extend(self.long_form(&item)),
+                Kind::Map(_) => match self.long_form(&item) {
+                    Some(one) => included.push(one),
+                    None => self.partial = true,
+                },
                 _ => {
+                    self.partial = true;
                     let message = format!("found {}, expected a file name", item.describe());
                     self.fault(Rule::E0020, item.span, message, EXPECTED);
                 }
@@ -357,10 +377,11 @@ impl Joiner<'_> {
     /// A fragment without the sections that it must not have, which are reported.
     fn check_fragment(&mut self, mut tree: Node, span: Span) -> Option<Node> {
         match &mut tree.kind {
-            Kind::Null => None,
+            Kind::Null => Some(tree),
             Kind::Map(entries) => {
                 let misplaced = |entry: &Entry| NOT_IN_FRAGMENTS.contains(&entry.key.text.as_str());
                 for entry in entries.iter().filter(|entry| misplaced(entry)) {
+                    self.partial = true;
                     let message = format!(
                         "found `{}` in an included file, expected it in the specification only",
                         entry.key.text
@@ -416,7 +437,15 @@ impl Joiner<'_> {
                 {
                     self.merge(&mut old.value, entry.value, &name);
                 }
-                Some(old) => self.faults.push(twice(&name, &entry, old)),
+                Some(old) => {
+                    self.faults.push(twice(&name, &entry, old));
+                    let is_map = |node: &Node| matches!(node.kind, Kind::Map(_));
+                    self.partial |= is_map(&entry.value) != is_map(&old.value);
+                    // More can be told of a map than of what stands in its place.
+                    if is_map(&entry.value) {
+                        old.value = entry.value;
+                    }
+                }
             }
         }
     }
@@ -428,11 +457,13 @@ impl Joiner<'_> {
 }
 
 fn twice(name: &str, new: &Entry, old: &Entry) -> Diagnostic {
-    Diagnostic::error(
-        Rule::E0025,
-        new.key.span,
-        format!("`{name}` is given in two files"),
-    )
-    .with_related(old.key.span, "also given here")
-    .with_help("remove one of them; only maps are merged")
+    let also = match (&new.value.kind, &old.value.kind) {
+        (Kind::Map(_), _) => format!("also given here, as {}", old.value.describe()),
+        (_, Kind::Map(_)) => "also given here, as a map".to_owned(),
+        _ => "also given here".to_owned(),
+    };
+    let message = format!("`{name}` is given in two files");
+    Diagnostic::error(Rule::E0025, new.key.span, message)
+        .with_related(old.key.span, also)
+        .with_help("remove one of them; only maps are merged")
 }

@@ -3,7 +3,7 @@
 use super::fields::{Fields, Reader};
 use crate::model::{Basis, Integration, Norm, VirtualDerivative};
 use crate::spec::{
-    AutoCode, Controller, ControllerBlock, ErrorBound, Located, Network, NoiseBound,
+    AutoCode, Code, Controller, ControllerBlock, ErrorBound, Network, NoiseBound, Unreadable,
 };
 use crate::vocabulary::{CONTROLLER_BLOCK, ERROR_BOUND, NETWORK, NOISE_BOUND};
 use crate::yaml::Node;
@@ -23,12 +23,7 @@ impl Reader {
             ),
             barrier_margin: self.optional_code(&fields, "barrier_margin"),
             parameters: self.map(&fields, "parameters", Self::code_of),
-            blocks: Located {
-                value: self.map(&fields, "blocks", Self::controller_block),
-                span: fields
-                    .entry("blocks")
-                    .map_or(fields.span, |entry| entry.key.span),
-            },
+            blocks: self.map(&fields, "blocks", Self::controller_block),
         }
     }
 
@@ -36,10 +31,11 @@ impl Reader {
         let fields = self.fields(node, &CONTROLLER_BLOCK);
         ControllerBlock {
             keys: fields.keys(),
+            complete: fields.complete,
             k: self.formula(&fields, "K"),
             kbar: self
                 .auto(&fields, "kbar")
-                .unwrap_or(AutoCode::Auto(fields.span)),
+                .unwrap_or_else(|| AutoCode::Code(Code::unreadable(fields.span))),
             c: self.formula(&fields, "C"),
             filter: self.optional_formula(&fields, "filter"),
             eta_1: self.optional_code(&fields, "eta_1"),
@@ -57,13 +53,12 @@ impl Reader {
     fn network(&mut self, node: &Node) -> Network {
         let fields = self.fields(node, &NETWORK);
         let inputs = self.items(&fields, "inputs", "a list of expressions");
+        let formulas = |items: &[Node]| items.iter().map(|item| self.formula_of(item)).collect();
+        let inputs = inputs.map(formulas);
         Network {
-            order: self.count(&fields, "order").unwrap_or(Located {
-                value: 1,
-                span: node.span,
-            }),
+            order: self.count(&fields, "order").ok_or(Unreadable),
             basis: self.choice(&fields, "basis", &[Basis::Pairwise, Basis::Complete]),
-            inputs: inputs.iter().map(|item| self.formula_of(item)).collect(),
+            inputs,
             scale: self.optional_formula(&fields, "scale"),
             iota: self.formula(&fields, "iota"),
             gamma: self.code(&fields, "Gamma"),

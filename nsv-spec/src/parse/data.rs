@@ -1,8 +1,8 @@
 //! Reads constants, parameters and polynomial data.
 
-use super::fields::{Reader, name};
+use super::fields::Reader;
 use crate::diagnostic::{Rule, Span};
-use crate::spec::{Constant, Function, Named, Parameter, PolynomialGroup, Terms};
+use crate::spec::{Constant, Function, Parameter, PolynomialGroup, Read, Terms, Unreadable};
 use crate::vocabulary::{CONSTANT, FUNCTION, PARAMETER, POLYNOMIAL};
 use crate::yaml::{Kind, Node};
 
@@ -22,7 +22,7 @@ impl Reader {
         Constant {
             value: self.formula(&fields, "value"),
             unit: self.text(&fields, "unit"),
-            source: self.text(&fields, "source"),
+            source: self.note(&fields, "source"),
         }
     }
 
@@ -40,57 +40,52 @@ impl Reader {
             value: self.code(&fields, "value"),
             unit: self.text(&fields, "unit"),
             dispersion: self.dispersion(&fields),
-            source: self.text(&fields, "source"),
+            source: self.note(&fields, "source"),
         }
     }
 
     pub(super) fn function(&mut self, node: &Node) -> Function {
         let fields = self.fields(node, &FUNCTION);
         // For people who read the specification: a call leaves no trace of it in the code.
-        self.text(&fields, "source");
+        self.note(&fields, "source");
         let arguments = self.items(&fields, "arguments", "a list of names");
         Function {
-            arguments: arguments.iter().map(|item| self.word(item)).collect(),
+            arguments: self.words(arguments),
             value: self.code(&fields, "value"),
         }
     }
 
     pub(super) fn polynomial_group(&mut self, node: &Node) -> PolynomialGroup {
         let fields = self.fields(node, &POLYNOMIAL);
-        let arguments: Vec<_> = self
-            .items(&fields, "arguments", "a list of names")
-            .iter()
-            .map(|item| self.word(item))
-            .collect();
-        let parts = self.named(&fields, "parts");
+        let arguments = self.items(&fields, "arguments", "a list of names");
+        let arguments = self.words(arguments);
+        let count = arguments.as_ref().map(Vec::len);
         PolynomialGroup {
-            source: self.text(&fields, "source"),
-            parts: parts
-                .into_iter()
-                .map(|entry| Named {
-                    name: name(entry),
-                    value: self.terms(&entry.value, arguments.len()),
-                })
-                .collect(),
+            source: self.note(&fields, "source"),
+            parts: self.map(&fields, "parts", |reader, node| {
+                reader.terms(node, count.map_err(|&unreadable| unreadable)?)
+            }),
             arguments,
         }
     }
 
-    fn terms(&mut self, node: &Node, arguments: usize) -> Terms {
-        match &node.kind {
-            Kind::Seq(items) if !items.is_empty() => items
-                .iter()
-                .filter_map(|item| self.term(item, arguments))
-                .collect(),
-            _ => {
-                self.kind(
-                    node,
-                    "a list of terms",
-                    "write `[[coefficient, exponent, ..], ..]`",
-                );
-                Vec::new()
-            }
+    fn terms(&mut self, node: &Node, arguments: usize) -> Read<Terms> {
+        let Kind::Seq(items) = &node.kind else {
+            return self.no_terms(node);
+        };
+        if items.is_empty() {
+            return self.no_terms(node);
         }
+        let terms = items.iter().map(|item| self.term(item, arguments));
+        let terms: Vec<Option<(f64, Vec<u32>)>> = terms.collect();
+        let terms: Option<Terms> = terms.into_iter().collect();
+        terms.ok_or(Unreadable)
+    }
+
+    fn no_terms(&mut self, node: &Node) -> Read<Terms> {
+        let help = "write `[[coefficient, exponent, ..], ..]`";
+        self.kind(node, "a list of terms", help);
+        Err(Unreadable)
     }
 
     fn term(&mut self, node: &Node, arguments: usize) -> Option<(f64, Vec<u32>)> {

@@ -3,15 +3,20 @@
 use std::collections::BTreeMap;
 
 use crate::diagnostic::{Diagnostic, Rule, Span};
-use crate::spec::{Located, Named, Word};
+use crate::spec::{Declared, Located, Named, Read, Unreadable, Word};
 use crate::suggest::nearest;
 use crate::vocabulary::{Key, Kind as Expects, Section};
 use crate::yaml::{Entry, Kind, Node, excerpt};
+
+/// Keys that name files with further keys.
+const JOINING: [&str; 2] = ["include", "extends"];
 
 /// The known keys of one map.
 pub(crate) struct Fields<'a> {
     section: &'static Section,
     entries: BTreeMap<&'static str, &'a Entry>,
+    /// Whether every key that is given is among them.
+    pub(crate) complete: bool,
     /// The whole map.
     pub(crate) span: Span,
 }
@@ -25,6 +30,12 @@ impl<'a> Fields<'a> {
             self.section.noun
         );
         self.entries.get(name).copied()
+    }
+
+    /// Whether a key may be left out and is.
+    pub(crate) fn left_out(&self, name: &str) -> bool {
+        let required = self.key(name).is_none_or(|key| key.required);
+        self.complete && !required && self.entry(name).is_none()
     }
 
     /// Places of the keys that are given.
@@ -45,6 +56,8 @@ impl<'a> Fields<'a> {
 #[derive(Default)]
 pub(crate) struct Reader {
     pub(crate) faults: Vec<Diagnostic>,
+    /// Whether a file or a map could not be read: what is missing may stand there.
+    pub(crate) partial: bool,
     /// Keys without a value, by the place where it would be.
     empty: BTreeMap<Span, String>,
 }
@@ -66,12 +79,14 @@ impl Reader {
         let mut fields = Fields {
             section,
             entries: BTreeMap::new(),
+            complete: !self.partial,
             span: node.span,
         };
         let Kind::Map(entries) = &node.kind else {
             let keys: Vec<&str> = section.keys.iter().map(|key| key.name).collect();
             let expected = format!("{}: a map", section.noun);
             self.kind(node, &expected, &format!("its keys are {}", list(&keys)));
+            fields.complete = false;
             return fields;
         };
         let mut unknown = Vec::new();
@@ -84,21 +99,20 @@ impl Reader {
         for entry in unknown {
             self.unknown(entry, &mut fields);
         }
-        for key in section
-            .keys
-            .iter()
-            .filter(|key| key.required && !fields.entries.contains_key(key.name))
-        {
+        if !self.partial {
             let span = entries.first().map_or(node.span, |first| first.key.span);
-            let message = format!("key `{}` is missing in {}", key.name, section.noun);
-            self.fault(
-                Rule::E0104,
-                span,
-                message,
-                format!("add `{}`: {}", key.name, key.doc),
-            );
+            self.report_missing(&fields, span);
         }
         fields
+    }
+
+    fn report_missing(&mut self, fields: &Fields<'_>, span: Span) {
+        let missing = |key: &&Key| key.required && !fields.entries.contains_key(key.name);
+        for key in fields.section.keys.iter().filter(missing) {
+            let message = format!("key `{}` is missing in {}", key.name, fields.section.noun);
+            let help = format!("add `{}`: {}", key.name, key.doc);
+            self.fault(Rule::E0104, span, message, help);
+        }
     }
 
     /// The keys of the map under a key; none where that is missing, which has been reported if it is required.
@@ -118,6 +132,7 @@ impl Reader {
             None => Fields {
                 section,
                 entries: BTreeMap::new(),
+                complete: false,
                 span: parent.span,
             },
         }
@@ -132,12 +147,17 @@ impl Reader {
             .iter()
             .filter(|key| !fields.entries.contains_key(key.name));
         let mut meant = nearest(text, open.map(|key| key.name));
-        if let Some(meant) = &mut meant
-            && let Some(key) = fields.key(&meant.name)
-        {
+        let key = meant.as_ref().and_then(|meant| fields.key(&meant.name));
+        if let (Some(meant), Some(key)) = (&mut meant, key) {
             fields.entries.insert(key.name, entry);
             meant.sure |= key.required;
         }
+        fields.complete &= key.is_some();
+        self.partial |= match key {
+            // Files are joined before keys are read.
+            Some(key) => JOINING.contains(&key.name),
+            None => matches!(entry.value.kind, Kind::Map(_)),
+        };
         let message = format!("unknown key `{}` in {}", excerpt(text), section.noun);
         let fault = Diagnostic::error(Rule::E0101, entry.key.span, message);
         let names: Vec<&str> = section.keys.iter().map(|key| key.name).collect();
@@ -148,19 +168,12 @@ impl Reader {
     }
 
     /// The entries of a map with names chosen by the user.
-    pub(crate) fn named<'a>(&mut self, fields: &Fields<'a>, key: &str) -> Vec<&'a Entry> {
-        let Some(entry) = fields.entry(key) else {
-            return Vec::new();
-        };
-        self.entries(&entry.value, &format!("a map from names to {key}"))
-    }
-
-    pub(crate) fn entries<'a>(&mut self, node: &'a Node, expected: &str) -> Vec<&'a Entry> {
+    pub(crate) fn entries<'a>(&mut self, node: &'a Node, expected: &str) -> Read<Vec<&'a Entry>> {
         let Kind::Map(entries) = &node.kind else {
             self.kind(node, expected, "write one `name: value` on each line");
-            return Vec::new();
+            return Err(Unreadable);
         };
-        self.unique(entries)
+        Ok(self.unique(entries))
     }
 
     /// A map from names to values that `read` reads.
@@ -168,16 +181,26 @@ impl Reader {
         &mut self,
         fields: &Fields<'_>,
         key: &str,
-        read: fn(&mut Self, &Node) -> T,
-    ) -> Vec<Named<T>> {
-        let entries = self.named(fields, key);
-        entries
-            .into_iter()
-            .map(|entry| Named {
-                name: name(entry),
-                value: read(self, &entry.value),
-            })
-            .collect()
+        mut read: impl FnMut(&mut Self, &Node) -> T,
+    ) -> Declared<T> {
+        let Some(entry) = fields.entry(key) else {
+            return Declared {
+                all: Vec::new(),
+                complete: fields.left_out(key),
+                span: fields.span,
+            };
+        };
+        let entries = self.entries(&entry.value, &format!("a map from names to {key}"));
+        let complete = entries.is_ok() && !self.partial;
+        let declared = |entry: &Entry| Named {
+            name: name(entry),
+            value: read(self, &entry.value),
+        };
+        Declared {
+            all: entries.into_iter().flatten().map(declared).collect(),
+            complete,
+            span: entry.key.span,
+        }
     }
 
     /// A nested map, read by `read`, with the place of its key.
@@ -194,26 +217,27 @@ impl Reader {
         })
     }
 
-    /// The items of a list.
+    /// The items of a list; none where it may be left out and is.
     pub(crate) fn items<'a>(
         &mut self,
         fields: &Fields<'a>,
         key: &str,
         expected: &str,
-    ) -> &'a [Node] {
+    ) -> Read<&'a [Node]> {
         match fields.entry(key).map(|entry| &entry.value) {
-            None => &[],
+            None if fields.left_out(key) => Ok(&[]),
+            None => Err(Unreadable),
             Some(Node {
                 kind: Kind::Seq(items),
                 ..
-            }) => items,
+            }) => Ok(items),
             Some(other) => {
                 self.kind(
                     other,
                     expected,
                     "write `[.., ..]`, or one `- item` on each line",
                 );
-                &[]
+                Err(Unreadable)
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Reads actuators and sensors.
 
 use super::fields::Reader;
-use crate::spec::{Actuator, Bias, Effect, Fault, Sensor};
+use crate::spec::{Actuator, Bias, Effect, Fault, Read, Sensor};
 use crate::vocabulary::{ACTUATOR, FAULT, SENSOR};
 use crate::yaml::{Kind, Node};
 
@@ -10,16 +10,17 @@ impl Reader {
     pub(super) fn actuator(&mut self, node: &Node) -> Actuator {
         let fields = self.fields(node, &ACTUATOR);
         let faults = self.items(&fields, "faults", "a list of faults");
+        let faults = faults.unwrap_or_default().iter();
         Actuator {
             delay: self.optional_code(&fields, "delay"),
             quantum: self.optional_code(&fields, "quantum"),
             lag: self.optional_code(&fields, "lag"),
             rate_limit: self.optional_code(&fields, "rate_limit"),
-            faults: (faults.iter().filter_map(|fault| self.actuator_fault(fault))).collect(),
+            faults: (faults.filter_map(|fault| self.actuator_fault(fault).ok())).collect(),
         }
     }
 
-    fn actuator_fault(&mut self, node: &Node) -> Option<Fault> {
+    fn actuator_fault(&mut self, node: &Node) -> Read<Fault> {
         let fields = self.fields(node, &FAULT);
         let at = self.code(&fields, "at");
         let effect = match (fields.entry("effectiveness"), fields.entry("stuck")) {
@@ -30,7 +31,7 @@ impl Reader {
             }),
             _ => return self.one_of(fields.span, "a fault", ["effectiveness", "stuck"]),
         };
-        Some(Fault { at, effect })
+        Ok(Fault { at, effect })
     }
 
     /// How a state is measured.
@@ -38,9 +39,9 @@ impl Reader {
         let fields = self.fields(node, &SENSOR);
         let bias = fields.entry("bias").map(|entry| &entry.value);
         Sensor {
-            bias: bias.and_then(|node| match node.kind {
+            bias: bias.map(|node| match node.kind {
                 Kind::Map(_) => self.distribution(node).map(Bias::Drawn),
-                _ => Some(Bias::Fixed(self.code_of(node))),
+                _ => Ok(Bias::Fixed(self.code_of(node))),
             }),
             noise: self.optional_code(&fields, "noise"),
             quantum: self.optional_code(&fields, "quantum"),

@@ -11,7 +11,7 @@ mod values;
 
 use crate::diagnostic::{Diagnostic, Rule};
 use crate::model::{NoiseModel, Scheme};
-use crate::spec::{Located, Scenario, Spec};
+use crate::spec::{Scenario, Spec, Unreadable};
 use crate::vocabulary::SPECIFICATION;
 use crate::yaml::Node;
 pub(crate) use data::MAX_EXPONENT;
@@ -21,29 +21,40 @@ pub(crate) use fields::Reader;
 /// Version of the language.
 const VERSION: u64 = 1;
 
-/// Reads a specification.
-pub(crate) fn parse(tree: &Node) -> Result<Spec, Vec<Diagnostic>> {
+/// Reads a specification, with the faults of what could not be read; `partial` where a file of it is missing.
+pub(crate) fn parse(tree: &Node, partial: bool) -> (Spec, Vec<Diagnostic>) {
     let mut reader = Reader::default();
+    reader.partial = partial;
     let spec = reader.specification(tree);
-    if reader.faults.is_empty() {
-        Ok(spec)
-    } else {
-        Err(reader.faults)
-    }
+    (spec, reader.faults)
+}
+
+/// Whether every map that declares names of expressions could be read.
+fn declares_all(spec: &Spec) -> bool {
+    let truth = spec.truth.iter().map(|truth| &truth.value.states);
+    let mut states = (spec.blocks.iter().map(|block| &block.value.states)).chain(truth);
+    let mut groups = spec.polynomials.iter();
+    spec.constants.complete
+        && spec.parameters.complete
+        && spec.polynomials.complete
+        && groups.all(|group| group.value.parts.complete)
+        && spec.tables.complete
+        && spec.functions.complete
+        && spec.definitions.complete
+        && spec.blocks.complete
+        && spec.inputs.complete
+        && states.all(|states| states.complete)
 }
 
 impl Reader {
     fn specification(&mut self, tree: &Node) -> Spec {
         let fields = self.fields(tree, &SPECIFICATION);
         self.version(&fields);
-        let empty = Located {
-            value: String::new(),
-            span: tree.span,
-        };
         let plant = self.section(&fields, "plant");
-        Spec {
-            name: self.text(&fields, "name").unwrap_or(empty),
-            title: self.text(&fields, "title"),
+        let mut spec = Spec {
+            complete: fields.complete && plant.complete,
+            name: self.text(&fields, "name").unwrap_or(Err(Unreadable)),
+            title: self.note(&fields, "title"),
             constants: self.map(&fields, "constants", Self::constant),
             parameters: self.map(&fields, "parameters", Self::parameter),
             correlations: self.correlations(&fields),
@@ -54,15 +65,12 @@ impl Reader {
             blocks: self.blocks(&plant),
             inputs: self.inputs(&plant),
             truth: self.flown(&plant),
-            reference: Located {
-                value: self.map(&fields, "reference", Self::formula_of),
-                span: fields
-                    .entry("reference")
-                    .map_or(tree.span, |entry| entry.key.span),
-            },
+            reference: self.map(&fields, "reference", Self::formula_of),
             controller: self.controller(&fields),
             scenario: self.scenario(&fields),
-        }
+        };
+        spec.complete &= declares_all(&spec);
+        spec
     }
 
     fn version(&mut self, fields: &Fields<'_>) {

@@ -1,18 +1,21 @@
 //! Reads the plant.
 
 use super::fields::{Fields, Reader};
-use crate::spec::{Disturbance, Exosystem, Input, Located, Named, Noise, PlantBlock, State, Truth};
+use crate::spec::{
+    Declared, Disturbance, Exosystem, Input, Located, Noise, PlantBlock, Read, State, Truth,
+    Unreadable,
+};
 use crate::vocabulary::{EXOSYSTEM, INPUT, NOISE, PLANT_BLOCK, STATE, TRUTH};
 use crate::yaml::{Kind, Node};
 
 impl Reader {
     /// Blocks of the plant.
-    pub(super) fn blocks(&mut self, plant: &Fields<'_>) -> Vec<Named<PlantBlock>> {
+    pub(super) fn blocks(&mut self, plant: &Fields<'_>) -> Declared<PlantBlock> {
         self.map(plant, "blocks", Self::plant_block)
     }
 
     /// Control inputs.
-    pub(super) fn inputs(&mut self, plant: &Fields<'_>) -> Vec<Named<Input>> {
+    pub(super) fn inputs(&mut self, plant: &Fields<'_>) -> Declared<Input> {
         self.map(plant, "inputs", Self::input)
     }
 
@@ -32,6 +35,7 @@ impl Reader {
     fn plant_block(&mut self, node: &Node) -> PlantBlock {
         let fields = self.fields(node, &PLANT_BLOCK);
         PlantBlock {
+            complete: fields.complete,
             states: self.map(&fields, "states", Self::state),
             drift: self.formula(&fields, "drift"),
             gain: self.formula(&fields, "gain"),
@@ -58,22 +62,23 @@ impl Reader {
         }
     }
 
-    fn disturbance(&mut self, block: &Fields<'_>) -> Option<Located<Disturbance>> {
+    fn disturbance(&mut self, block: &Fields<'_>) -> Option<Located<Read<Disturbance>>> {
         let span = block.entry("disturbance")?.key.span;
         let fields = self.section(block, "disturbance");
         let value = match (fields.entry("bounded"), fields.entry("exosystem")) {
-            (Some(entry), None) => Disturbance::Bounded(self.formula_of(&entry.value)),
-            (None, Some(_)) => {
-                let items = self.items(
-                    &fields,
-                    "exosystem",
-                    "a list with one exosystem for each channel",
-                );
-                Disturbance::Exosystem(items.iter().map(|item| self.exosystem(item)).collect())
-            }
-            _ => return self.one_of(span, "disturbance", ["bounded", "exosystem"]),
+            (Some(entry), None) => Ok(Disturbance::Bounded(self.formula_of(&entry.value))),
+            (None, Some(_)) => self.exosystems(&fields),
+            (None, None) if !fields.complete => Err(Unreadable),
+            _ => self.one_of(span, "disturbance", ["bounded", "exosystem"]),
         };
         Some(Located { value, span })
+    }
+
+    fn exosystems(&mut self, disturbance: &Fields<'_>) -> Read<Disturbance> {
+        let expected = "a list with one exosystem for each channel";
+        let items = self.items(disturbance, "exosystem", expected)?.iter();
+        let channels = items.map(|item| self.exosystem(item)).collect();
+        Ok(Disturbance::Exosystem(channels))
     }
 
     fn exosystem(&mut self, node: &Node) -> Exosystem {

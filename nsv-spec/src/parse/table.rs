@@ -3,7 +3,7 @@
 use super::fields::Reader;
 use crate::diagnostic::Rule;
 use crate::interpolation::{Degree, Extrapolation};
-use crate::spec::{Axis, Grid, Table};
+use crate::spec::{Axis, Grid, Read, Table, Unreadable};
 use crate::vocabulary::{AXIS, TABLE};
 use crate::yaml::{Kind, Node};
 
@@ -13,12 +13,13 @@ impl Reader {
         let values = fields.entry("values").map(|entry| self.grid(&entry.value));
         let file = self.text(&fields, "file");
         let column = self.text(&fields, "column");
-        if values.is_some() == file.is_some() {
+        let given = fields.entry("file").is_some();
+        if given == values.is_some() && (given || fields.complete) {
             let help = "write `values: [..]`, or `file: data/table.csv`";
             let message = "table must have one of `values` and `file`";
             self.fault(Rule::E0106, fields.span, message, help);
         }
-        if let (Some(column), None) = (&column, &file) {
+        if let (Some(Ok(column)), None) = (&column, &file) {
             let message = "`column` is given without `file`";
             self.fault(Rule::E0106, column.span, message, "remove `column`");
         }
@@ -34,7 +35,7 @@ impl Reader {
                 "extrapolation",
                 &[Extrapolation::Clamp, Extrapolation::Error],
             ),
-            source: self.text(&fields, "source"),
+            source: self.note(&fields, "source"),
         }
     }
 
@@ -51,21 +52,28 @@ impl Reader {
                     unit: self.text(&fields, "unit"),
                 }
             }
-            _ => Axis {
+            Kind::Scalar(_) => Axis {
                 values: None,
                 unit: Some(self.word(node)),
             },
+            Kind::Null => {
+                let help = "write `[1, 2, 3]`, or its unit where a file has the values: `m`, or `\"1\"` for a pure number";
+                self.kind(node, "an axis: values or a unit", help);
+                Axis {
+                    values: Some(Err(Unreadable)),
+                    unit: Some(Err(Unreadable)),
+                }
+            }
         }
     }
 
     /// Numbers are read when their unit is known.
-    fn grid(&mut self, node: &Node) -> Grid {
-        match &node.kind {
-            Kind::Seq(items) => Grid::List(
-                items.iter().map(|item| self.grid(item)).collect(),
-                node.span,
-            ),
-            _ => Grid::Number(self.word(node)),
-        }
+    fn grid(&mut self, node: &Node) -> Read<Grid> {
+        let Kind::Seq(items) = &node.kind else {
+            return self.word(node).map(Grid::Number);
+        };
+        let items: Vec<Read<Grid>> = items.iter().map(|item| self.grid(item)).collect();
+        let items: Read<Vec<Grid>> = items.into_iter().collect();
+        items.map(|items| Grid::List(items, node.span))
     }
 }

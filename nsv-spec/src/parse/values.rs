@@ -1,35 +1,44 @@
 //! Reads the values behind keys: text, expressions, whole numbers and choices.
 //!
-//! A value with a fault is reported and replaced by an empty one; the specification is discarded once it is read to its end.
+//! A value with a fault is reported, and marked as unreadable for the checks.
 
 use super::fields::{Fields, Reader, list};
-use crate::diagnostic::{Base, Diagnostic, Rule};
-use crate::spec::{AutoCode, Code, Formula, Located, Word};
+use crate::diagnostic::{Diagnostic, Rule};
+use crate::spec::{AutoCode, Choice, Code, Formula, Located, Read, Unreadable, Word};
 use crate::suggest::nearest;
 use crate::vocabulary::{Key, Kind as Expects};
-use crate::yaml::{Kind, Node};
+use crate::yaml::{Entry, Kind, Node};
 
 impl Reader {
     /// Text for people.
-    pub(super) fn word(&mut self, node: &Node) -> Word {
-        match &node.kind {
-            Kind::Scalar(scalar) => Located {
-                value: scalar.text.clone(),
-                span: node.span,
-            },
-            _ => {
-                self.kind(node, "text", "write it in quotes");
-                Located {
-                    value: String::new(),
-                    span: node.span,
-                }
-            }
-        }
+    pub(super) fn word(&mut self, node: &Node) -> Read<Word> {
+        let Kind::Scalar(scalar) = &node.kind else {
+            self.kind(node, "text", "write it in quotes");
+            return Err(Unreadable);
+        };
+        Ok(Located {
+            value: scalar.text.clone(),
+            span: node.span,
+        })
+    }
+
+    /// Text in every item of a list.
+    pub(super) fn words(&mut self, items: Read<&[Node]>) -> Read<Vec<Word>> {
+        let words: Vec<Read<Word>> = items?.iter().map(|item| self.word(item)).collect();
+        words.into_iter().collect()
+    }
+
+    /// Text for people under a key, to whom it does not matter why it is missing.
+    pub(super) fn note(&mut self, fields: &Fields<'_>, key: &str) -> Option<Word> {
+        self.text(fields, key)?.ok()
     }
 
     /// Text under a key.
-    pub(crate) fn text(&mut self, fields: &Fields<'_>, key: &str) -> Option<Word> {
-        fields.entry(key).map(|entry| self.word(&entry.value))
+    pub(crate) fn text(&mut self, fields: &Fields<'_>, key: &str) -> Option<Read<Word>> {
+        match fields.entry(key) {
+            Some(entry) => Some(self.word(&entry.value)),
+            None => (!fields.left_out(key)).then_some(Err(Unreadable)),
+        }
     }
 
     /// An expression or a nested list of them.
@@ -51,7 +60,7 @@ impl Reader {
     /// An expression under a key that is required.
     pub(super) fn formula(&mut self, fields: &Fields<'_>, key: &str) -> Formula {
         self.optional_formula(fields, key)
-            .unwrap_or_else(|| Formula::List(Vec::new(), fields.span))
+            .unwrap_or_else(|| Formula::Code(Code::unreadable(fields.span)))
     }
 
     /// An expression under a key.
@@ -63,7 +72,7 @@ impl Reader {
     pub(super) fn code_of(&mut self, node: &Node) -> Code {
         if let Kind::Scalar(scalar) = &node.kind {
             return Code {
-                text: scalar.code.clone(),
+                text: Ok(scalar.code.clone()),
                 base: scalar.base.clone(),
             };
         }
@@ -72,19 +81,13 @@ impl Reader {
             "a number or an expression",
             "write a number with its unit, or an expression in quotes",
         );
-        Code {
-            text: String::new(),
-            base: Base::whole(node.span),
-        }
+        Code::unreadable(node.span)
     }
 
     /// A quantity under a key that is required.
     pub(super) fn code(&mut self, fields: &Fields<'_>, key: &str) -> Code {
-        let empty = || Code {
-            text: String::new(),
-            base: Base::whole(fields.span),
-        };
-        self.optional_code(fields, key).unwrap_or_else(empty)
+        self.optional_code(fields, key)
+            .unwrap_or_else(|| Code::unreadable(fields.span))
     }
 
     /// A quantity under a key.
@@ -101,7 +104,7 @@ impl Reader {
         })
     }
 
-    /// A whole number.
+    /// A whole number; one that cannot be read counts as left out.
     pub(super) fn count(&mut self, fields: &Fields<'_>, key: &str) -> Option<Located<u64>> {
         let node = &fields.entry(key)?.value;
         let value = match &node.kind {
@@ -127,14 +130,19 @@ impl Reader {
         fields: &Fields<'_>,
         key: &str,
         values: &[T],
-    ) -> Option<Located<T>> {
-        let node = &fields.entry(key)?.value;
+    ) -> Choice<T> {
+        let Some(Entry { value: node, .. }) = fields.entry(key) else {
+            return match fields.left_out(key) {
+                true => Ok(None),
+                false => Err(Unreadable),
+            };
+        };
         let Some(Key {
             kind: Expects::Choice(words),
             ..
         }) = fields.key(key)
         else {
-            return None;
+            unreachable!("invariant: `{key}` is a choice");
         };
         debug_assert_eq!(
             words.len(),
@@ -160,11 +168,11 @@ impl Reader {
                 }
                 _ => fault.with_help(otherwise()),
             });
-            return None;
+            return Err(Unreadable);
         };
-        Some(Located {
+        Ok(Some(Located {
             value: values[at],
             span: node.span,
-        })
+        }))
     }
 }

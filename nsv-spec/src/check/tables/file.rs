@@ -32,8 +32,12 @@ impl<'a> Context<'a> {
         let sources: &'a SourceMap = self.sources;
         let id = *sources.data.get(&file.span)?;
         let sheet = Sheet::read(id, sources.source(id));
+        let column = match &declared.column {
+            Some(column) => column.as_ref().ok()?,
+            None => name,
+        };
         let wanted: Vec<&Word> = (declared.axes.iter().map(|axis| &axis.name))
-            .chain([declared.column.as_ref().unwrap_or(name)])
+            .chain([column])
             .collect();
         self.check_full(&sheet, &wanted, file)?;
         let columns: Vec<Option<usize>> = (0..wanted.len())

@@ -2,7 +2,7 @@
 
 use super::{Cell, Context, MAX_VALUES, Written};
 use crate::diagnostic::{Rule, counted};
-use crate::spec::{Grid, Table};
+use crate::spec::{Grid, Table, Unreadable};
 
 impl Context<'_> {
     /// The numbers of a table whose values are `values`.
@@ -14,7 +14,8 @@ impl Context<'_> {
         let mut points = Vec::new();
         for axis in &declared.axes {
             let cells = match &axis.value.values {
-                Some(Grid::List(items, _)) => items.iter().map(cell).collect(),
+                Some(Err(Unreadable)) => return None,
+                Some(Ok(Grid::List(items, _))) => items.iter().map(cell).collect(),
                 _ => None,
             };
             let Some(cells) = cells else {

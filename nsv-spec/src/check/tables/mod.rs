@@ -14,7 +14,7 @@ use crate::expr::arena::TableId;
 use crate::expr::{Signature, Symbol};
 use crate::interpolation::Interpolant;
 use crate::model::Table;
-use crate::spec::{self, Word};
+use crate::spec::{self, Read, Word};
 use crate::unit::{Dimension, Unit};
 
 /// Most arguments of a table.
@@ -41,11 +41,8 @@ impl Context<'_> {
             self.name_file(before, &declared.value);
             let id = TableId(u32::try_from(at).expect("invariant: fewer than 2^32 tables"));
             for axis in &declared.value.axes {
-                let unit = axis
-                    .value
-                    .unit
-                    .as_ref()
-                    .map_or(axis.name.span, |unit| unit.span);
+                let unit = axis.value.unit.iter().flatten().next();
+                let unit = unit.map_or(axis.name.span, |unit| unit.span);
                 let argument = format!("{name}.{}", axis.name.value);
                 self.names.declare(&argument, unit, "axis");
             }
@@ -66,7 +63,7 @@ impl Context<'_> {
 
     /// Faults in a data file, those from number `before` on, show where the specification names it.
     fn name_file(&mut self, before: usize, declared: &spec::Table) {
-        let Some(file) = &declared.file else {
+        let Some(Ok(file)) = &declared.file else {
             return;
         };
         let found = self.faults.split_off(before);
@@ -80,6 +77,9 @@ impl Context<'_> {
     }
 
     fn table(&mut self, name: &Word, declared: &spec::Table) -> Option<Table> {
+        if !declared.axes.complete {
+            return None;
+        }
         if !(1..=MAX_AXES).contains(&declared.axes.len()) {
             let message = format!(
                 "table `{}` has {}",
@@ -97,9 +97,9 @@ impl Context<'_> {
             .collect();
         let unit = self.optional_unit(declared.unit.as_ref());
         let written = match (&declared.values, &declared.file) {
-            (Some(values), _) => self.inline_table(declared, values),
-            (None, Some(file)) => self.table_file(name, declared, file),
-            (None, None) => None,
+            (Some(Ok(values)), None) => self.inline_table(declared, values),
+            (None, Some(Ok(file))) => self.table_file(name, declared, file),
+            _ => None,
         };
         let (units, unit, written) = (
             units.into_iter().collect::<Option<Vec<_>>>()?,
@@ -112,8 +112,10 @@ impl Context<'_> {
         let arguments: Vec<_> = names.zip(units.iter().map(dimension)).collect();
         let dimension = dimension(&unit);
         self.check_slopes(name, &arguments, dimension)?;
-        let (degree, extrapolation) =
-            (declared.interpolation?.value, declared.extrapolation?.value);
+        let (degree, extrapolation) = (
+            declared.interpolation.ok()??.value,
+            declared.extrapolation.ok()??.value,
+        );
         let mut axes = Vec::new();
         for ((axis, unit), written) in declared.axes.iter().zip(&units).zip(&written.points) {
             let fewest = degree.fewest_points();
@@ -142,7 +144,7 @@ impl Context<'_> {
     }
 
     /// Outer `None` after a fault.
-    fn optional_unit(&mut self, unit: Option<&Word>) -> Option<Option<Unit>> {
+    fn optional_unit(&mut self, unit: Option<&Read<Word>>) -> Option<Option<Unit>> {
         match unit {
             Some(unit) => self.unit(unit).map(Some),
             None => Some(None),
