@@ -420,3 +420,44 @@ fn generated_code_is_checked_against_its_specification() {
     }
     assert_eq!(std::fs::read_to_string(&plant).expect("a file"), edited);
 }
+
+/// Numbers of a table reach neither CasADi nor any file but that of the tables and the one that has the specification's hash.
+#[cfg(unix)]
+#[test]
+fn a_changed_cell_of_a_table_changes_the_tables_alone() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let specs = Path::new(PENDULUM).with_file_name("");
+    std::os::unix::fs::symlink(specs.join("partials"), folder.path().join("partials"))
+        .expect("a link");
+    let data = folder.path().join("data");
+    std::fs::create_dir(&data).expect("a folder");
+    for file in [
+        "missile_pitch.yaml",
+        "data/missile_moment.csv",
+        "data/missile_normal_force.csv",
+    ] {
+        std::fs::copy(specs.join(file), folder.path().join(file)).expect("a copy");
+    }
+    let path = |name: &str| folder.path().join(name).to_str().expect("UTF-8").to_owned();
+    let (spec, out) = (path("missile_pitch.yaml"), path("out"));
+    let written = |count: &str| {
+        let output = with_cache(&["generate", &spec, "--out", &out]);
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert!(stderr.contains(count), "{stderr}");
+    };
+    written("8 files, 8 of them written now");
+    let table = data.join("missile_moment.csv");
+    let text = std::fs::read_to_string(&table).expect("a table");
+    std::fs::write(&table, text.replacen("10.215", "10.216", 1)).expect("a table");
+    written("8 files, 2 of them written now");
+    for name in ["mod.rs", "tables.rs"] {
+        let file = Path::new(&out).join("missile_pitch").join(name);
+        let generated = Path::new(PENDULUM).with_file_name("../generated/src/missile_pitch");
+        let old = std::fs::read_to_string(generated.join(name)).expect("a generated file");
+        assert_ne!(
+            std::fs::read_to_string(file).expect("a file"),
+            old,
+            "{name}"
+        );
+    }
+}

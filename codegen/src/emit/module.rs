@@ -326,14 +326,13 @@ struct Texts<'a> {
 }
 
 impl Texts<'_> {
+    /// Comments at the top of a file. The specification's hash is in `mod.rs` alone, so that a change of the specification changes
+    /// those files only that depend on it.
     fn header(&self, programs: &[&Program]) -> Vec<String> {
-        let mut header = vec![
-            format!(
-                "nsv {}: change the specification and run `nsv generate`, do not edit.",
-                clean(&self.interface.version)
-            ),
-            format!("specification sha256 {}", clean(&self.interface.hash)),
-        ];
+        let mut header = vec![format!(
+            "nsv {}: change the specification and run `nsv generate`, do not edit.",
+            clean(&self.interface.version)
+        )];
         if self.interface.arithmetic == Arithmetic::Fast {
             header.push(
                 "math fast: sums and products are reassociated, results differ from `--math strict` by roundings"

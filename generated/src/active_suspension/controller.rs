@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 53754736a50a5179208db3e133a9bddc6039f11e7789c3e7916a3052e55996ea
+// SHA-256 of the text below: 01f2c0ef2ea7b83246e0ad08a7870d683107d4fb709c6918f94b60e284d4e6ab
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f
 // initial: 22 additions, 47 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
 // control: 94 additions, 145 multiplications, 7 divisions, 2 square roots, 8 elementary functions, 9 comparisons and selections
 

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 55fe4c27caa4ffc58ccc6edbecea1f89150813b351bc99903decde412b166a58
+// SHA-256 of the text below: 9b2bc407573c53f9a03b3257bb20e7544a8f4a1a4e74d734036f3795d68322d9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f
 // lyapunov: 252 additions, 356 multiplications, 10 divisions, 2 square roots, 9 elementary functions, 15 comparisons and selections
 
 //! `active_suspension`: Lyapunov function and its generator.

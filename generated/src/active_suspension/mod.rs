@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 2831e684b2c6dc903d5e06929546972a4f68827fae66ed413c25f0384f88e4f2
+// SHA-256 of the text below: 5ca1beec3b5c3369c93f216b84d70832085e1128fa656bb446b2f488e41cb914
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f
 
 //! Active suspension on a rough road
 

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: ba762874cf1b51872d172064777c113e020987917a11efc732cb5ad9fb40d35f
+// SHA-256 of the text below: d57b4b1d930efbbc7b5c4776ff1210581282c7182b28af59bb7cc82f22d1461e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f
 
 //! `active_suspension`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

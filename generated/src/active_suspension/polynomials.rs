@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 268b9b26acca87b99ccd85bc0f69d8ed3aadd3411155e8f7bcfc2f8a4b28bfb0
+// SHA-256 of the text below: 90eb280408a0a19ffa9560bae289139759bd5e6b900aa6cb9bb52f1fc155bed0
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f
 
 //! `active_suspension`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

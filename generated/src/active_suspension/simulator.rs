@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 3724be0247bd8efaef1cf036271157199452ef9b3426b0677277776004543e71
+// SHA-256 of the text below: b87ba6df0e0ccc8de27f4aa9fdb9e4963906c63a17d18ac8105f4a7ed660301e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f
 
 //! `active_suspension`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: f5dba08f60416aab7c0ff925fe8b58236a4306c2866dbda8b3586d792813d8d9
+// SHA-256 of the text below: a4ffaf41aeb8960a7684194bfe3f5969a8c391226147bb251d16fd0b3245f95a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 427d2bea2c6b43ae65f749fa7cfe60bd4e96b4b1966ea0acf1940e759453d1f2
 // initial: 0 additions, 1 multiplications, 0 divisions, 0 square roots, 0 elementary functions, 0 comparisons and selections
 // control: 98 additions, 120 multiplications, 0 divisions, 0 square roots, 3 elementary functions, 2 comparisons and selections
 

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 227948a57022a01895602b7ede2c2dcddf3a516d275fcbf07dba76f2ded6d95f
+// SHA-256 of the text below: cbaede178487c42156cb864f2538cc5777d1c860d4c27e045350658d8e090a3a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 427d2bea2c6b43ae65f749fa7cfe60bd4e96b4b1966ea0acf1940e759453d1f2
 // lyapunov: 190 additions, 212 multiplications, 0 divisions, 0 square roots, 3 elementary functions, 2 comparisons and selections
 
 //! `chaotic_jerk`: Lyapunov function and its generator.

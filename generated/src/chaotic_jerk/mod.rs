@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 4f75131d7f0020566482dca6acf9b0206fe7e0871307626b5ec130a1de070965
+// SHA-256 of the text below: 51b6c9545d411b839cf1ec56c7cf5a117d9005ddadfb1cf619def4f54f0195fd
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 427d2bea2c6b43ae65f749fa7cfe60bd4e96b4b1966ea0acf1940e759453d1f2
 
 //! Chaotic system of Genesio and Tesi following a sine
 

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: ee2740a3053249937f34e2ac3940fa8c12e4827ef220de5ca0444a6d18169595
+// SHA-256 of the text below: 9aecea69f56d8ad3b5511c20ada0408ac43712fc8767547063061a9519ec0ed7
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 427d2bea2c6b43ae65f749fa7cfe60bd4e96b4b1966ea0acf1940e759453d1f2
 
 //! `chaotic_jerk`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

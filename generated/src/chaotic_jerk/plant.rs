@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 2a8aeaf0396f12b8c7c78c0a0b02c1336294e60503ba8bc8e7516f33a79f2c6c
+// SHA-256 of the text below: 4939e0d8237833ec463d9b69e2021262db46c2723ee6818198afdd29bdf43637
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 427d2bea2c6b43ae65f749fa7cfe60bd4e96b4b1966ea0acf1940e759453d1f2
 // plant: 5 additions, 5 multiplications, 0 divisions, 0 square roots, 1 elementary functions, 0 comparisons and selections
 
 //! `chaotic_jerk`: plant and disturbances.

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 541395d260e27a0e9c2627ec4fcaa23c5db68d717434519b859c994b4139c3ec
+// SHA-256 of the text below: b34d05f5d31afff62e1819a26c62e6380fb9ece2bf9a409f5efc0903ce1b173b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 427d2bea2c6b43ae65f749fa7cfe60bd4e96b4b1966ea0acf1940e759453d1f2
 
 //! `chaotic_jerk`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 433e7a12610b024a6df1426565d48ba8e5dc29e99daec94b95a290d4dba4b37a
+// SHA-256 of the text below: 1d94c53e084d802d83b50bceeb2384ebf709ad655ef3f183e4340201cf9022c7
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 427d2bea2c6b43ae65f749fa7cfe60bd4e96b4b1966ea0acf1940e759453d1f2
 
 //! `chaotic_jerk`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 3621d68ee6859d935e42f177afa210d788be4fba9b49e7fed94d8da7ae85fb27
+// SHA-256 of the text below: 41e0690123fe584e566c663ccfc02a6b9b78c56aaace2ad92ccf5030cdeca36e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // initial: 21 additions, 54 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 83 additions, 120 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
 

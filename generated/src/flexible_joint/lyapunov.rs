@@ -1,6 +1,5 @@
-// SHA-256 of the text below: ddd896488c5c42f50fc5d3e8fcfe855d35207254b69d6bc4dcbc5f86523090f6
+// SHA-256 of the text below: 4a66eb15443d08589c6324540a6e845a3d73c93a7c35163a1f3498b7b581d9a0
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // lyapunov: 237 additions, 315 multiplications, 6 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
 
 //! `flexible_joint`: Lyapunov function and its generator.

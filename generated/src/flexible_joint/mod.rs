@@ -1,6 +1,5 @@
-// SHA-256 of the text below: fe341a573f00537673d611a95cb8931e9ba409c66d605c231f2222e7354541d1
+// SHA-256 of the text below: d3a6aaa8d0abf4ad33c272c15ff64810f1c2063c791a4f274ecb4c7ff250cc60
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
 //! Robot link with an elastic joint
 

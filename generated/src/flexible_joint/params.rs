@@ -1,6 +1,5 @@
-// SHA-256 of the text below: be272572cb43de6ade80d423293c730e0af48d10a23b8d71d0322cf28c6271cd
+// SHA-256 of the text below: ff9550b1775bc387c64e595b1e3ac51e3890b25df2b449b19b6cd7047675cec9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
 //! `flexible_joint`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

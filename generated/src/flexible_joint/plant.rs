@@ -1,6 +1,5 @@
-// SHA-256 of the text below: c03ef1252fbc45e569f84993601639f29634903ca04c65ac9fc49360adb828ee
+// SHA-256 of the text below: f27cc3e096a98edb751426c72cc0782926df58b2d74fc5bbc762b07165789a45
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 // plant: 10 additions, 17 multiplications, 0 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `flexible_joint`: plant and disturbances.

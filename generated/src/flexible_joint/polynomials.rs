@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 9dad77609ee48d285c9e5caa1d10e605204b3562eb2489938d2ca375219da2b3
+// SHA-256 of the text below: 33e4446bddbd912c3d0d8e65766a2586678cc689de7eaf8319b9af63849cb428
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
 //! `flexible_joint`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: b0dfdbb78310c9f62f307a53a95461fa6169682f8d3a5285ec7347857a2c16b2
+// SHA-256 of the text below: 87d5d169a52ec13cd318c0899eeaa11677c8e4835c2b2c67362af95d1f671921
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 4291bb3902fdc079d1e752f7589df333a1602f816fcc1424487d9d6fe0aaca25
 
 //! `flexible_joint`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

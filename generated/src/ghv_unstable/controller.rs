@@ -1,6 +1,5 @@
-// SHA-256 of the text below: e0a76478953aba6c513f7bab7b177ec011151aa6851a5160da7153a8428a8cde
+// SHA-256 of the text below: ace80ec28c64491507c6564ab4b6bfef9c0331d56a9f5b1c77c618771400cf20
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 // initial: 59 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary functions, 3 comparisons and selections
 // control: 564 additions, 850 multiplications, 12 divisions, 4 square roots, 26 elementary functions, 18 comparisons and selections
 

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 68b22d3cbafa971001c1573f6056d1395a0b2d1d101fae29a74de5afb55b17de
+// SHA-256 of the text below: 35ca675d1287eb1a699de188ef9681887e46c17f1f39bb6ce75510eb4f3f442e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 // lyapunov: 1990 additions, 2481 multiplications, 20 divisions, 3 square roots, 30 elementary functions, 30 comparisons and selections
 
 //! `ghv_unstable`: Lyapunov function and its generator.

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: e105e1e3899f996eb72e425eebd2b2e486cd6f01ed2e5410de4a30324ea4f563
+// SHA-256 of the text below: 245a5c1e466e6a6ee8cd411fd8b298d2bf558a99efa0af07ab493c17c81f7715
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 
 //! Statically unstable hypersonic vehicle
 

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 2fe144a892057992c38ad52a10f4f22f1e52aa860d4db650aa900e38b7a3b6d5
+// SHA-256 of the text below: c79a0b57be99d96561aad3e0302b50d51738e43d78f63598f75b1a9129912dd6
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 
 //! `ghv_unstable`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

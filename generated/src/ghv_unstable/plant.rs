@@ -1,6 +1,5 @@
-// SHA-256 of the text below: a16e6310f5c5da41217cc34b9fdb535475b076b512b1366e114afdadb3cc36c0
+// SHA-256 of the text below: 4df952cf1858ddfc3bdf32ee2a3aaf4cf122453cbb1ee173a1afb026bb69c563
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 // plant: 176 additions, 251 multiplications, 2 divisions, 0 square roots, 12 elementary functions, 0 comparisons and selections
 
 //! `ghv_unstable`: plant and disturbances.

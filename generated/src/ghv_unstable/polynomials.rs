@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 8e1930caff6b5516b13faceb0775c36703d77585576f8801b8adcca5c865428b
+// SHA-256 of the text below: a354996f77f542385deff220ccf34144d10e86d972e575e7caf7469603011945
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 
 //! `ghv_unstable`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: dff316c0bda9c88609e3b1e163eb266851f7bb1bf0830dd2dc99918b71e93562
+// SHA-256 of the text below: cb5f4e234cb0f52305e54880c803539abdf5289fad0e75811f4199005672a488
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 f1f3d1e7b46cdf6e7b3e3daf905ee420b532e800616179c1de4ef6683b97442f
 
 //! `ghv_unstable`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 16eda5b21c840dff4e7c22ed00c1eb2e5fed385208cbeb2abf234c4cfc01f1cc
+// SHA-256 of the text below: 0bb4ca8e521627b41d97fcefa8680746dcb192fd8107cf4e0deb6bcee0e5dca2
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 05be5535c7cae8b2a3cd9cf8d24ef194e692cec7b4e1301264df6a109708a2c9
 // initial: 67 additions, 99 multiplications, 3 divisions, 0 square roots, 4 elementary functions, 31 comparisons and selections
 // control: 146 additions, 191 multiplications, 4 divisions, 0 square roots, 4 elementary functions, 38 comparisons and selections
 

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 954f2b90a74bdbefed38aeda26187fb1d68bd90d0481b462bddf3148b43c7c12
+// SHA-256 of the text below: 1387cccc9990d6caa567f4ca6a9f9a9ee5d9bcb701d253e8d94e13c8f11d9424
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 05be5535c7cae8b2a3cd9cf8d24ef194e692cec7b4e1301264df6a109708a2c9
 // lyapunov: 342 additions, 436 multiplications, 6 divisions, 0 square roots, 10 elementary functions, 82 comparisons and selections
 
 //! `missile_pitch`: Lyapunov function and its generator.

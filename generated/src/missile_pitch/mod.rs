@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 092cc770f06624b74d98f9c158930c3d3b4397cbb20b73bfdb4db03c592b7e21
+// SHA-256 of the text below: e6c9cfbc605ab50c06c838710f76cb954bd79071e1adb48a9b86fc955bd2138d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 05be5535c7cae8b2a3cd9cf8d24ef194e692cec7b4e1301264df6a109708a2c9
 
 //! Missile pitch autopilot with lookup tables at a falling Mach number
 

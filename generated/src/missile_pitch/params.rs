@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 41aafde5cf4f7aabccb50c8a217c8a690e925543713a8c731c5d0062fc14319b
+// SHA-256 of the text below: fe0c81001e56f8e44d8b694c0c9d9e5fb7fcd4137862dce5d02cf498e09d5835
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 05be5535c7cae8b2a3cd9cf8d24ef194e692cec7b4e1301264df6a109708a2c9
 
 //! `missile_pitch`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 96ee19feb6236bcdd914b555a617ee7fa2e8a58b5a064c5e8b4bb9d6897c6410
+// SHA-256 of the text below: e832f1ebd68d0862dd1c68f2fff51d406623b226f1cc102911861ad3c62d6e49
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 05be5535c7cae8b2a3cd9cf8d24ef194e692cec7b4e1301264df6a109708a2c9
 // plant: 88 additions, 107 multiplications, 0 divisions, 0 square roots, 4 elementary functions, 8 comparisons and selections
 
 //! `missile_pitch`: plant and disturbances.

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 0d290dfe572b4040eff8e58ef14a9d23d33b3340b6f559f25a69d2394ea386ed
+// SHA-256 of the text below: 0ad574198b2a928a0d27d4472bb83f8b538a47ebc9f335a1016f023d83373c9b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 05be5535c7cae8b2a3cd9cf8d24ef194e692cec7b4e1301264df6a109708a2c9
 
 //! `missile_pitch`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

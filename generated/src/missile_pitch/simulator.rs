@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 1823f42fcb115eac14e574a759738f632c2a830c7e9c5ad109322f8dfee6bc1b
+// SHA-256 of the text below: 1693bf853931f1221ae1eec39964cdc706c7af0f51d76a12b87fbc6fc95681c3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 05be5535c7cae8b2a3cd9cf8d24ef194e692cec7b4e1301264df6a109708a2c9
 
 //! `missile_pitch`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: e1c86b140ca907a13c7a3f1396fd5ad882324a10b0837d929631db64fbb8bc9a
+// SHA-256 of the text below: 0acda8f98ca2d44dc9b2bed2109d8c188058933a2c5cdb4a99ece91e57b82bb6
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 05be5535c7cae8b2a3cd9cf8d24ef194e692cec7b4e1301264df6a109708a2c9
 
 //! `missile_pitch`: lookup tables.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 9358c060eddbb39870d2eb8d8aad09ce93bcf6cdb899a0a32821b4bdfcc7aee9
+// SHA-256 of the text below: fd7a3b512702f83a90e484cb9de56de9640894d5c0d0bb8b398d75b2bbd6c068
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // initial: 23 additions, 59 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 78 additions, 127 multiplications, 7 divisions, 3 square roots, 9 elementary functions, 9 comparisons and selections
 

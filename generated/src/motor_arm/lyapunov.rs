@@ -1,6 +1,5 @@
-// SHA-256 of the text below: b9fb0378056f065cb69bbd45fbd4e3e03e0cdaeef524b1e338dbecd0f5ab9812
+// SHA-256 of the text below: 0d563b710951ed81724192fd013da6632bed27fa3525f953ee6da42aa5953e8a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // lyapunov: 282 additions, 424 multiplications, 15 divisions, 2 square roots, 13 elementary functions, 15 comparisons and selections
 
 //! `motor_arm`: Lyapunov function and its generator.

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: b33f1ade3a63bb7d98ffca7d59e7a917c0070b80fbee521612a99bb941500dc8
+// SHA-256 of the text below: 7721f27135295886f2f311e10a7b944e5b632a104006c97b76dd56c60a86d7d5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 
 //! Arm driven by a DC motor with current dynamics
 

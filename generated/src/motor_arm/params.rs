@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 79fb773805f02dadff4e6873d7d522f3b001434e3dc4a87441d751061b466416
+// SHA-256 of the text below: cf150116e822ec40dcf9ada0ee412c5c44416e20d86febf35f12630efa265d54
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 
 //! `motor_arm`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 80c87487a625e9d2c0d326e5278263abe0d057c037d70027d3828037a79de5e9
+// SHA-256 of the text below: 50681159bf208f9578f4a48c9b0e26b6ae758898ca138106464fad45a9000d07
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 // plant: 9 additions, 20 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `motor_arm`: plant and disturbances.

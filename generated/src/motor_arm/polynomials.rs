@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 059c28482d59f013742dfd9121f1279e0c7ca79a6d6696058f8b265ab7fcdf62
+// SHA-256 of the text below: 707ddb423cdada9174aefa773760353072b2c0b5438859c75ebeebd8d1b93a06
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 
 //! `motor_arm`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

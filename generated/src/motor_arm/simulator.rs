@@ -1,6 +1,5 @@
-// SHA-256 of the text below: fa8594caca0132d4fc8bbc0e8b6971038cb11d607b182bd9eb7e16764d02a4de
+// SHA-256 of the text below: 514cc6bbf210722890693f7c57c1e0e237849e23842b7f6435d709a2bd5bb68a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
 
 //! `motor_arm`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

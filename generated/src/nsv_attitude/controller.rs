@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 2faaed930773cea6ac833fddf740226b1a93cc3160686b61a526c19d93ee1cbe
+// SHA-256 of the text below: 8259d4fa8dc03732734032f47be65fecb336b998ef9707a56edd2ce4710855a5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 942eb100714b26c25e1ccdc4afbe0d4d2b86a428722273c0878e49722b6d7ac4
 // initial: 60 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary functions, 6 comparisons and selections
 // control: 520 additions, 795 multiplications, 12 divisions, 4 square roots, 26 elementary functions, 21 comparisons and selections
 

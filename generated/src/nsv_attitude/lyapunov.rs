@@ -1,6 +1,5 @@
-// SHA-256 of the text below: be8aaa1751ce621c91f2010dfa3fc6488446e2ded3f94b2da655bac5fea23aca
+// SHA-256 of the text below: d604afce7015495512540355742c8d8659771e28e167841e46fce388891741be
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 942eb100714b26c25e1ccdc4afbe0d4d2b86a428722273c0878e49722b6d7ac4
 // lyapunov: 1928 additions, 2395 multiplications, 20 divisions, 3 square roots, 30 elementary functions, 34 comparisons and selections
 
 //! `nsv_attitude`: Lyapunov function and its generator.

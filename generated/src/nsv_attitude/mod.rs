@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 71342815b3c71eb42703b2d666782e6e16890aeeacbf69388eb510478ffc788f
+// SHA-256 of the text below: 73984757eac26cae2f2bae034dcd7ae14b748c5ceb313e6ecb210a27bb78ba20
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 942eb100714b26c25e1ccdc4afbe0d4d2b86a428722273c0878e49722b6d7ac4
 
 //! Attitude control of a near space vehicle with multi-source disturbances
 

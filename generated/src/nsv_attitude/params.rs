@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 6ee29eee4edc751c8a3ead7271654349676403417a20983f89243bef02c12d93
+// SHA-256 of the text below: c0a0bd5fef8eeca3fe2a8250be493fe6b014c0578058816b62e8b80eaf582b1a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 942eb100714b26c25e1ccdc4afbe0d4d2b86a428722273c0878e49722b6d7ac4
 
 //! `nsv_attitude`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

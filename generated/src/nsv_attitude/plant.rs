@@ -1,6 +1,5 @@
-// SHA-256 of the text below: c96009d7242066c6730a8f5b9c444f45820c14422a84b02d4e2b5b3356692c68
+// SHA-256 of the text below: c38b419ac5fede07ba7e1187604ee3e7fd5d13f62db669956004e61716a7e032
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 942eb100714b26c25e1ccdc4afbe0d4d2b86a428722273c0878e49722b6d7ac4
 // plant: 131 additions, 196 multiplications, 2 divisions, 0 square roots, 12 elementary functions, 0 comparisons and selections
 
 //! `nsv_attitude`: plant and disturbances.

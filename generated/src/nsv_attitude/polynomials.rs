@@ -1,6 +1,5 @@
-// SHA-256 of the text below: ffebe60326d90e91f65a7fc978a90a7cd4bb314b3b9bb46ac71a53cb99b6e025
+// SHA-256 of the text below: d06f0ca7bc31fecef30a6644b097b40350a911417b59c9a8766ee9b396c56089
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 942eb100714b26c25e1ccdc4afbe0d4d2b86a428722273c0878e49722b6d7ac4
 
 //! `nsv_attitude`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

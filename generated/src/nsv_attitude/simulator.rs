@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 7c287f460503a519d2a5697054db329ea3f0e78899890294207eb50aac63a387
+// SHA-256 of the text below: 393c061b302a6f6df4d775473da35a2e22738d72ed6668e27b113612621fb554
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 942eb100714b26c25e1ccdc4afbe0d4d2b86a428722273c0878e49722b6d7ac4
 
 //! `nsv_attitude`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: d3a199b720e13000f5770c08059d59b0de83dd847620da28b4dfb8a4efc41e04
+// SHA-256 of the text below: 7998b16d3fd593ca8175f998b7c3cfbd3c5f46687b037ca4f21c50eac9eace64
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d9c4134bcbe0b312f0aa158f031e4efb6f9e95bfa5b8cb48d579689484a3195c
 // initial: 87 additions, 132 multiplications, 7 divisions, 0 square roots, 12 elementary functions, 43 comparisons and selections
 // control: 547 additions, 828 multiplications, 12 divisions, 4 square roots, 18 elementary functions, 58 comparisons and selections
 

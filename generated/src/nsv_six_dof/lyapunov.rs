@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 212a9911de9af9fde65f2d6d5f2bc32693cf75d75b4f667cd810a6a44841664c
+// SHA-256 of the text below: 0df102904767cd5d1c2c64dfb5cc5763ffb1f09c701c5a0123eb67c818a181ce
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d9c4134bcbe0b312f0aa158f031e4efb6f9e95bfa5b8cb48d579689484a3195c
 // lyapunov: 1967 additions, 2430 multiplications, 20 divisions, 3 square roots, 24 elementary functions, 110 comparisons and selections
 
 //! `nsv_six_dof`: Lyapunov function and its generator.

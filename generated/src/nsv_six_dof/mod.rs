@@ -1,6 +1,5 @@
-// SHA-256 of the text below: d528e090a4a4eea04dafd87adc2485bb61697bcab2e7fe8ca993e88266800aa9
+// SHA-256 of the text below: d6bda7b3a1919779f32daa6f574d923c7a75baaaded345c2d26fc4d7295a6e2b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d9c4134bcbe0b312f0aa158f031e4efb6f9e95bfa5b8cb48d579689484a3195c
 
 //! The attitude controller on a near space vehicle that climbs and accelerates
 

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: f888b61af2f81e9ac0dadf8f6ecda2e12a74131973b7f27dd5cb341f1022dca6
+// SHA-256 of the text below: 718c9bbaf40d694100475b339c409c75bd6a03f6864d2d3e76544f516fe940d7
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d9c4134bcbe0b312f0aa158f031e4efb6f9e95bfa5b8cb48d579689484a3195c
 
 //! `nsv_six_dof`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

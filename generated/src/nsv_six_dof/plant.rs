@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 618e0bd191de2888eb59880caa710dbc585e679d1f7c59b94362a9c3cc5bfee7
+// SHA-256 of the text below: 5e57c9254be0141bf1fbb8f4296f5d2245f4d71cf1a7fb5d62e633e280d46206
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d9c4134bcbe0b312f0aa158f031e4efb6f9e95bfa5b8cb48d579689484a3195c
 // plant: 350 additions, 507 multiplications, 10 divisions, 1 square roots, 20 elementary functions, 47 comparisons and selections
 
 //! `nsv_six_dof`: plant and disturbances.

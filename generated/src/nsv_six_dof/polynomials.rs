@@ -1,6 +1,5 @@
-// SHA-256 of the text below: de58404bccaa1fb82f6d572001954e55adc916fe459a14ef159b3e7ebfe36f14
+// SHA-256 of the text below: f8aad65c1908675878e68e129cb7100dcc89c04e7f9cb5747fb92af5d1952ed8
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d9c4134bcbe0b312f0aa158f031e4efb6f9e95bfa5b8cb48d579689484a3195c
 
 //! `nsv_six_dof`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 6b79a9abcf09633db09f064041be92fb0da43eba1cf567ec0759912dccfdcedd
+// SHA-256 of the text below: 632c69f6613547a9063a67c9e720a70ece40c69c999347f04077c9bc857478f1
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d9c4134bcbe0b312f0aa158f031e4efb6f9e95bfa5b8cb48d579689484a3195c
 
 //! `nsv_six_dof`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

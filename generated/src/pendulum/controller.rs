@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 23a0d0b523d38467bd97a5a5f6e0694d62cc934f96462ca31af61c20ae699045
+// SHA-256 of the text below: c038fe57d91c9ac8d2399a4ef4964a1e89c40da6e8d5035c64371e35b36eacbc
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // initial: 5 additions, 18 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
 // control: 39 additions, 63 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 6 comparisons and selections
 

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: a44bfd845fc87f490093de1d994e05387aed53b597ec0159efd9e2167437926a
+// SHA-256 of the text below: 9ac35a448c5160e599b07e584134a3cffa972266d65698ee1f5fea0280dedbb2
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // lyapunov: 142 additions, 202 multiplications, 8 divisions, 0 square roots, 10 elementary functions, 18 comparisons and selections
 
 //! `pendulum`: Lyapunov function and its generator.

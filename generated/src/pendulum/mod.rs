@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 8f126833d2bfb735d37a7480c4922e5f1dcab213d1bd21c249ee6e34faa8f490
+// SHA-256 of the text below: bb6783ae59c262028b80c1a221e0a05e97839d0da7c749944f662a9a1005578f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 
 //! Single-link arm in a gusty wind
 

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 0fed9a9881359c2eeaf2d28c32fc9dd4122b5321625a18a7981bccdf46b1463a
+// SHA-256 of the text below: cc2ff1d765877d6fc3e4a031ee3e7b02dda2be52b0030d27bce359a6b2816901
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 
 //! `pendulum`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 4c8de750bc93cc243154c3d47310719c3957a0b4716cd345c19bf4cb94962449
+// SHA-256 of the text below: 8077859a2d97fd089e97564942313bab2314611c3bfd90fcd5d8ad21d494b39a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 // plant: 4 additions, 7 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `pendulum`: plant and disturbances.

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: c80d06ff037620cb52f5692e282612379ce16eee0c5411eabc41b75d7da7125f
+// SHA-256 of the text below: 1b2d61699b2a3b0879d1e16d2cf120d47cf918f72947968a7feae4babfd502de
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 
 //! `pendulum`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

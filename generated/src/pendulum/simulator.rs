@@ -1,6 +1,5 @@
-// SHA-256 of the text below: e1a6e9c7361ba23697ea87859ddf673dc3458af776385539f6e880efb248565c
+// SHA-256 of the text below: 0e4e57c1800fc2cf80b16e5b2b01684945926638d4d83aa17518c7e9556e0627
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
 
 //! `pendulum`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

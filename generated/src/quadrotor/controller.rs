@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 6967b3f6dce11a06f19fd96df3b791a0b713d166dfd06621b10b62646205f8b5
+// SHA-256 of the text below: 9d22cd6ca6a66b5ebb73485e6a99760d3ff645e6ff2c53971fbf360abf90ff90
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 3cd74c6a44d9432abc24d8808c619aec204d90e97927d612360bef1bbe8706df
 // initial: 31 additions, 74 multiplications, 6 divisions, 0 square roots, 16 elementary functions, 3 comparisons and selections
 // control: 279 additions, 421 multiplications, 14 divisions, 3 square roots, 20 elementary functions, 13 comparisons and selections
 

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 866d82e29927674706f8d0d9cd03231cfe13dde996f0bf8812a267ead7a05690
+// SHA-256 of the text below: 310104a2857bfd3584a3ba10c4fcbcf155d515cc5c17c1bd794be3af249db826
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 3cd74c6a44d9432abc24d8808c619aec204d90e97927d612360bef1bbe8706df
 // lyapunov: 1005 additions, 1202 multiplications, 22 divisions, 2 square roots, 20 elementary functions, 19 comparisons and selections
 
 //! `quadrotor`: Lyapunov function and its generator.

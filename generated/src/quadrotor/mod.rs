@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 0a85a228572a531d298af7411941764ea58713a64b46cf46fe2c9a35317de9a0
+// SHA-256 of the text below: 6d3cf30fa8c0d525fcc33f4b49d03d20ba9183011873afd1f5ebcaa85efdf054
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 3cd74c6a44d9432abc24d8808c619aec204d90e97927d612360bef1bbe8706df
 
 //! Quadrotor attitude in gusts
 

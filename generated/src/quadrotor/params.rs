@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 8ae5df1fd50007ba59983700e5d190e3a44049adec518207e8f84865d389c33a
+// SHA-256 of the text below: eae738af347e1547306ac48ab2d0832abb9a4a1bc0893ff5590876958969d30b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 3cd74c6a44d9432abc24d8808c619aec204d90e97927d612360bef1bbe8706df
 
 //! `quadrotor`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 07184e1f581aeaf283f16559a433eabbca87f7357fd46b5fa35978a1a19beca1
+// SHA-256 of the text below: 0fb3ff4b1283abee95ebebbfe8d008b55b5bab8b5ae810c632159791d60a403c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 3cd74c6a44d9432abc24d8808c619aec204d90e97927d612360bef1bbe8706df
 // plant: 22 additions, 40 multiplications, 4 divisions, 0 square roots, 6 elementary functions, 0 comparisons and selections
 
 //! `quadrotor`: plant and disturbances.

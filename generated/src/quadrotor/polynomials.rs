@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 3aa6be5d7ab72bdc3a43b4cd82ddda9b33d30308ccd71aae086f89cb9f1999d7
+// SHA-256 of the text below: 7a44af6debd693adc7a967761d8da6790d9deeb1cc3c432c8262fe1bfe2def5f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 3cd74c6a44d9432abc24d8808c619aec204d90e97927d612360bef1bbe8706df
 
 //! `quadrotor`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 01e561fc4950cbec7b74231abb78b5fb8d1ddbb89a1a5cd3cd73183b2730ca19
+// SHA-256 of the text below: 329a228a632aa55f2fe2e4a97bbdc35715025ea14004f061c44df3ff6b710174
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 3cd74c6a44d9432abc24d8808c619aec204d90e97927d612360bef1bbe8706df
 
 //! `quadrotor`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: ce8595deb6f6cc9860baea9ad8b35912630cae0f0428da9378b07a9f261d9043
+// SHA-256 of the text below: 8514e467387a1c965ed120264012ad358e3d775b83b1a4ee0dddda5fb17d3d6c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 e7e26501eabebcc551c5a20f6cf6291dc3f98ec9ff94704b5eb6dcf9470130fd
 // initial: 27 additions, 65 multiplications, 3 divisions, 0 square roots, 10 elementary functions, 3 comparisons and selections
 // control: 240 additions, 316 multiplications, 7 divisions, 0 square roots, 27 elementary functions, 16 comparisons and selections
 

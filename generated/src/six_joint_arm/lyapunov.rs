@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 9ee6b46cf5469e994effb4b169ac2cb13efc441e6bb0bc6baeeb1ff12186370d
+// SHA-256 of the text below: 1bfe7b87628b8595a4ed998bbbdbcecf45db0d721072100f2a6e60cce0186517
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 e7e26501eabebcc551c5a20f6cf6291dc3f98ec9ff94704b5eb6dcf9470130fd
 // lyapunov: 850 additions, 1072 multiplications, 15 divisions, 0 square roots, 35 elementary functions, 38 comparisons and selections
 
 //! `six_joint_arm`: Lyapunov function and its generator.

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 0f6646da0b0495da8757777dfa8f7aa5257fa93e49509d9bcfcd406e99493dbd
+// SHA-256 of the text below: 45127e0b44f9bfc537e45dc67a095e70623de2a4a8f4870ceacb71957253e6e3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 e7e26501eabebcc551c5a20f6cf6291dc3f98ec9ff94704b5eb6dcf9470130fd
 
 //! Six-joint arm with an unknown load
 

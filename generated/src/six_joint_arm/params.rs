@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 9a2fe66c378ee7312d1f5d173f0f0c0c49bcee390a914902d1cb4b66161a1ab7
+// SHA-256 of the text below: 7a045a473439e82233d16b4c9f309e2f9cd20279a08aa304e0d3df7d825292db
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 e7e26501eabebcc551c5a20f6cf6291dc3f98ec9ff94704b5eb6dcf9470130fd
 
 //! `six_joint_arm`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 384493095b50d7f2b39d33802fed6cd26c48da4f371d5e72d43e81c189548f6a
+// SHA-256 of the text below: eb4b7842e58b28865ec34cb2a8ff9b042458018b6e31e258343600de409b148f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 e7e26501eabebcc551c5a20f6cf6291dc3f98ec9ff94704b5eb6dcf9470130fd
 // plant: 77 additions, 139 multiplications, 1 divisions, 0 square roots, 23 elementary functions, 0 comparisons and selections
 
 //! `six_joint_arm`: plant and disturbances.

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: bcaad90d010e9497e9f54a74c4334189ef4c5a7dfe89882c4336fcfbd2b4d3a7
+// SHA-256 of the text below: e289ef578426001f4f067a5e29aa4d22acc12dd07c63196eae0847ad631ff589
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 e7e26501eabebcc551c5a20f6cf6291dc3f98ec9ff94704b5eb6dcf9470130fd
 
 //! `six_joint_arm`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

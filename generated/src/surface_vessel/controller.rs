@@ -1,6 +1,5 @@
-// SHA-256 of the text below: daa8070d88b9deea14491ed5f79a86738403781aaa988872e24c063d4b924252
+// SHA-256 of the text below: cd66b66442c3d04fd4f9e1bed7e21ab7d7b72c7fded7882b2050655d3fb8f39d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 7709ac9dadc6e0d55c9f2766fd114c93b77a2eb45a027fca7fc9fa1a44d38c56
 // initial: 40 additions, 63 multiplications, 5 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 271 additions, 385 multiplications, 11 divisions, 3 square roots, 11 elementary functions, 13 comparisons and selections
 

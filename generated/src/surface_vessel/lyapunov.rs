@@ -1,6 +1,5 @@
-// SHA-256 of the text below: a914634037e30546d88a8bf569ff1a388ed7d1895aba7461bfd8a810354609c0
+// SHA-256 of the text below: 075a93b99f41c561e9f38b1ecb942f19baf3f64fe54a5987967203a92816e7e8
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 7709ac9dadc6e0d55c9f2766fd114c93b77a2eb45a027fca7fc9fa1a44d38c56
 // lyapunov: 747 additions, 945 multiplications, 17 divisions, 2 square roots, 13 elementary functions, 19 comparisons and selections
 
 //! `surface_vessel`: Lyapunov function and its generator.

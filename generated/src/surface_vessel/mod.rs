@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 86ff0c75637c417d4467e914d520ae324cfd8c0a6fd1f35f9ad65a3695187d92
+// SHA-256 of the text below: 5172d2798fbce9a518101d59b46bd0312058b7898ae6cd0ea3ddb35e7ce00f17
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 7709ac9dadc6e0d55c9f2766fd114c93b77a2eb45a027fca7fc9fa1a44d38c56
 
 //! Surface vessel in waves and a current
 

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 01079f2a5028135b21eabda184017e6983d26f2bd88aa4be0f09fc948b4ffb97
+// SHA-256 of the text below: 8c714e9062be46647f8fc0557647558baa6a8637e7f2e6f81ef1df2806b60cbf
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 7709ac9dadc6e0d55c9f2766fd114c93b77a2eb45a027fca7fc9fa1a44d38c56
 
 //! `surface_vessel`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 440ba995d024accbea724980780fab01a596114c5ce5120fda0bf4294d67475b
+// SHA-256 of the text below: 9de961e447c2556bf7a338a19e9f961df2f9878b5695292fb6e362476efdaa62
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 7709ac9dadc6e0d55c9f2766fd114c93b77a2eb45a027fca7fc9fa1a44d38c56
 // plant: 53 additions, 73 multiplications, 2 divisions, 0 square roots, 4 elementary functions, 0 comparisons and selections
 
 //! `surface_vessel`: plant and disturbances.

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 50f69c1ef4b5fa794a4053109af94c9dff95454e1b8836235b6441978b04ba1d
+// SHA-256 of the text below: c1029d752501aac4222410365b112fbdc93e139118e5e192c2692d8549441579
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 7709ac9dadc6e0d55c9f2766fd114c93b77a2eb45a027fca7fc9fa1a44d38c56
 
 //! `surface_vessel`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

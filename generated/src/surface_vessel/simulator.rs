@@ -1,6 +1,5 @@
-// SHA-256 of the text below: c99d78eac16d2c28186f30c9b46d6be7ec76ab9bb9e9a846f4f910681bc7cc61
+// SHA-256 of the text below: 83d9f6e034d4fc4c1de1fe9aca0bd1a3cecec5d88f1792ad5476c211f601590a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 7709ac9dadc6e0d55c9f2766fd114c93b77a2eb45a027fca7fc9fa1a44d38c56
 
 //! `surface_vessel`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

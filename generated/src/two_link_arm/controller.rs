@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 0ccf2616acfe70fa3d46eb9956d3ebc1932714eddc7b311eecccedb385427d04
+// SHA-256 of the text below: 6b3bf4f44f70b004f3621f0ccfd5da55ce2b0dac8de8059c3d875ecad3782798
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // initial: 11 additions, 27 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
 // control: 184 additions, 276 multiplications, 7 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
 

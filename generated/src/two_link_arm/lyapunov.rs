@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 6ce535f083cb78bd8e36e19c749606b6b219b655674835d891939543b1948faf
+// SHA-256 of the text below: b8e8c8ac631dea617897612b8c2f3d438425942f8932672e633a3889fe9f7ca1
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // lyapunov: 502 additions, 638 multiplications, 11 divisions, 0 square roots, 13 elementary functions, 20 comparisons and selections
 
 //! `two_link_arm`: Lyapunov function and its generator.

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 0c67d1e6fc84d4ad5f927b2e58d26121cda6eba0e5a0f7d2e2e5831360674267
+// SHA-256 of the text below: 5c9c058842e9f2ab903f6d4a27650180c2c264ec84403ecfecad49013dac8bca
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 
 //! Two-link arm with an unknown load
 

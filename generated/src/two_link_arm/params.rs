@@ -1,6 +1,5 @@
-// SHA-256 of the text below: a616e497a3d2082a7a188166a46b80effe52e4f277f703382d37f77e75670bd4
+// SHA-256 of the text below: 221f5a6b2a9da8b705de83d4be584ee622d66f37b1496011889489f9a49764d7
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 
 //! `two_link_arm`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

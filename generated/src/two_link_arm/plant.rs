@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 67ce533797b581306eb345556c071b3de6c8c41a8ac8f8e4aa13c7dabb59e523
+// SHA-256 of the text below: 063458c88d280423a80e27dc092e90c512a4212c8464c6927d4c1a19e4b8f963
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 // plant: 20 additions, 33 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `two_link_arm`: plant and disturbances.

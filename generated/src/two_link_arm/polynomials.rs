@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 29fe6dcae2365bdc0bf18f99d58f732d59162095204691b3dc1bbceab08e31c6
+// SHA-256 of the text below: a0ae259af6220d8454e9f29ca309583a8f0a0f0feee1815ca20110b5d02abe76
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 
 //! `two_link_arm`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

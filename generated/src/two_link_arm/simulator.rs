@@ -1,6 +1,5 @@
-// SHA-256 of the text below: f2e62ff71d8778c83fb7b2e7499f584577b195e96eb369fb90b9d386af90fcfb
+// SHA-256 of the text below: 4b45519a9d769de0d96860977e32f808a556bfb13a0ff92497cb782248cc178d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 5b42d1879341422d03eace48ae955f998fb87fd8da8bd740a34c7c485db4fa5a
 
 //! `two_link_arm`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: bbcf2dabcb10cb80f6dfb6d178b1664b3c140ee8747e54576e100b522c751898
+// SHA-256 of the text below: 79a064cd2ccef182f0fb8566681b36e83831fbd1047bd5568f4991eb67584fae
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // initial: 89 additions, 150 multiplications, 9 divisions, 0 square roots, 19 elementary functions, 3 comparisons and selections
 // control: 714 additions, 1033 multiplications, 19 divisions, 3 square roots, 26 elementary functions, 19 comparisons and selections
 

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 079cc8084caef418b4b9acf53cff45e30ccf38f643d00b3e35a8fa2628a284f8
+// SHA-256 of the text below: fb478436699c4957c56c1491c0d968b1b495efa2825cd2d1312e7b85695c343e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // lyapunov: 4121 additions, 4529 multiplications, 31 divisions, 2 square roots, 28 elementary functions, 25 comparisons and selections
 
 //! `underwater_vehicle`: Lyapunov function and its generator.

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 51030f7a90df6cd6bfbc1331add3c1258269722daf13cb3a8ee1f7b9e34f1bdc
+// SHA-256 of the text below: f35029202235050770b28fe036fe5d313b66b9803bca77e2fabf126e060f1607
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
 //! Underwater vehicle in waves and a current
 

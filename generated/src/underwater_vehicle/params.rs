@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 14559405bd7c688296d36103fc51ff14dc7ea70c0f198b5cd0343c1a8b1b804a
+// SHA-256 of the text below: 75fe1cf968baa65259be71f1bd6d5f4331c6c05bbe6fddddd37749581f77b3ef
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
 //! `underwater_vehicle`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

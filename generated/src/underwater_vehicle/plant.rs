@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 803c55157bbb23e1ecdcbf83a3f98e00faedf9dd596dfcf997121d0979c7de67
+// SHA-256 of the text below: fb1bbac651788455836384fde09953e34d1f74a2734d32997e00f04c100c9276
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 // plant: 83 additions, 136 multiplications, 5 divisions, 0 square roots, 13 elementary functions, 0 comparisons and selections
 
 //! `underwater_vehicle`: plant and disturbances.

@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 453ddc68431a18eed26413df86576b91c6aec9a5f6b4b6ac509b962a6e49115e
+// SHA-256 of the text below: 4afa2fae5786d066eff33c7f5f4b45bef7e7c83c440061418c264a63a1d49113
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
 //! `underwater_vehicle`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

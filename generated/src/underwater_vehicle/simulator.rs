@@ -1,6 +1,5 @@
-// SHA-256 of the text below: 61e4b6a66c91a693ca46e56519013a96768004c7c2dca47b35d671c61a5ac3b5
+// SHA-256 of the text below: 627165389c5f6fa001065d28af1f791a568fdb25165c5e66f9870bd2ba8ab2fe
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c
 
 //! `underwater_vehicle`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]
