@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 53754736a50a5179208db3e133a9bddc6039f11e7789c3e7916a3052e55996ea
+// SHA-256 of the text below: 91b273f8e4d92cc188c1a1d62aa662838ab2297b6ef4583bf417a216a783e314
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f
+// specification sha256 f70c25e1cbb23d7ad870996c7841812cb5fb39433bd2cc647b3a6463e631db02
 // initial: 22 additions, 47 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
 // control: 94 additions, 145 multiplications, 7 divisions, 2 square roots, 8 elementary functions, 9 comparisons and selections
 

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 55fe4c27caa4ffc58ccc6edbecea1f89150813b351bc99903decde412b166a58
+// SHA-256 of the text below: 5fb8064b959b59aceac03d435a33297ec80159ab8c890321de72385aba733eeb
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f
+// specification sha256 f70c25e1cbb23d7ad870996c7841812cb5fb39433bd2cc647b3a6463e631db02
 // lyapunov: 252 additions, 356 multiplications, 10 divisions, 2 square roots, 9 elementary functions, 15 comparisons and selections
 
 //! `active_suspension`: Lyapunov function and its generator.

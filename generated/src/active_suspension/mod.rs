@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 2831e684b2c6dc903d5e06929546972a4f68827fae66ed413c25f0384f88e4f2
+// SHA-256 of the text below: f56f8eb41bd6599c4e740cc0db6da78fd5f2a9081ebd6c7ec5e38c1033764ba2
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f
+// specification sha256 f70c25e1cbb23d7ad870996c7841812cb5fb39433bd2cc647b3a6463e631db02
 
 //! Active suspension on a rough road
 
@@ -16,7 +16,7 @@ pub use params::Params;
 pub use simulator::Simulator;
 
 /// SHA-256 of the specification.
-pub const SPEC_HASH: &str = "83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f";
+pub const SPEC_HASH: &str = "f70c25e1cbb23d7ad870996c7841812cb5fb39433bd2cc647b3a6463e631db02";
 
 /// Version of the generator.
 pub const GENERATOR: &str = "0.1.0";

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: ba762874cf1b51872d172064777c113e020987917a11efc732cb5ad9fb40d35f
+// SHA-256 of the text below: 780062afd8ba9e69cb4ac47cdcd643aded420965554b55a9a081da8ad027e6fd
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f
+// specification sha256 f70c25e1cbb23d7ad870996c7841812cb5fb39433bd2cc647b3a6463e631db02
 
 //! `active_suspension`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 3fda679e5f411862c40ae05d2bf3c14821c6d0be79940b133911f1ac6c7bcfc5
+// SHA-256 of the text below: ac827dede618fc25156e75abc6fc807daa57e71f578602709287690389ff663b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f
+// specification sha256 f70c25e1cbb23d7ad870996c7841812cb5fb39433bd2cc647b3a6463e631db02
 // plant: 8 additions, 16 multiplications, 1 divisions, 0 square roots, 0 elementary functions, 0 comparisons and selections
 
 //! `active_suspension`: plant and disturbances.

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 268b9b26acca87b99ccd85bc0f69d8ed3aadd3411155e8f7bcfc2f8a4b28bfb0
+// SHA-256 of the text below: 6e7c65efd5cfbe9ab84ca5a520a75e65f3fe8917911292933a7db7de835cd7e2
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f
+// specification sha256 f70c25e1cbb23d7ad870996c7841812cb5fb39433bd2cc647b3a6463e631db02
 
 //! `active_suspension`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 3724be0247bd8efaef1cf036271157199452ef9b3426b0677277776004543e71
+// SHA-256 of the text below: fad9d25f85692780057d6f9d908bcef3ca24e8a9a90130021bf0e44422125180
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f
+// specification sha256 f70c25e1cbb23d7ad870996c7841812cb5fb39433bd2cc647b3a6463e631db02
 
 //! `active_suspension`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

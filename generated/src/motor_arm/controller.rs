@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 9358c060eddbb39870d2eb8d8aad09ce93bcf6cdb899a0a32821b4bdfcc7aee9
+// SHA-256 of the text below: a86251787aa57b52b8505b532804e5b51ae1c34107d7d5cc91ca9911f7b95bff
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
+// specification sha256 9b566d21e10b4a5e1287aa6d56b2ef282dc67247857e73edb28387ed4150de95
 // initial: 23 additions, 59 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 78 additions, 127 multiplications, 7 divisions, 3 square roots, 9 elementary functions, 9 comparisons and selections
 

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: b9fb0378056f065cb69bbd45fbd4e3e03e0cdaeef524b1e338dbecd0f5ab9812
+// SHA-256 of the text below: 63b878e57e2242a59a18377ef9c43d2774f221c6889d981da7d399dc1cdf2e78
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
+// specification sha256 9b566d21e10b4a5e1287aa6d56b2ef282dc67247857e73edb28387ed4150de95
 // lyapunov: 282 additions, 424 multiplications, 15 divisions, 2 square roots, 13 elementary functions, 15 comparisons and selections
 
 //! `motor_arm`: Lyapunov function and its generator.

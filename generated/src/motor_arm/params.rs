@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 79fb773805f02dadff4e6873d7d522f3b001434e3dc4a87441d751061b466416
+// SHA-256 of the text below: c710960aa2b424f2009eaa3bafb89f8d6dcec6ad260f5b1d25245ea94c0e0e1e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
+// specification sha256 9b566d21e10b4a5e1287aa6d56b2ef282dc67247857e73edb28387ed4150de95
 
 //! `motor_arm`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

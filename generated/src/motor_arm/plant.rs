@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 80c87487a625e9d2c0d326e5278263abe0d057c037d70027d3828037a79de5e9
+// SHA-256 of the text below: 72a3f6420c5e0be0b46d48fca2c17e269c0477f08fda08dfdac94855390de66b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
+// specification sha256 9b566d21e10b4a5e1287aa6d56b2ef282dc67247857e73edb28387ed4150de95
 // plant: 9 additions, 20 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `motor_arm`: plant and disturbances.

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 059c28482d59f013742dfd9121f1279e0c7ca79a6d6696058f8b265ab7fcdf62
+// SHA-256 of the text below: d3dbcd3e7828c2822eb3f16fdb2fd8f737706586096436f6d5094be02878bad6
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
+// specification sha256 9b566d21e10b4a5e1287aa6d56b2ef282dc67247857e73edb28387ed4150de95
 
 //! `motor_arm`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

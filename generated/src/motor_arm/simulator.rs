@@ -1,6 +1,6 @@
-// SHA-256 of the text below: fa8594caca0132d4fc8bbc0e8b6971038cb11d607b182bd9eb7e16764d02a4de
+// SHA-256 of the text below: da82522911c8006177da3c2510309df411181cacbd3faea94deca029787e2f5d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 eaec085705702921007be8e6ce482fe8ff0bdc8ba32b44e358ef4f3b85103df7
+// specification sha256 9b566d21e10b4a5e1287aa6d56b2ef282dc67247857e73edb28387ed4150de95
 
 //! `motor_arm`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 23a0d0b523d38467bd97a5a5f6e0694d62cc934f96462ca31af61c20ae699045
+// SHA-256 of the text below: 0e81ac8506eebb053bd3d5af40eab5a919405b6dd477b4437c6ac95f7e62c245
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
+// specification sha256 1a4dc31c8b8f80dd213e6bd36beee0e688e8525cc62b205874fb23a2869e509d
 // initial: 5 additions, 18 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
 // control: 39 additions, 63 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 6 comparisons and selections
 

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: a44bfd845fc87f490093de1d994e05387aed53b597ec0159efd9e2167437926a
+// SHA-256 of the text below: f4cc3fdf361f88f8ca16f9fa9ebc97b8bcc79eba4e9cd43726aa7adc41accbd3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
+// specification sha256 1a4dc31c8b8f80dd213e6bd36beee0e688e8525cc62b205874fb23a2869e509d
 // lyapunov: 142 additions, 202 multiplications, 8 divisions, 0 square roots, 10 elementary functions, 18 comparisons and selections
 
 //! `pendulum`: Lyapunov function and its generator.

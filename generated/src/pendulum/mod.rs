@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 8f126833d2bfb735d37a7480c4922e5f1dcab213d1bd21c249ee6e34faa8f490
+// SHA-256 of the text below: 35fdf427cba7fec42b7bfce202062aea0828658a03bf0bed73502edbc93530cc
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
+// specification sha256 1a4dc31c8b8f80dd213e6bd36beee0e688e8525cc62b205874fb23a2869e509d
 
 //! Single-link arm in a gusty wind
 
@@ -16,7 +16,7 @@ pub use params::Params;
 pub use simulator::Simulator;
 
 /// SHA-256 of the specification.
-pub const SPEC_HASH: &str = "ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05";
+pub const SPEC_HASH: &str = "1a4dc31c8b8f80dd213e6bd36beee0e688e8525cc62b205874fb23a2869e509d";
 
 /// Version of the generator.
 pub const GENERATOR: &str = "0.1.0";

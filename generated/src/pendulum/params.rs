@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 0fed9a9881359c2eeaf2d28c32fc9dd4122b5321625a18a7981bccdf46b1463a
+// SHA-256 of the text below: aa5cb081fee09033e8f886fea0a4582b8cfcc2a9ee728ef265b4ba889070e653
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
+// specification sha256 1a4dc31c8b8f80dd213e6bd36beee0e688e8525cc62b205874fb23a2869e509d
 
 //! `pendulum`: run-time parameters.
 #![allow(non_snake_case, reason = "names are those of the equations")]

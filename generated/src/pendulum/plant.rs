@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 4c8de750bc93cc243154c3d47310719c3957a0b4716cd345c19bf4cb94962449
+// SHA-256 of the text below: 6e0055d161ff80aff061ee0f0b8e51b4f75c93e24fc225523cc21a67452b800d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
+// specification sha256 1a4dc31c8b8f80dd213e6bd36beee0e688e8525cc62b205874fb23a2869e509d
 // plant: 4 additions, 7 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `pendulum`: plant and disturbances.

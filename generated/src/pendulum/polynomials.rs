@@ -1,6 +1,6 @@
-// SHA-256 of the text below: c80d06ff037620cb52f5692e282612379ce16eee0c5411eabc41b75d7da7125f
+// SHA-256 of the text below: 36005685cf822c6d9ab987e76aa5b833453077d6ad077e562ddd9c2c71bbadc2
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
+// specification sha256 1a4dc31c8b8f80dd213e6bd36beee0e688e8525cc62b205874fb23a2869e509d
 
 //! `pendulum`: polynomial data and monomials of the networks.
 #![allow(non_snake_case, reason = "names are those of the equations")]

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: e1a6e9c7361ba23697ea87859ddf673dc3458af776385539f6e880efb248565c
+// SHA-256 of the text below: 97322cb90bc9c2b6ef3707a7f74d7202db5a2b21f891996b21a387e56fb61731
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// specification sha256 ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05
+// specification sha256 1a4dc31c8b8f80dd213e6bd36beee0e688e8525cc62b205874fb23a2869e509d
 
 //! `pendulum`: closed loop of controller and plant.
 #![allow(non_snake_case, reason = "names are those of the equations")]
