@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 5ca1beec3b5c3369c93f216b84d70832085e1128fa656bb446b2f488e41cb914
+// SHA-256 of the text below: 8c8fb0ec9059cc6037dc55ef7c62cae0669aa5fa0b5392b09c440845415cbd30
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! Active suspension on a rough road
@@ -15,7 +15,7 @@ pub use params::Params;
 pub use simulator::Simulator;
 
 /// SHA-256 of the specification.
-pub const SPEC_HASH: &str = "83ac46a1097a4fead644d1139c0ade2d73976a55b7d4dd44f2944e9cc16dc73f";
+pub const SPEC_HASH: &str = "f70c25e1cbb23d7ad870996c7841812cb5fb39433bd2cc647b3a6463e631db02";
 
 /// Version of the generator.
 pub const GENERATOR: &str = "0.1.0";

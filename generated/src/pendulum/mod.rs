@@ -1,4 +1,4 @@
-// SHA-256 of the text below: bb6783ae59c262028b80c1a221e0a05e97839d0da7c749944f662a9a1005578f
+// SHA-256 of the text below: 471d3b9e73aa258ad67e91356306b45965aa68c0a84330698cf2291e3d869001
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! Single-link arm in a gusty wind
@@ -15,7 +15,7 @@ pub use params::Params;
 pub use simulator::Simulator;
 
 /// SHA-256 of the specification.
-pub const SPEC_HASH: &str = "ef009c4dc4c097e98df4c7b1dbc83f570137fcd24da6278418adb20f485f0b05";
+pub const SPEC_HASH: &str = "1a4dc31c8b8f80dd213e6bd36beee0e688e8525cc62b205874fb23a2869e509d";
 
 /// Version of the generator.
 pub const GENERATOR: &str = "0.1.0";
