@@ -87,7 +87,7 @@ fn operations_are_explained_by_pass_and_by_equation() {
         "program control",
         "value_numbering (1)",
         "e_1 = x_1 - y_r",
-        "pendulum.yaml:",
+        "by line of the specification",
     ] {
         assert!(table.contains(said), "{said}: {table}");
     }
@@ -101,6 +101,32 @@ fn operations_are_explained_by_pass_and_by_equation() {
             .map(|equation| equation[when]["mul"].as_u64().expect("a count"))
             .sum()
     };
+    let place = |quantity: &str| {
+        let mut equations = control["equations"].as_array().expect("a list").iter();
+        let equation = equations.find(|equation| equation["quantity"] == quantity);
+        equation.expect("an equation")["spec"]
+            .as_str()
+            .expect("a place")
+    };
+    let text = std::fs::read_to_string(PENDULUM).expect("the pendulum");
+    let line = |key: &str, nth: usize| {
+        let mut found =
+            (text.lines().enumerate()).filter(|(_, line)| line.trim_start().starts_with(key));
+        found.nth(nth).expect("a key").0 + 1
+    };
+    for (quantity, key, nth) in [
+        ("inertia", "inertia:", 0),
+        ("F2", "drift:", 1),
+        ("y_r_dot", "reference:", 0),
+        ("E1_free", "constraint:", 0),
+        ("Lam2_coupling", "eta_3:", 0),
+        ("zeta2_next", "C:", 1),
+    ] {
+        assert!(
+            place(quantity).ends_with(&format!("pendulum.yaml:{}", line(key, nth))),
+            "{quantity}"
+        );
+    }
     assert_eq!(control["lowered"]["mul"], sum("before"));
     assert_eq!(control["optimised"]["mul"], sum("after"));
 }

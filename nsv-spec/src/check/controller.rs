@@ -206,6 +206,9 @@ impl Context<'_> {
             error_bound: given(error_bound)?,
             noise_bound: given(noise_bound)?,
             span: name.span,
+            keys: (self.spec.blocks[at].value.keys.iter().chain(&own.keys))
+                .map(|(key, span)| (*key, *span))
+                .collect(),
         })
     }
 }

@@ -184,6 +184,7 @@ impl<'a> Context<'a> {
             inputs: inputs?,
             truth: truth?,
             reference: reference?,
+            reference_span: self.spec.reference.span,
             controller: controller?,
             scenario: scenario?,
             defaults: self.defaults.clone(),

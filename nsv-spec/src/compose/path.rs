@@ -182,6 +182,19 @@ fn refusal(key: &Key, message: String, help: &str) -> Box<Diagnostic> {
 
 fn unknown(key: &Key, place: &str, known: Vec<&str>) -> Box<Diagnostic> {
     const SHOWN: usize = 24;
+    if let Some((list, _)) = key.text.split_once('[')
+        && known.contains(&list)
+    {
+        let message = format!(
+            "path leads nowhere: `{}` is an item of a list",
+            excerpt(&key.text)
+        );
+        return refusal(
+            key,
+            message,
+            &format!("lists are given whole: set `{list}` itself"),
+        );
+    }
     let message = format!("path leads nowhere: no `{}` in {place}", excerpt(&key.text));
     let meant = nearest(&key.text, &known);
     let names: Vec<String> = known

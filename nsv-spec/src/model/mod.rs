@@ -6,6 +6,8 @@
 mod dispersion;
 mod hardware;
 
+use std::collections::BTreeMap;
+
 use crate::diagnostic::{SourceMap, Span, rounded};
 use crate::expr::arena::{Arena, ExprId};
 use crate::interpolation::Interpolant;
@@ -57,6 +59,8 @@ pub struct Model {
     pub truth: Option<Truth>,
     /// Reference signal y_r(t), a vector of the block width that depends on time, constants and parameters only.
     pub reference: ExprId,
+    /// Where the reference is given.
+    pub reference_span: Span,
     /// Choices for the controller as a whole.
     pub controller: Controller,
     /// How the closed loop is simulated.
@@ -187,6 +191,8 @@ pub struct Block {
     pub noise_bound: Option<NoiseBound>,
     /// Where the block was declared.
     pub span: Span,
+    /// Where each of its keys is given, those of the plant and those of the controller.
+    pub keys: BTreeMap<&'static str, Span>,
 }
 
 /// One state channel.

@@ -35,6 +35,7 @@ impl Reader {
     fn plant_block(&mut self, node: &Node) -> PlantBlock {
         let fields = self.fields(node, &PLANT_BLOCK);
         PlantBlock {
+            keys: fields.keys(),
             complete: fields.complete,
             states: self.map(&fields, "states", Self::state),
             drift: self.formula(&fields, "drift"),

@@ -1,12 +1,16 @@
 //! The plant, what it is flown with, and its hardware.
 
+use std::collections::BTreeMap;
+
 use super::{Code, Declared, Dispersion, Formula, Located, Read, Word};
 use crate::diagnostic::Span;
 
 /// A block of the plant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlantBlock {
-    /// Whether every key that is given is one of these.
+    /// Places of the keys that are given.
+    pub keys: BTreeMap<&'static str, Span>,
+    /// Whether there are no others.
     pub complete: bool,
     /// `states`
     pub states: Declared<State>,

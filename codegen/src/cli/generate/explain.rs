@@ -1,13 +1,17 @@
 //! `nsv generate --explain-cost`: the operations of each program, pass by pass and equation by equation, as a table or as JSON.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use nsv_codegen::lower::Programs;
 use nsv_codegen::opt::cost::Cost;
 use nsv_codegen::opt::explain::{EquationCost, Explanation, explain};
-use nsv_spec::model::{Block, Model};
+use nsv_spec::diagnostic::FileId;
+use nsv_spec::model::Model;
+use nsv_spec::yaml::excerpt;
 use serde_json::{Value, json};
 
+use super::origin::origin;
 use crate::cli::compile::Math;
 
 /// Every program explained, in the order in which they are emitted.
@@ -22,27 +26,11 @@ pub(super) fn explanations(programs: &Programs, math: Math) -> Vec<Explanation> 
     all.map(|program| explain(program, math.into())).into()
 }
 
-/// The line of the specification that a quantity comes from, `file:line`: that of its definition, or of its block.
+/// The line of the specification that a quantity comes from, `file:line`.
 fn place(model: &Model, equation: &EquationCost) -> Option<String> {
-    let name = &equation.quantity;
-    let definition = model.definitions.iter().find(|known| known.name == *name);
-    let channel = |block: &&Block| block.states.iter().any(|state| state.name == *name);
-    let span = definition
-        .map(|definition| definition.span)
-        .or_else(|| Some(block(model, &equation.group)?.span))
-        .or_else(|| Some(model.blocks.iter().find(channel)?.span))?;
+    let span = origin(model, &equation.quantity)?;
     let (line, _) = model.sources.location(span);
     Some(format!("{}:{line}", model.sources.source(span.file).name))
-}
-
-/// The block that a heading names, such as `virtual control of block 1 (31)`.
-fn block<'m>(model: &'m Model, heading: &str) -> Option<&'m Block> {
-    let (_, rest) = heading.split_once("block ")?;
-    let end = rest
-        .find(|c: char| !c.is_ascii_digit())
-        .unwrap_or(rest.len());
-    let number: usize = rest[..end].parse().ok()?;
-    model.blocks.get(number.checked_sub(1)?)
 }
 
 /// The explanations as JSON.
@@ -93,6 +81,7 @@ pub(super) fn table(model: &Model, explanations: &[Explanation]) -> String {
         let _ = writeln!(text, "program {}", explanation.program);
         passes(&mut text, explanation);
         equations(&mut text, model, explanation);
+        lines(&mut text, model, explanation);
         text.push('\n');
     }
     text
@@ -133,31 +122,69 @@ fn equations(text: &mut String, model: &Model, explanation: &Explanation) {
         }
         if group != Some(&equation.group) {
             group = Some(&equation.group);
-            let heading = if equation.group.is_empty() {
-                "values without equation"
-            } else {
-                &equation.group
+            let group = match equation.group.as_str() {
+                "" => "values without equation",
+                group => group,
             };
-            let _ = write!(text, "\n  {heading:<54}");
-            for (name, _) in equation.before.columns() {
-                let _ = write!(text, "{name:>PAIR$}");
-            }
-            text.push('\n');
+            heading(text, group, equation.before);
         }
         row(text, model, equation);
     }
+}
+
+fn heading(text: &mut String, words: &str, columns: Cost) {
+    let _ = write!(text, "\n  {words:<54}");
+    for (name, _) in columns.columns() {
+        let _ = write!(text, "{name:>PAIR$}");
+    }
+    text.push('\n');
 }
 
 /// `quantity  file:line  before>after ..`, and the equation below.
 fn row(text: &mut String, model: &Model, equation: &EquationCost) {
     let place = place(model, equation).unwrap_or_default();
     let _ = write!(text, "    {:<16} {place:<35}", equation.quantity);
-    for ((_, before), (_, after)) in equation
-        .before
-        .columns()
-        .iter()
-        .zip(equation.after.columns())
-    {
+    cells(text, equation.before, equation.after);
+    if !equation.equation.is_empty() {
+        let _ = writeln!(text, "        {}", equation.equation);
+    }
+}
+
+/// What each line of the specification costs: the sum over the quantities that come from it.
+fn lines(text: &mut String, model: &Model, explanation: &Explanation) {
+    let mut sums: BTreeMap<(FileId, usize), (Cost, Cost)> = BTreeMap::new();
+    for equation in &explanation.equations {
+        if let Some(span) = origin(model, &equation.quantity) {
+            let (line, _) = model.sources.location(span);
+            let (before, after) = sums.entry((span.file, line)).or_default();
+            *before = *before + equation.before;
+            *after = *after + equation.after;
+        }
+    }
+    sums.retain(|_, costs| *costs != Default::default());
+    if sums.is_empty() {
+        return;
+    }
+    heading(text, "by line of the specification", explanation.lowered);
+    for ((file, line), (before, after)) in sums {
+        let source = model.sources.source(file);
+        let written = source.text.lines().nth(line - 1).unwrap_or_default();
+        let place = format!("{}:{line}", source.name);
+        let _ = write!(text, "    {place:<35} {:<16}", start(written));
+        cells(text, before, after);
+    }
+}
+
+/// The first key of a line, by which it is known again.
+fn start(line: &str) -> String {
+    let line = line.trim_start_matches([' ', '-', '{']);
+    let key = line.split(':').next().unwrap_or_default();
+    excerpt(key)
+}
+
+/// `before > after` for each kind of operation.
+fn cells(text: &mut String, before: Cost, after: Cost) {
+    for ((_, before), (_, after)) in before.columns().iter().zip(after.columns()) {
         let cell = match (*before, after) {
             (0, 0) => "-".to_owned(),
             (before, after) if before == after => after.to_string(),
@@ -166,7 +193,4 @@ fn row(text: &mut String, model: &Model, equation: &EquationCost) {
         let _ = write!(text, "{cell:>PAIR$}");
     }
     text.push('\n');
-    if !equation.equation.is_empty() {
-        let _ = writeln!(text, "        {}", equation.equation);
-    }
 }

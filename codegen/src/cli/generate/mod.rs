@@ -4,6 +4,7 @@ mod difference;
 mod explain;
 mod inspect;
 mod library;
+mod origin;
 mod target;
 
 use std::collections::BTreeMap;

@@ -116,10 +116,10 @@ pub(super) fn table(flown: &Flown<'_>) -> String {
     if outcome.nonfinite > 0 {
         rows.push((
             "lost",
-            format!(
-                "{} runs ended with a non-finite state",
-                count(outcome.nonfinite)
-            ),
+            match outcome.nonfinite {
+                1 => "1 run ended with a non-finite state".to_owned(),
+                lost => format!("{} runs ended with a non-finite state", count(lost)),
+            },
         ));
     }
     rows.push(("speed", speed(outcome)));
@@ -165,8 +165,12 @@ fn rms(plant: &Plant, campaign: &Campaign, outcome: &Outcome) -> String {
                 .to_owned(),
         )
     });
+    let until = match outcome.nonfinite {
+        0 => "",
+        _ => ", of lost runs until they were lost",
+    };
     format!(
-        "{}  (after {} s)",
+        "{}  (after {} s{until})",
         rms.collect::<Vec<_>>().join(", "),
         short(campaign.settle_s)
     )
