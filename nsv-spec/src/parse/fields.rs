@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::spec::{Declared, Located, Named, Read, Unreadable, Word};
 use crate::suggest::nearest;
-use crate::vocabulary::{Key, Kind as Expects, Section};
-use crate::yaml::{Entry, Kind, Node, excerpt};
+use crate::vocabulary::{Key as Known, Kind as Expects, Section};
+use crate::yaml::{Entry, Key, Kind, Node, excerpt};
 
 /// Keys that name files with further keys.
 const JOINING: [&str; 2] = ["include", "extends"];
@@ -47,7 +47,7 @@ impl<'a> Fields<'a> {
     }
 
     /// What the vocabulary says of a key.
-    pub(crate) fn key(&self, name: &str) -> Option<&'static Key> {
+    pub(crate) fn key(&self, name: &str) -> Option<&'static Known> {
         self.section.keys.iter().find(|key| key.name == name)
     }
 }
@@ -58,8 +58,8 @@ pub(crate) struct Reader {
     pub(crate) faults: Vec<Diagnostic>,
     /// Whether a file or a map could not be read: what is missing may stand there.
     pub(crate) partial: bool,
-    /// Keys without a value, by the place where it would be.
-    empty: BTreeMap<Span, String>,
+    /// The key of each value, by the place of the value.
+    keys: BTreeMap<Span, Key>,
 }
 
 impl Reader {
@@ -100,14 +100,16 @@ impl Reader {
             self.unknown(entry, &mut fields);
         }
         if !self.partial {
-            let span = entries.first().map_or(node.span, |first| first.key.span);
+            let own = self.keys.get(&node.span);
+            let first = entries.first().map(|first| first.key.span);
+            let span = own.map(|key| key.span).or(first).unwrap_or(node.span);
             self.report_missing(&fields, span);
         }
         fields
     }
 
     fn report_missing(&mut self, fields: &Fields<'_>, span: Span) {
-        let missing = |key: &&Key| key.required && !fields.entries.contains_key(key.name);
+        let missing = |key: &&Known| key.required && !fields.entries.contains_key(key.name);
         for key in fields.section.keys.iter().filter(missing) {
             let message = format!("key `{}` is missing in {}", key.name, fields.section.noun);
             let help = format!("add `{}`: {}", key.name, key.doc);
@@ -117,7 +119,7 @@ impl Reader {
 
     /// The keys of the map under a key; none where that is missing, which has been reported if it is required.
     pub(crate) fn section<'a>(&mut self, parent: &Fields<'a>, name: &str) -> Fields<'a> {
-        let Some(Key {
+        let Some(Known {
             kind: Expects::Section(section),
             ..
         }) = parent.key(name)
@@ -247,9 +249,7 @@ impl Reader {
         let mut first: BTreeMap<&str, Span> = BTreeMap::new();
         let mut kept = Vec::new();
         for entry in entries {
-            if entry.value.kind == Kind::Null {
-                self.empty.insert(entry.value.span, entry.key.text.clone());
-            }
+            self.keys.insert(entry.value.span, entry.key.clone());
             match first.get(entry.key.text.as_str()) {
                 None => {
                     first.insert(&entry.key.text, entry.key.span);
@@ -271,9 +271,11 @@ impl Reader {
 
     /// Reports a value of a wrong kind.
     pub(crate) fn kind(&mut self, node: &Node, expected: &str, help: &str) {
-        let message = match self.empty.get(&node.span) {
-            Some(key) => format!("`{}` has no value, expected {expected}", excerpt(key)),
-            None => format!("found {}, expected {expected}", node.describe()),
+        let message = match self.keys.get(&node.span) {
+            Some(key) if node.kind == Kind::Null => {
+                format!("`{}` has no value, expected {expected}", excerpt(&key.text))
+            }
+            _ => format!("found {}, expected {expected}", node.describe()),
         };
         self.fault(Rule::E0103, node.span, message, help);
     }
