@@ -4,7 +4,7 @@ use serde_saphyr::Error;
 use serde_saphyr::budget::BudgetBreach;
 
 use super::read::{MAX_DEPTH, MAX_NODES, boundary};
-use crate::diagnostic::{Diagnostic, FileId, Rule, Span, quoted};
+use crate::diagnostic::{Applicability, Diagnostic, FileId, Rule, Span, quoted};
 
 /// The diagnostic for an error of the YAML library.
 pub(super) fn diagnostic(error: &Error, text: &str, file: FileId) -> Diagnostic {
@@ -59,8 +59,45 @@ pub(super) fn diagnostic(error: &Error, text: &str, file: FileId) -> Diagnostic 
             "found a key that is not text".into(),
             "every key is a plain word",
         ),
-        other => syntax(other, span),
+        other => {
+            let fault = syntax(other, span);
+            without_colon(&fault, text).unwrap_or(fault)
+        }
     }
+}
+
+/// The fault of a key without a colon, which the library finds where the next key has one, or where the line begins.
+fn without_colon(fault: &Diagnostic, text: &str) -> Option<Diagnostic> {
+    let span = fault.span?;
+    let found = span.start as usize;
+    let line = text.get(..found)?.rfind('\n').map_or(0, |at| at + 1);
+    let indent = |line: &str| line.len() - line.trim_start_matches(' ').len();
+    let (start, written) = if fault.message.contains("simple key expected") {
+        (line, text[line..].lines().next()?)
+    } else if fault.message.contains("mapping values are not allowed") {
+        let before = text[..line].trim_end();
+        let start = before.rfind('\n').map_or(0, |at| at + 1);
+        (start, &before[start..])
+    } else {
+        return None;
+    };
+    if indent(written) != indent(&text[line..]) {
+        return None;
+    }
+    let key = written.trim_start().split(' ').next()?;
+    let word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    if key.is_empty() || !key.chars().all(word) || written.contains(": ") {
+        return None;
+    }
+    let start = start + indent(written);
+    let place = Span {
+        start: start as u32,
+        end: (start + key.len()) as u32,
+        ..span
+    };
+    let message = format!("not valid YAML: key {} has no `:`", quoted(key));
+    let fault = Diagnostic::error(Rule::E0004, place, message).with_help(format!("write `{key}:`"));
+    Some(fault.with_suggestion(place, format!("{key}:"), Applicability::Possible))
 }
 
 /// An alias within the value that it repeats.
