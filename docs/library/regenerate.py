@@ -36,12 +36,13 @@ def number(value: float) -> str:
 def row(name: str, result: dict) -> str:
     """One line of the table."""
     if result["ratio"] is None:
-        held = ["no constraint"] + ["-"] * 3
+        held = ["no constraint"] + ["-"] * 4
     else:
         ratio = result["ratio"]
         low, high = (100 * limit for limit in result["violated_interval95"])
         held = [f"{result['violations']} of {result['runs']} ({number(low)} to {number(high)} %)"]
-        held += ["lost" if ratio[key] is None else number(ratio[key]) for key in ("median", "p99", "max")]
+        largest = [ratio["median"], ratio["p99"], ratio["max"], result["settled_ratio"]["max"]]
+        held += ["lost" if value is None else number(value) for value in largest]
     rms = ", ".join(f"{state} {number(value)}" for state, value in result["rms_tracking"].items())
     most = max(result["saturated_fraction"].values())
     cells = [f"[{name}]({name}.md)", *held, str(result["nonfinite"]), rms, f"{number(100 * most)} %"]
@@ -50,7 +51,7 @@ def row(name: str, result: dict) -> str:
 
 def table(results: dict[str, dict]) -> str:
     """Statistics of all specifications."""
-    head = ["specification", "violated (95 % interval)", "median", "99 %", "max", "lost", "rms error", "at the limit"]
+    head = ["specification", "violated (95 % interval)", "median", "99 %", "max", "settled", "lost", "rms error", "at the limit"]
     lines = ["| " + " | ".join(head) + " |\n", "|" + "---|" * len(head) + "\n"]
     return "".join(lines + [row(name, result) for name, result in results.items()])
 

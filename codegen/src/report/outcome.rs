@@ -19,6 +19,8 @@ pub(crate) struct Outcome {
     pub violated_interval95: Option<[f64; 2]>,
     /// Distribution over the runs of the largest ||e_1||/k_1.
     pub ratio: Option<Quantiles>,
+    /// The same from the settling time on.
+    pub settled_ratio: Option<Quantiles>,
     /// The worst runs first.
     pub worst: Vec<WorstRun>,
     /// Root mean square of y - y_r by output, SI, after settling.

@@ -76,6 +76,7 @@ impl Sample {
             violated: None,
             violated_interval95: None,
             ratio: None,
+            settled_ratio: None,
             worst: Vec::new(),
             ..full.outcome
         };
@@ -152,6 +153,13 @@ fn outcome() -> Outcome {
             p90: Some(0.52),
             p99: Some(1.31),
             max: Some(2.04),
+            accuracy: Some(0.0),
+        }),
+        settled_ratio: Some(Quantiles {
+            median: Some(0.21),
+            p90: Some(0.26),
+            p99: Some(0.4),
+            max: Some(0.71),
             accuracy: Some(0.0),
         }),
         worst: [(77, Some(2.04)), (12, Some(1.9)), (401, Some(1.31))]

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::html::{escape, number, percent, unit};
-use super::{Outcome, Report};
+use super::{Outcome, Quantiles, Report};
 
 /// One sentence: was the constraint held?
 pub(super) fn verdict(outcome: &Outcome) -> (&'static str, String) {
@@ -47,24 +47,33 @@ pub(super) fn verdict(outcome: &Outcome) -> (&'static str, String) {
     }
 }
 
+fn quantiles(ratio: &Quantiles, runs: u64) -> String {
+    let all = [
+        ("median", ratio.median),
+        ("90 %", ratio.p90),
+        ("99 %", ratio.p99),
+        ("max", ratio.max),
+    ];
+    match runs {
+        1 => value(ratio.max),
+        _ => all
+            .map(|(name, quantile)| format!("{name}&nbsp;{}", value(quantile)))
+            .join(", "),
+    }
+}
+
 /// The table of statistics.
 pub(super) fn table(report: &Report<'_>) -> String {
     let outcome = report.outcome;
     let mut rows: Vec<(String, String)> = Vec::new();
     if let Some(ratio) = &outcome.ratio {
-        let quantiles = [
-            ("median", ratio.median),
-            ("90 %", ratio.p90),
-            ("99 %", ratio.p99),
-            ("max", ratio.max),
-        ];
-        let shown = match outcome.runs {
-            1 => value(ratio.max),
-            _ => quantiles
-                .map(|(name, quantile)| format!("{name}&nbsp;{}", value(quantile)))
-                .join(", "),
-        };
+        let shown = quantiles(ratio, outcome.runs);
         rows.push(("largest ratio of error norm to bound".into(), shown));
+    }
+    let settle = report.settle_s;
+    if let Some(ratio) = outcome.settled_ratio.as_ref().filter(|_| settle > 0.0) {
+        let name = format!("the same after {}&nbsp;s", number(settle));
+        rows.push((name, quantiles(ratio, outcome.runs)));
     }
     if outcome.runs > 1 && !outcome.worst.is_empty() {
         let worst = outcome.worst.iter().map(|worst| match worst.ratio {

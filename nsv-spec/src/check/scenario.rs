@@ -114,7 +114,7 @@ impl Context<'_> {
             Rule::E0602,
             code.base.span,
             message,
-            "it is the start of the window for rms values",
+            "it is the start of the window for rms values and settled ratios",
         );
         None
     }

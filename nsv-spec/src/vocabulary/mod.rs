@@ -219,7 +219,7 @@ pub static SCENARIO: Section = Section {
         optional(
             "settle",
             Kind::Quantity,
-            "start of the window for rms values; default: 0 s",
+            "start of the window for rms values and settled ratios; default: 0 s",
         ),
         optional(
             "sweep",

@@ -65,6 +65,8 @@ pub struct Summary {
     pub violated_interval95: Option<(f64, f64)>,
     /// The largest ratio `||e_1|| / k_1` in each run, over the runs; infinite for a run that diverged. `None` without a constraint.
     pub ratio: Option<RatioQuantiles>,
+    /// The same from the settling time on.
+    pub settled_ratio: Option<RatioQuantiles>,
     /// The worst runs: those with the largest ratios, diverged ones first, the lowest number among equals; at most ten. Without a constraint,
     /// the first that diverged.
     pub worst: Vec<WorstRun>,

@@ -19,6 +19,8 @@ pub(super) struct Record {
     pub(super) diverged: bool,
     /// Largest `||e_1|| / k_1`; `None` without a constraint.
     pub(super) ratio: Option<f64>,
+    /// The same from the settling time on; also `None` for a run that did not get so far.
+    pub(super) settled_ratio: Option<f64>,
     /// Samples from the settling time on.
     pub(super) settled: u64,
     /// Sum over those of each output's squared tracking error.
@@ -145,6 +147,7 @@ struct Sums<T: Real> {
     samples: T,
     /// Minus infinity before the first.
     ratio: T,
+    settled_ratio: T,
     settled: T,
     squared_error: Vec<T>,
     saturated: Vec<T>,
@@ -158,6 +161,7 @@ impl<T: Real> Sums<T> {
         Self {
             samples: T::zero(),
             ratio: T::from_f64(f64::NEG_INFINITY),
+            settled_ratio: T::from_f64(f64::NEG_INFINITY),
             settled: T::zero(),
             squared_error: vec![T::zero(); L::OUTPUTS.len()],
             saturated: vec![T::zero(); L::INPUTS.len()],
@@ -170,9 +174,11 @@ impl<T: Real> Sums<T> {
     #[inline(always)]
     fn add(&mut self, runs: &impl Runs<T>, alive: T::Mask, settled: bool) {
         self.samples = self.samples + one_where(alive);
-        let ratio = T::select(alive, runs.constraint_ratio(), self.ratio);
-        self.ratio = ratio.max(self.ratio);
+        let ratio = runs.constraint_ratio();
+        self.ratio = T::select(alive, ratio, self.ratio).max(self.ratio);
         if settled {
+            self.settled_ratio =
+                T::select(alive, ratio, self.settled_ratio).max(self.settled_ratio);
             runs.tracking_error(&mut self.error);
             self.settled = self.settled + one_where(alive);
             for i in 0..self.error.len() {
@@ -187,12 +193,13 @@ impl<T: Real> Sums<T> {
     }
 
     fn record(&self, lane: usize, diverged: bool, band: Option<Vec<f64>>) -> Record {
-        let ratio = self.ratio.lane(lane);
+        let largest = |ratio: T| Some(ratio.lane(lane)).filter(|&ratio| ratio != f64::NEG_INFINITY);
         let count = |count: T| count.lane(lane) as u64;
         Record {
             samples: count(self.samples),
             diverged,
-            ratio: (ratio != f64::NEG_INFINITY).then_some(ratio),
+            ratio: largest(self.ratio),
+            settled_ratio: largest(self.settled_ratio),
             settled: count(self.settled),
             squared_error: self.squared_error.iter().map(|e| e.lane(lane)).collect(),
             saturated: self.saturated.iter().map(|&n| count(n)).collect(),

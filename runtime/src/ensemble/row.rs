@@ -5,7 +5,7 @@ use std::string::{String, ToString};
 use std::vec::Vec;
 
 use super::record::Record;
-use super::tally::largest_ratio;
+use super::tally::largest;
 use crate::closed_loop::ClosedLoop;
 
 /// The runs of a block, just simulated.
@@ -17,10 +17,11 @@ pub(crate) struct Rows<'a> {
 
 impl Rows<'_> {
     /// Names of a row's numbers. Three are integers of 64 bits: `run` (its number), `samples`, `diverged` (0 or 1). The others are `f64`: `ratio` (largest `||e_1|| / k_1`, infinite if the run diverged, NaN without a
-    /// constraint), `rms.OUTPUT` (root mean square of the tracking error from the settling time on, SI, NaN if no sample is so late),
+    /// constraint), `settled_ratio` (the same from the settling time on), `rms.OUTPUT` (root mean square of the tracking error from the settling time on, SI, NaN if no sample is so late),
     /// `saturated.INPUT` (fraction of the samples at the limit).
     pub(crate) fn columns<L: ClosedLoop>() -> Vec<String> {
-        let fixed = ["run", "samples", "diverged", "ratio"].map(ToString::to_string);
+        let fixed =
+            ["run", "samples", "diverged", "ratio", "settled_ratio"].map(ToString::to_string);
         let rms = L::OUTPUTS.iter().map(|name| format!("rms.{name}"));
         let saturated = L::INPUTS.iter().map(|name| format!("saturated.{name}"));
         fixed.into_iter().chain(rms).chain(saturated).collect()
@@ -40,8 +41,9 @@ impl Rows<'_> {
                 .iter()
                 .map(|sum| (sum / settled).sqrt());
             let saturated = record.saturated.iter().map(|&count| count as f64 / samples);
-            let ratio = largest_ratio(record).unwrap_or(f64::NAN);
-            for value in std::iter::once(ratio).chain(rms).chain(saturated) {
+            let ratios = [record.ratio, record.settled_ratio];
+            let ratios = ratios.map(|ratio| largest(record, ratio).unwrap_or(f64::NAN));
+            for value in ratios.into_iter().chain(rms).chain(saturated) {
                 bytes.extend(value.to_le_bytes());
             }
         }

@@ -29,6 +29,8 @@ pub(crate) struct Tally {
     violations: u64,
     /// The largest ratio of each run; infinite if it diverged.
     ratios: Sketch,
+    /// The same from the settling time on.
+    settled_ratios: Sketch,
     /// The worst runs first.
     worst: Vec<WorstRun>,
     settled: u64,
@@ -47,6 +49,7 @@ impl Tally {
             constrained: false,
             violations: 0,
             ratios: Sketch::new(RATIO_BINS),
+            settled_ratios: Sketch::new(RATIO_BINS),
             worst: Vec::new(),
             settled: 0,
             squared_error: vec![ExactSum::default(); L::OUTPUTS.len()],
@@ -76,7 +79,10 @@ impl Tally {
         self.samples += record.samples;
         self.nonfinite += u64::from(record.diverged);
         self.constrained |= record.ratio.is_some();
-        if let Some(ratio) = largest_ratio(record) {
+        if let Some(ratio) = largest(record, record.settled_ratio) {
+            self.settled_ratios.push(ratio);
+        }
+        if let Some(ratio) = largest(record, record.ratio) {
             self.violations += u64::from(ratio >= 1.0);
             self.ratios.push(ratio);
             self.list(&[WorstRun {
@@ -102,6 +108,7 @@ impl Tally {
         self.constrained |= other.constrained;
         self.violations += other.violations;
         self.ratios.merge(other.ratios);
+        self.settled_ratios.merge(other.settled_ratios);
         self.list(&other.worst);
         self.settled += other.settled;
         for (sum, more) in self.squared_error.iter_mut().zip(&other.squared_error) {
@@ -118,6 +125,7 @@ impl Tally {
     /// Counts what waits to be counted, so that little is left to do when tallies are merged.
     pub(crate) fn settle(&mut self) {
         self.ratios.settle();
+        self.settled_ratios.settle();
         if let Some(band) = &mut self.band {
             band.settle();
         }
@@ -158,6 +166,7 @@ impl Tally {
             violated_interval95: if_constrained
                 .map(|()| clopper_pearson(self.violations, self.runs, 0.95)),
             ratio: if_constrained.and_then(|()| quantiles(&self.ratios)),
+            settled_ratio: if_constrained.and_then(|()| quantiles(&self.settled_ratios)),
             worst: self.worst,
             rms_tracking: L::OUTPUTS.iter().copied().zip(rms).collect(),
             saturated_fraction: L::INPUTS.iter().copied().zip(fractions).collect(),
@@ -186,6 +195,7 @@ impl Tally {
             encoder.float(worst.ratio);
         }
         self.ratios.encode(encoder);
+        self.settled_ratios.encode(encoder);
         encoder.count(self.squared_error.len() as u64);
         for sum in &self.squared_error {
             sum.encode(encoder);
@@ -226,6 +236,7 @@ impl Tally {
             });
         }
         tally.ratios = Sketch::decode(RATIO_BINS, decoder)?;
+        tally.settled_ratios = Sketch::decode(RATIO_BINS, decoder)?;
         decoder.expect(tally.squared_error.len())?;
         for sum in &mut tally.squared_error {
             *sum = ExactSum::decode(decoder)?;
@@ -241,12 +252,11 @@ impl Tally {
     }
 }
 
-/// The largest `||e_1|| / k_1` of a run, infinite if it diverged; `None` without a constraint.
-pub(super) fn largest_ratio(record: &Record) -> Option<f64> {
-    if record.diverged {
-        Some(f64::INFINITY)
-    } else {
-        record.ratio
+/// A largest `||e_1|| / k_1` of a run, infinite if it diverged; `None` without a constraint.
+pub(super) fn largest(record: &Record, ratio: Option<f64>) -> Option<f64> {
+    match record.diverged {
+        true => Some(f64::INFINITY),
+        false => ratio,
     }
 }
 

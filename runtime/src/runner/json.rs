@@ -23,6 +23,7 @@ pub(super) fn summary(summary: &Summary) -> String {
             }),
         ),
         ("ratio", optional(summary.ratio, quantiles)),
+        ("settled_ratio", optional(summary.settled_ratio, quantiles)),
         ("worst", array(summary.worst.iter().map(worst))),
         (
             "rms_tracking",

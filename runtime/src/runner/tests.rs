@@ -59,6 +59,7 @@ fn the_last_line_is_the_result() {
         "violated",
         "violated_interval95",
         "ratio",
+        "settled_ratio",
         "rms_tracking",
         "saturated_fraction",
         "nonfinite",
@@ -301,9 +302,9 @@ fn each_run_has_its_row() {
     let (header, rows) = bits(&whole);
     assert_eq!(
         header,
-        r#"{"columns": ["run", "samples", "diverged", "ratio", "rms.x", "saturated.u"], "rows": 300}"#
+        r#"{"columns": ["run", "samples", "diverged", "ratio", "settled_ratio", "rms.x", "saturated.u"], "rows": 300}"#
     );
-    assert_eq!(rows.len(), 300 * 6);
+    assert_eq!(rows.len(), 300 * 7);
     for run in [0, 7, 299] {
         let number = run.to_string();
         let alone = [
@@ -318,7 +319,7 @@ fn each_run_has_its_row() {
         ];
         text(&alone);
         let (_, row) = bits(&again);
-        assert_eq!(row, rows[run * 6..][..6], "run {run}");
+        assert_eq!(row, rows[run * 7..][..7], "run {run}");
     }
     // The second of two parts has every other block of eight.
     let state = directory.join("state").to_string_lossy().into_owned();
@@ -332,8 +333,8 @@ fn each_run_has_its_row() {
     ]);
     text(&shard);
     let (_, of_part) = bits(&part);
-    assert_eq!(of_part[..48], rows[48..96]);
-    assert_eq!(of_part[48..96], rows[144..192]);
+    assert_eq!(of_part[..56], rows[56..112]);
+    assert_eq!(of_part[56..112], rows[168..224]);
     // Complete, it stays as it is; gone, it is missed.
     text(&shard);
     assert_eq!(bits(&part).1, of_part);

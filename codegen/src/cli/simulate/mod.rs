@@ -384,7 +384,7 @@ mod tests {
         assert_eq!(rows.lines().count(), 41);
         assert_eq!(
             rows.lines().next(),
-            Some("run,samples,diverged,ratio,rms.y,saturated.u")
+            Some("run,samples,diverged,ratio,settled_ratio,rms.y,saturated.u")
         );
         assert!(rows.contains("\n39,501,false,"), "{rows}");
         let csv = std::fs::read_to_string(at("run.csv")).unwrap();

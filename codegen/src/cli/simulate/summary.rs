@@ -22,6 +22,7 @@ pub(super) struct Document<'a> {
     violated: Option<f64>,
     violated_interval95: Option<[f64; 2]>,
     ratio: Option<Quantiles>,
+    settled_ratio: Option<Quantiles>,
     worst: &'a [WorstRun],
     replay_worst: Option<String>,
     rms_tracking: ByName<'a>,
@@ -64,6 +65,7 @@ pub(super) fn document<'a>(flown: &Flown<'a>) -> Document<'a> {
         violated: outcome.violated,
         violated_interval95: outcome.violated_interval95,
         ratio: outcome.ratio,
+        settled_ratio: outcome.settled_ratio,
         worst: &outcome.worst,
         replay_worst: outcome
             .worst
@@ -107,6 +109,15 @@ pub(super) fn table(flown: &Flown<'_>) -> String {
     ];
     if let Some(ratio) = &outcome.ratio {
         rows.push(("error / bound", quantiles(ratio, outcome.runs)));
+    }
+    if let Some(ratio) = &outcome.settled_ratio
+        && campaign.settle_s > 0.0
+    {
+        let shown = quantiles(ratio, outcome.runs);
+        rows.push((
+            "",
+            format!("{shown}  (after {} s)", short(campaign.settle_s)),
+        ));
     }
     if let (2.., Some(shown)) = (outcome.runs, worst(&outcome.worst)) {
         rows.push(("worst runs", shown));

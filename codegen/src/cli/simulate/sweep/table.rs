@@ -49,6 +49,11 @@ fn columns(rows: &[Row<'_>]) -> Vec<Column> {
         Column::ratio(["error/bound median", "ratio.median"], |ratio| ratio.median),
         Column::ratio(["99 %", "ratio.p99"], |ratio| ratio.p99),
         Column::ratio(["largest", "ratio.max"], |ratio| ratio.max),
+        Column::new(
+            ["settled", "settled_ratio.max"],
+            |outcome| outcome.settled_ratio.as_ref()?.max,
+            short,
+        ),
     ];
     let Some(plant) = rows.first().map(|row| &row.plant) else {
         return columns;
