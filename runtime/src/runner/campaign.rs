@@ -23,10 +23,14 @@ pub(super) fn simulate<L: ClosedLoop>(
     output: &mut impl Write,
 ) -> Result<State, Failure> {
     let campaign = &request.campaign;
-    let found = match &request.checkpoint {
-        Some(path) => checkpoint::read::<L>(path, request)
-            .map_err(|refusal| Failure::Refused(path.clone(), refusal))?,
-        None => None,
+    let (found, _claim) = match &request.checkpoint {
+        Some(path) => {
+            let claim = checkpoint::Claim::of(path)?;
+            let found = checkpoint::read::<L>(path, request)
+                .map_err(|refusal| Failure::Refused(path.clone(), refusal))?;
+            (found, Some(claim))
+        }
+        None => (None, None),
     };
     let resumed = found.is_some();
     let start = found.unwrap_or_else(|| State::new::<L>(campaign));

@@ -1,17 +1,19 @@
 //! The state of a campaign in a file.
 //!
-//! Lines of text say which campaign it is: `nsv campaign state 1` with the version of the format, then a line `NAME VALUE` for each of its fields,
+//! Lines of text say which campaign it is: `nsv campaign state 2` with the version of the format, then a line `NAME VALUE` for each of its fields,
 //! and an empty line. Then come the statistics as bytes, and a checksum of everything before it. A file is replaced as a whole.
 
+use std::ffi::OsString;
 use std::fmt;
 use std::format;
-use std::fs::{self, File};
+use std::fs::{self, File, TryLockError};
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::str::from_utf8;
 use std::string::{String, ToString};
 use std::vec::Vec;
 
+use super::Failure;
 use super::arguments::Request;
 use super::json;
 use super::table::temporary_name;
@@ -22,7 +24,7 @@ use crate::ensemble::{Shard, State};
 const MAGIC: &str = "nsv campaign state ";
 
 /// Version of the format.
-const VERSION: &str = "1";
+const VERSION: &str = "2";
 
 /// Why a file is no state to go on from.
 #[derive(Debug)]
@@ -31,6 +33,8 @@ pub(super) enum Refusal {
     Foreign,
     Version(String),
     Damaged,
+    /// Another program is at it.
+    InUse,
     /// Fields that differ: name, found, expected.
     Other(Vec<(&'static str, String, String)>),
     /// A part that is to be merged has done so many of its runs.
@@ -47,6 +51,7 @@ impl fmt::Display for Refusal {
                 "has version {found} of the format, this program reads version {VERSION}"
             ),
             Self::Damaged => write!(f, "is damaged: its contents do not match its checksum"),
+            Self::InUse => write!(f, "is being gone on with by another program"),
             Self::Other(fields) => {
                 write!(f, "is of another campaign:")?;
                 for (index, (name, found, expected)) in fields.iter().enumerate() {
@@ -62,6 +67,40 @@ impl fmt::Display for Refusal {
                 )
             }
         }
+    }
+}
+
+/// The right to go on with a state, which one program has at a time. It ends with the program, however that ends.
+#[derive(Debug)]
+pub(super) struct Claim {
+    path: PathBuf,
+    _lock: File,
+}
+
+impl Claim {
+    /// Claims the state in a file by a lock on a file beside it, for that of the state is replaced.
+    pub(super) fn of(state: &Path) -> Result<Claim, Failure> {
+        let mut name = OsString::from(state);
+        name.push(".lock");
+        let path = PathBuf::from(name);
+        let lock = File::create(&path).map_err(|error| Failure::File(path.clone(), error))?;
+        match lock.try_lock() {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => {
+                return Err(Failure::Refused(state.into(), Refusal::InUse));
+            }
+            // Some file systems have no locks; two programs at one state are then the user's affair.
+            Err(TryLockError::Error(error)) if error.kind() == io::ErrorKind::Unsupported => {}
+            Err(TryLockError::Error(error)) => return Err(Failure::File(path, error)),
+        }
+        Ok(Claim { path, _lock: lock })
+    }
+}
+
+impl Drop for Claim {
+    fn drop(&mut self) {
+        // What stays behind does no harm.
+        let _ = fs::remove_file(&self.path);
     }
 }
 

@@ -225,7 +225,7 @@ fn a_checkpoint_is_gone_on_from_or_refused() {
     assert_eq!(result(&with(&["--checkpoint", &state])), first);
     let file = fs::read(&path).expect("it was written");
     assert!(file.starts_with(
-        b"nsv campaign state 1\nspecification \"\"\nname mock\nsimulator k1\nseed 1\n"
+        b"nsv campaign state 2\nspecification \"\"\nname mock\nsimulator k1\nseed 1\n"
     ));
 
     let other = with(&["--checkpoint", &state, "--seed", "2", "--no-noise"]);
@@ -247,12 +247,30 @@ fn a_checkpoint_is_gone_on_from_or_refused() {
         (b"hello", "is not the state of a campaign"),
         (
             b"nsv campaign state 7\n\n",
-            "has version 7 of the format, this program reads version 1",
+            "has version 7 of the format, this program reads version 2",
         ),
     ] {
         fs::write(&path, contents).expect("it can be written");
         assert!(refusal(&with(&["--checkpoint", &state])).contains(said));
     }
+    fs::remove_dir_all(directory).expect("it can be removed");
+}
+
+#[test]
+fn a_state_is_gone_on_with_by_one_program_at_a_time() {
+    let directory = directory("claim");
+    let path = directory.join("state");
+    let state = path.to_string_lossy().into_owned();
+    let claim = super::checkpoint::Claim::of(&path).expect("nobody has it");
+    let refused = runner(&with(&["--checkpoint", &state]), &mut Vec::new());
+    let refused = format!("{}", refused.expect_err("it is claimed"));
+    assert!(
+        refused.ends_with("is being gone on with by another program"),
+        "{refused}"
+    );
+    drop(claim);
+    text(&with(&["--checkpoint", &state]));
+    assert!(!directory.join("state.lock").exists());
     fs::remove_dir_all(directory).expect("it can be removed");
 }
 

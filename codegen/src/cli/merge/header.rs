@@ -8,7 +8,7 @@ use crate::cli::failure::{Exit, Failure};
 use crate::cli::runner::{Campaign, Part};
 
 /// First line of a checkpoint in the format that this program knows.
-const MAGIC: &str = "nsv campaign state 1";
+const MAGIC: &str = "nsv campaign state 2";
 
 /// More bytes than any header has.
 const LONGEST: u64 = 1 << 16;
@@ -191,8 +191,8 @@ mod tests {
         assert!(campaign.noise && !campaign.dispersion);
         for (text, said) in [
             ("", "is not a checkpoint"),
-            ("nsv campaign state 2\n", "is not a checkpoint"),
-            ("nsv campaign state 1\nseed 1\n\n", "has a damaged header"),
+            ("nsv campaign state 1\n", "is not a checkpoint"),
+            ("nsv campaign state 2\nseed 1\n\n", "has a damaged header"),
         ] {
             let path = folder.path().join("wrong");
             std::fs::write(&path, text).unwrap();
