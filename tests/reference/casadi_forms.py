@@ -21,6 +21,7 @@ def spline(text, orders):
     *axes, coefficients = [part.split(", ") for part in re.findall(r"\[([^]]*)\]", text)]
     degree, outside = re.search(r"(\w+) (\w+) \[[^]]*\]$", text).groups()
     assert outside == "clamp", "elsewhere a table is no number"
+    assert degree == "cubic" or not any(orders), "CasADi's slope of straight lines is 0 at a break"
     degree, axes = {"linear": 1, "cubic": 3}[degree], [[float(word) for word in axis] for axis in axes]
     knots = [axis[:1] * degree + axis + axis[-1:] * degree for axis in axes]
     z, c = ca.MX.sym("z", len(axes)), ca.MX.sym("c", len(coefficients))
