@@ -61,5 +61,5 @@ def missile_pitch():
     scales = {"CN_scale": (0.75, 1.25), "CM_scale": (0.75, 1.25), "fin_scale": (0.85, 1.15)}
     return Problem(
         "missile_pitch", 1, [incidence, rate], reference, np.array([25 * DEG]), {name: 1.0 for name in scales}, scales, 5.0, 0.001, 1.0,
-        substeps=2, truth=Truth(np.array([3.0]), truth),
+        substeps=2, truth=Truth(np.array([3.0]), truth), actuator=(4.76e-3, 600 * DEG),
     )  # fmt: skip

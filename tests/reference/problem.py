@@ -149,3 +149,4 @@ class Problem:
     exact: bool = False  # virtual_derivative: exact
     substeps: int = 4
     truth: Optional[Truth] = None
+    actuator: Optional[tuple] = None  # lag in s, and largest rate
