@@ -12,13 +12,19 @@ from typing import Any
 Node = int
 Entry = tuple[Any, ...]
 
+
+def quotient(a: float, b: float) -> float:
+    """a / b as a processor has it: the law chooses another value where this is no number."""
+    return a / b if b else a * math.copysign(math.inf, b)
+
+
 UNARY: dict[str, Callable[[float], float]] = {
     "neg": operator.neg, "abs": abs, "sqrt": math.sqrt, "exp": math.exp, "ln": math.log, "sin": math.sin, "cos": math.cos,
     "tan": math.tan, "asin": math.asin, "acos": math.acos, "atan": math.atan, "sinh": math.sinh, "cosh": math.cosh, "tanh": math.tanh,
     "sign": lambda x: math.copysign(1.0, x) if x else x, "not": lambda x: float(not x),
 }  # fmt: skip
 BINARY: dict[str, Callable[[float, float], float]] = {
-    "add": operator.add, "sub": operator.sub, "mul": operator.mul, "div": operator.truediv, "pow": math.pow, "atan2": math.atan2,
+    "add": operator.add, "sub": operator.sub, "mul": operator.mul, "div": quotient, "pow": math.pow, "atan2": math.atan2,
     "min": lambda a, b: a if a < b else b, "max": lambda a, b: a if a > b else b,
     "lt": lambda a, b: float(a < b), "le": lambda a, b: float(a <= b), "gt": lambda a, b: float(a > b),
     "ge": lambda a, b: float(a >= b), "eq": lambda a, b: float(a == b), "ne": lambda a, b: float(a != b),

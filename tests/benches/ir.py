@@ -21,6 +21,16 @@ class Statement:
 
 
 @dataclass
+class Table:
+    """A lookup table: breaks of each axis, degree, what is outside, and coefficients, those of the last axis side by side."""
+
+    breaks: list[tuple[float, ...]]
+    degree: int
+    outside: str
+    coefficients: list[float]
+
+
+@dataclass
 class Program:
     """One emitted function. A scalar or truth value has one row and one column, a vector has one column."""
 
@@ -30,6 +40,7 @@ class Program:
     outputs: dict[str, int] = field(default_factory=dict)
     polynomials: dict[str, list[tuple[float, Exponents]]] = field(default_factory=dict)
     bases: dict[str, list[Exponents]] = field(default_factory=dict)
+    tables: dict[str, Table] = field(default_factory=dict)
 
 
 def shape_of(text: str) -> Shape:
@@ -45,11 +56,21 @@ def integers(text: str) -> Exponents:
     return [int(word) for word in text.split(", ") if word]
 
 
-def read_table(rest: str) -> tuple[str, list[tuple[str, Exponents]]]:
+def read_terms(rest: str) -> tuple[str, list[tuple[str, Exponents]]]:
     """Name and items of `name(a, b) = head [e, e], head [e, e]`."""
     signature, _, items = rest.partition(" =")
     found = [(head.strip(", "), integers(exponents)) for head, exponents in TERM.findall(items)]
     return signature.partition("(")[0], found
+
+
+def read_table(rest: str) -> tuple[str, Table]:
+    """`name(a, b) = breaks [x, x], breaks [x, x], cubic clamp [c, c, c, c]`"""
+    lists = [[float(word) for word in numbers.split(", ")] for numbers in re.findall(r"\[([^]]*)\]", rest)]
+    *breaks, coefficients = lists
+    kind = re.search(r"(linear|cubic) (clamp|error) \[", rest)
+    assert kind, f"not a table: {rest}"
+    degree = {"linear": 1, "cubic": 3}[kind[1]]
+    return rest.partition("(")[0], Table([tuple(axis) for axis in breaks], degree, kind[2], coefficients)
 
 
 def read_statement(line: str) -> Statement:
@@ -74,11 +95,14 @@ def read_programs(text: str) -> dict[str, Program]:
             name, _, kind = rest.partition(": ")
             program.inputs[name] = shape_of(kind)
         elif keyword == "polynomial":
-            name, terms = read_table(rest)
+            name, terms = read_terms(rest)
             program.polynomials[name] = [(float(head), exponents) for head, exponents in terms]
         elif keyword == "basis":
-            name, terms = read_table(rest)
+            name, terms = read_terms(rest)
             program.bases[name] = [exponents for _, exponents in terms]
+        elif keyword == "table":
+            name, table = read_table(rest)
+            program.tables[name] = table
         elif keyword == "output":
             name, _, value = rest.partition(" = %")
             program.outputs[name] = int(value)

@@ -17,7 +17,9 @@ INFIX = {
 }  # fmt: skip
 
 
-def python_source(graph: Graph, results: list[int], select: str = "({a} if {c} else {b})") -> list[str]:
+def python_source(
+    graph: Graph, results: list[int], select: str = "({a} if {c} else {b})", quotient: str = "{a} / {b}"
+) -> list[str]:
     """Straight-line statements in Python from `x[i]` to `y[i]`."""
     name, lines = {}, []
     for node in graph.live(results):
@@ -29,6 +31,8 @@ def python_source(graph: Graph, results: list[int], select: str = "({a} if {c} e
         a, b, c = [*(name[o] for o in operands if op != "input"), "", "", ""][:3]
         if op == "input":
             text = f"x[{operands[0]}]"
+        elif op == "div":
+            text = quotient.format(a=a, b=b)
         elif op in INFIX:
             text = f"{a} {INFIX[op]} {b}"
         elif op == "select":
@@ -41,9 +45,9 @@ def python_source(graph: Graph, results: list[int], select: str = "({a} if {c} e
 
 def law(work: Workload):
     """The step as a Python function of the flat input."""
-    lines = python_source(work.graph, work.results)
+    lines = python_source(work.graph, work.results, quotient="quotient({a}, {b})")
     text = f"def law(x):\n y = [0.0] * {len(work.results)}\n " + "\n ".join(lines) + "\n return y\n"
-    names = {name: getattr(math, name) for name in dir(math)} | {"abs": abs, "sign": UNARY["sign"]}
+    names = {name: getattr(math, name) for name in dir(math)} | {"abs": abs, "sign": UNARY["sign"], "quotient": BINARY["div"]}
     names |= {name: BINARY[name] for name in ("min", "max")}
     exec(text, names)
     return names["law"]

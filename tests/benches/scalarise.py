@@ -9,6 +9,7 @@ from functools import reduce
 
 from graph import BINARY, UNARY, Graph, Node
 from ir import Exponents, Program, Statement
+from tables import looked_up
 
 Array = list[Node]
 
@@ -59,6 +60,9 @@ class Scalariser:
         if op == "polynomial":
             terms = self.program.polynomials[statement.words[0]]
             return [self.polynomial(terms, [entry for argument in arguments for entry in argument])]
+        if op == "table":
+            name, *orders = statement.words[0].split()
+            return [looked_up(self.graph, self.program.tables[name], [int(n) for n in orders], [a[0] for a in arguments])]
         if op.startswith("basis"):
             return self.basis(self.program.bases[statement.words[0]], arguments)
         if op.startswith("sin_cos_over") or op == "tan_over":

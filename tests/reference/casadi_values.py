@@ -5,7 +5,8 @@ Run: python tests/reference/casadi_values.py [SPEC ..] (half a minute besides th
 
 A program is built from its text, operation by operation, as a CasADi function. What has a closed form is written in that form, not as
 the compiler evaluates it: polynomials and networks are plain sums of powers, their derivatives and those of the barrier's kernels are
-taken by CasADi, systems are solved by its QR factorisation, a singular vector is that of the angle of a 2 x 2 matrix.
+taken by CasADi, systems are solved by its QR factorisation, a singular vector is that of the angle of a 2 x 2 matrix. A lookup table
+is CasADi's own B-spline of the table's coefficients on the knots of its breaks, and its derivatives are CasADi's of that.
 """
 
 import json
@@ -13,11 +14,12 @@ import random
 import re
 import subprocess
 import sys
-from functools import cache
 from pathlib import Path
 
 import casadi as ca
 import numpy as np
+
+from casadi_forms import kernel, product, singular_vector, spline
 
 ROOT = Path(__file__).resolve().parents[2]
 SPECS = sorted(path.stem for path in (ROOT / "specs").glob("*.yaml"))
@@ -49,43 +51,6 @@ def shape_of(text):
 def shaped(entries, shape):
     """Entries given row by row."""
     return ca.reshape(entries, shape[1], shape[0]).T
-
-
-def product(factors):
-    """Of symbols to powers."""
-    result = ca.SX(1)
-    for symbol, exponent in factors:
-        result *= symbol**exponent if exponent else 1
-    return result
-
-
-@cache
-def kernel(order):
-    """sin(E) cos(E)/E or a derivative, by CasADi from the quotient, and near 0 from its Taylor series."""
-    e = ca.SX.sym("e")
-    terms, term = [], ca.SX(1)
-    for j in range(1, 20):
-        terms.append(term)
-        term = -term * (2 * e) ** 2 / ((2 * j) * (2 * j + 1))
-    arms = [sum(reversed(terms)), ca.sin(e) * ca.cos(e) / e]
-    for _ in range(order):
-        arms = [ca.gradient(arm, e) for arm in arms]
-    return ca.Function("kernel", [e], [ca.if_else(ca.fabs(e) < 1, *arms)])
-
-
-def singular_vector(a):
-    """Of the largest singular value of a matrix of two columns or two rows; its entry of largest magnitude is not negative."""
-    assert 2 in a.shape, "the closed form is that of an angle"
-    s = ca.mtimes(a.T, a) if a.shape[1] == 2 else ca.mtimes(a, a.T)
-    angle = ca.atan2(2 * s[0, 1], s[0, 0] - s[1, 1]) / 2
-    vector = ca.vertcat(ca.cos(angle), ca.sin(angle))
-    if a.shape[1] != 2:
-        vector = ca.mtimes(a.T, vector)
-        vector /= ca.norm_2(vector)
-    lead = ca.SX(0)
-    for entry in ca.vertsplit(vector):
-        lead = ca.if_else(ca.fabs(entry) > ca.fabs(lead), entry, lead)
-    return ca.if_else(lead < 0, -vector, vector)
 
 
 class Program:
@@ -141,6 +106,10 @@ class Program:
             return ca.substitute(self.polynomial(rest[0], z), z, ca.vertcat(*arguments))
         if op.startswith("basis"):
             return self.basis(rest[0], *arguments)
+        if op == "table":
+            name, *orders = words[0].split()
+            function, coefficients = spline(self.data[name], tuple(map(int, orders)))
+            return function(ca.vertcat(*arguments), ca.vertcat(*map(self.constant, coefficients)))
         result = ELEMENTWISE[op](*arguments)
         return shaped(result, shape) if op == "array" else result
 
@@ -187,7 +156,7 @@ def programs(spec):
     """All programs of a specification."""
     command = ["cargo", "run", "--quiet", "--locked", "--package", "nsv-tests", "--example", "programs", f"specs/{spec}.yaml"]
     text = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout
-    data = dict(re.findall(r"^(?:polynomial|basis) (\w+)\([^)]*\) = (.*)$", text, flags=re.M))
+    data = dict(re.findall(r"^(?:polynomial|basis|table) (\w+)\([^)]*\) = (.*)$", text, flags=re.M))
     return [Program(part, data) for part in re.split(r"^program ", text, flags=re.M)[1:]]
 
 
@@ -208,7 +177,7 @@ def states(spec, draw):
 
 def given(program, at):
     """The inputs of a program at a state: an emitted function has controller states under `state.`, the plant its own parameters."""
-    names = [f"{leaf}{i}" for leaf in "xw" for i in range(1, 10)]
+    names = [*(f"x{i}" for i in range(1, 10)), "truth", *(f"w{i}" for i in range(1, 10))]
     values = at | {f"state.{name}": value for name, value in at.items()}
     values["x"] = [v for name in names for v in at.get(name, [])]
     if program == "plant":

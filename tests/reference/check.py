@@ -10,9 +10,9 @@ import ghv
 from closed_loop import simulate, summary
 from law import barrier, evaluate, saturate, ybar_norm
 from lyapunov import plant_rates
-from make_points import Sampler
 from problem import Exosystem
 from real import cos, exact, frobenius, pi_like, sin, spectral, tan
+from sampling import Sampler
 from specs import DEG, SPECS, nsv_attitude
 
 

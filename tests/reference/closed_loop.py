@@ -77,7 +77,7 @@ class Integrator:
 
 @dataclass
 class Plant:
-    """The true system: block states and exosystem states, with held or Wiener noise."""
+    """The true system: block states, then further states of what is flown, and exosystem states, with held or Wiener noise."""
 
     problem: object
     params: dict
@@ -85,6 +85,9 @@ class Plant:
     def __post_init__(self):
         blocks = self.problem.blocks
         self.x = [np.array(b.initial, dtype=float) for b in blocks]
+        if self.problem.truth:
+            self.x.append(self.problem.truth.initial)
+        self.felt = np.zeros(self.problem.width)  # position of the actuators
         self.w = [np.array(b.disturbance.initial, dtype=float) if isinstance(b.disturbance, Exosystem) else None for b in blocks]
 
     def disturbance(self, i, t, w):
@@ -96,18 +99,31 @@ class Plant:
 
     def rates(self, t, x, w, u, xi, eta):
         """(x', w') with the noise xi, eta as held values (zeros for Wiener noise, which `advance` adds)."""
-        n = len(x)
+        n = len(self.problem.blocks)
+        flown = self.problem.truth.rates(t, x[:n], x[n], u, self.params) if self.problem.truth else {}
         dx, dw = [], []
         for i, block in enumerate(self.problem.blocks):
             y = x[: i + 1]
-            v = block.drift(y, self.params) + block.gain(y, self.params) @ (u if i == n - 1 else x[i + 1])
+            v = flown.get(f"x{i + 1}")
+            if v is None:
+                v = block.drift(y, self.params) + block.gain(y, self.params) @ (u if i == n - 1 else x[i + 1])
             v = v + self.disturbance(i, t, w)
             if block.noise and xi[i] is not None:
                 v = v + block.noise.effectiveness(y, self.params) @ (block.noise.intensity * xi[i])
             dx.append(v)
             exo = block.disturbance if w[i] is not None else None
             dw.append(None if exo is None else exo.M @ w[i] + (0 if eta[i] is None else exo.N @ eta[i]))
+        if flown:
+            dx.append(flown["truth"])
         return dx, dw
+
+    def actuated(self, u, h):
+        """What the plant feels of a command over a step: a lag with a limited rate, or the command itself."""
+        if self.problem.actuator is None:
+            return u
+        lag, rate = self.problem.actuator
+        self.felt = self.felt + np.clip(-np.expm1(-h / lag) * (u - self.felt), -h * rate, h * rate)
+        return self.felt
 
     def advance(self, t, u, dt, substeps, rng, wiener, scheme):
         """Over one sample."""
@@ -115,8 +131,9 @@ class Plant:
         none = [None] * len(blocks)
         draw = lambda: self._draw(rng)
         xi, eta = (none, none) if rng is None or wiener else draw()
+        command = u
         for _ in range(substeps):
-            x, w = self.x, self.w
+            x, w, u = self.x, self.w, self.actuated(command, h)
             if wiener and rng is not None:
                 kicks, exo_kicks = draw()
                 k, l = self.rates(t, x, w, u, none, none)
@@ -160,8 +177,8 @@ def simulate(problem, seed=None, params=None, horizon=None, scheme="euler"):
     for sample in range(round((horizon or problem.horizon) / dt)):
         t = sample * dt
         state["t"] = t
-        for i, x in enumerate(plant.x, 1):
-            state[f"x{i}"] = x
+        for i in range(1, len(problem.blocks) + 1):
+            state[f"x{i}"] = plant.x[i - 1]
         out = evaluate(problem, state)
         _record(log, problem, t, plant, state, out)
         if not np.isfinite(out["u"]).all():

@@ -8,6 +8,7 @@ import yaml
 from real import cos, exact, is_exact, sin, tan
 
 DATA = Path(__file__).parents[2] / "specs/models/ghv_aerodynamics.yaml"
+PARTS = {group: data["parts"] for group, data in yaml.safe_load(DATA.read_text())["polynomials"].items()}
 DEG = np.pi / 180
 MASS, S_REF, C_BAR, B_REF = 136820.0, 334.73, 24.384, 18.288
 IXX, IYY, IZZ = 1355818.0, 13558180.0, 13558180.0
@@ -16,10 +17,11 @@ SURFACES = ("LE", "RE", "RUD")
 
 
 class Aerodynamics:
-    """The polynomials at the Mach number of the flight condition and zero deflection: one list of coefficients of alpha each."""
+    """The polynomials at a Mach number, that of the flight condition if none is given, and zero deflection: one list of coefficients
+    of alpha each."""
 
-    def __init__(self):
-        self.parts = {g: d["parts"] for g, d in yaml.safe_load(DATA.read_text())["polynomials"].items()}
+    def __init__(self, mach=None):
+        self.mach = mach
         self.reduced = {}
 
     def value(self, group, part, alpha_deg):
@@ -31,7 +33,7 @@ class Aerodynamics:
         return self._at(group, part, 1, alpha_deg)
 
     def _at(self, group, part, deflection_power, alpha_deg):
-        if part not in self.parts[group]:
+        if part not in PARTS[group]:
             return 0 * alpha_deg
         key = group, part, deflection_power, is_exact(alpha_deg)
         if key not in self.reduced:
@@ -43,9 +45,9 @@ class Aerodynamics:
 
     def _reduce(self, group, part, deflection_power, in_mp):
         number = exact if in_mp else float
-        mach = number(SPEED) / number(SOUND)
+        mach = number(SPEED) / number(SOUND) if self.mach is None else self.mach
         coefficients = [number(0)] * 8
-        for c, a, b, d in self.parts[group][part]:
+        for c, a, b, d in PARTS[group][part]:
             if d == deflection_power:
                 coefficients[a] += number(c) * mach**b
         return coefficients
@@ -54,15 +56,15 @@ class Aerodynamics:
 AERO = Aerodynamics()
 
 
-def loads(x, p, x_cg):
+def loads(x, p, x_cg, aero=AERO, speed=SPEED, rho=RHO):
     """Lift, drag, side force and the moments about the centre of mass, control surfaces at zero."""
     alpha, beta = x[0][0], x[0][1]
     rate_p, rate_q, rate_r = x[1] if len(x) > 1 else (0.0, 0.0, 0.0)
     deg = alpha / DEG
-    qS = RHO * SPEED**2 / 2 * S_REF
-    part = lambda group, name: AERO.value(group, name, deg)
+    qS = rho * speed**2 / 2 * S_REF
+    part = lambda group, name: aero.value(group, name, deg)
     increments = lambda group: part(group, "LE") + part(group, "RE") + part(group, "RUD")
-    p_hat, q_hat, r_hat = (rate * ref / (2 * SPEED) for rate, ref in ((rate_p, B_REF), (rate_q, C_BAR), (rate_r, B_REF)))
+    p_hat, q_hat, r_hat = (rate * ref / (2 * speed) for rate, ref in ((rate_p, B_REF), (rate_q, C_BAR), (rate_r, B_REF)))
     lift = qS * p["CL_scale"] * (part("CL", "alpha") + increments("CL"))
     drag = qS * p["CD_scale"] * (part("CD", "alpha") + increments("CD"))
     side = qS * p["CY_scale"] * (part("CY", "beta") * beta + increments("CY"))

@@ -1,28 +1,21 @@
 """tests/specs/lookup.yaml, by hand."""
 
-import csv
 from pathlib import Path
 
 import numpy as np
 
+from atmosphere import density
 from problem import Block, Bounded, Noise, NoiseBound, Problem
-from real import cos, exp, log, sin, sqrt, tanh
+from real import cos, log, sin, sqrt, tanh
 from specs import DEG, funnel
-from tables import Cubic, Line, Table
+from steps import smooth_step
+from tables import Cubic, Line, Table, grid
 
 FILE = Path(__file__).parents[1] / "specs" / "data" / "lookup.csv"
 
 
-def _grid(column):
-    """Axes and values of a column of the file."""
-    rows = list(csv.DictReader(line for line in FILE.read_text().splitlines() if not line.startswith("#")))
-    axes = [sorted({float(row[name]) for row in rows}) for name in ("u", "v")]
-    values = {(float(row["u"]), float(row["v"])): float(row[column]) for row in rows}
-    return axes, [[values[u, v] for v in axes[1]] for u in axes[0]]
-
-
-BOWL = Table(Cubic, *_grid("bowl"))
-HINGE = Table(Line, *_grid("flat"))  # mm
+BOWL = Table(Cubic, *grid(FILE, ("u", "v"), "bowl"))
+HINGE = Table(Line, *grid(FILE, ("u", "v"), "flat"))  # mm
 SPRING = Table(Cubic, [[a * DEG for a in (-150, -70, -20, 0, 35, 80, 150)]], [-2.1, -1.4, -0.3, 0, 0.5, 1.2, 1.9])
 CUBE = Table(
     Line,
@@ -44,25 +37,6 @@ def bowl_slope(u, v):
     a, b = (axis_v.points[i + 1] - v) / h, (v - axis_v.points[i]) / h
     slope = (values[i + 1] - values[i]) / h + ((3 * b**2 - 1) * second[1] - (3 * a**2 - 1) * second[0]) * h / 6
     return float(slope) if isinstance(v, float) else slope
-
-
-def density(h):
-    """U.S. Standard Atmosphere 1976, layer by layer up to 47 km; kg/m^3."""
-    r_0, k, gas = 6356766.0, 9.80665 * 28.9644 / 8314.32, 8314.32 / 28.9644
-    z = r_0 * h / (r_0 + h)
-    t, p, at = 288.15, 101325.0, 0.0
-    for top, slope in ((11e3, -0.0065), (20e3, 0.0), (32e3, 0.001), (47e3, 0.0028)):
-        up = min(z, top) - at
-        p = p * (exp(-k * log((t + slope * up) / t) / slope) if slope else exp(-k * up / t))
-        t, at = t + slope * up, top
-        if z <= top:
-            return p / (gas * t)
-    raise ValueError("above 47 km")
-
-
-def smooth_step(x, a, b):
-    s = min(max((x - a) / (b - a), 0), 1)
-    return s * s * (3 - 2 * s)
 
 
 def lookup():

@@ -45,16 +45,32 @@ def value(problem, state):
 
 
 def plant_rates(problem, state, u_sat, params=None):
-    """Drift of x<i> and w<i>, as a dict."""
+    """Drift of x<i> and w<i> of the design model, as a dict."""
     params = params or problem.parameters
     n, rates = len(problem.blocks), {}
     x = [state[f"x{i}"] for i in range(1, n + 1)]
     for i, block in enumerate(problem.blocks, 1):
         y = x[:i]
         rates[f"x{i}"] = block.drift(y, params) + block.gain(y, params) @ (u_sat if i == n else x[i])
-        if isinstance(block.disturbance, Bounded):
+    return _disturbed(problem, state, rates)
+
+
+def flown_rates(problem, state, u_sat, params):
+    """Drift of x<i>, further states and w<i> of what is flown, as a dict."""
+    rates = plant_rates(problem, state, u_sat, params)
+    if problem.truth:
+        x = [state[f"x{i}"] for i in range(1, len(problem.blocks) + 1)]
+        rates |= _disturbed(problem, state, problem.truth.rates(state["t"], x, state["truth"], u_sat, params))
+    return rates
+
+
+def _disturbed(problem, state, rates):
+    """Rates with d_i added, and those of w<i>."""
+    rates = dict(rates)
+    for i, block in enumerate(problem.blocks, 1):
+        if f"x{i}" in rates and isinstance(block.disturbance, Bounded):
             rates[f"x{i}"] = rates[f"x{i}"] + block.disturbance.value(state["t"])
-        if isinstance(block.disturbance, Exosystem):
+        if f"x{i}" in rates and isinstance(block.disturbance, Exosystem):
             rates[f"x{i}"] = rates[f"x{i}"] + block.disturbance.L @ state[f"w{i}"]
             rates[f"w{i}"] = block.disturbance.M @ state[f"w{i}"]
     return rates

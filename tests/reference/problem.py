@@ -119,6 +119,17 @@ class Block:
 
 
 @dataclass
+class Truth:
+    """What is flown in place of the blocks' F + G x, disturbances and noise of the blocks aside.
+
+    `rates(t, x, z, u, p)` with the further states z gives their rates under "truth", and those of x<i> that it replaces.
+    """
+
+    initial: np.ndarray
+    rates: Callable
+
+
+@dataclass
 class Problem:
     """The whole problem. `reference` is (y_r, y_r') as functions of time; `dispersion` maps a parameter to its uniform range."""
 
@@ -137,3 +148,5 @@ class Problem:
     wiener: bool = False
     exact: bool = False  # virtual_derivative: exact
     substeps: int = 4
+    truth: Optional[Truth] = None
+    actuator: Optional[tuple] = None  # lag in s, and largest rate

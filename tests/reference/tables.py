@@ -1,5 +1,6 @@
 """Lookup tables by hand: straight lines, and not-a-knot cubic splines by their second derivatives at the points."""
 
+import csv
 from bisect import bisect_right
 
 import mpmath
@@ -64,3 +65,11 @@ class Table:
         if axis < len(self.axes) - 1:
             values = [self._along(axis + 1, row, arguments) for row in values]
         return self.axes[axis].at(arguments[axis], list(values))
+
+
+def grid(file, axes, column):
+    """Axes and values of a column of a file that has a row for every combination of two axes."""
+    rows = list(csv.DictReader(line for line in file.read_text().splitlines() if not line.startswith("#")))
+    points = [sorted({float(row[name]) for row in rows}) for name in axes]
+    values = {tuple(float(row[name]) for name in axes): float(row[column]) for row in rows}
+    return points, [[values[u, v] for v in points[1]] for u in points[0]]

@@ -205,14 +205,16 @@ macro_rules! module {
 include!("modules.rs");
 
 /// Every generated module.
-pub fn modules() -> [Module; 12] {
+pub fn modules() -> [Module; 14] {
     [
         active_suspension::MODULE,
         chaotic_jerk::MODULE,
         flexible_joint::MODULE,
         ghv_unstable::MODULE,
+        missile_pitch::MODULE,
         motor_arm::MODULE,
         nsv_attitude::MODULE,
+        nsv_six_dof::MODULE,
         pendulum::MODULE,
         quadrotor::MODULE,
         six_joint_arm::MODULE,

@@ -2,7 +2,8 @@
 //! width takes the compiler a while.
 
 use nsv_generated::{
-    flexible_joint, motor_arm, nsv_attitude, pendulum, two_link_arm, underwater_vehicle,
+    flexible_joint, missile_pitch, motor_arm, nsv_attitude, nsv_six_dof, pendulum, two_link_arm,
+    underwater_vehicle,
 };
 use nsv_runtime::closed_loop::{ClosedLoop, InLanes, Options, Runs};
 use nsv_runtime::ensemble::{Campaign, Summary, run};
@@ -21,10 +22,14 @@ pub struct Flight {
 
 /// `specs/flexible_joint.yaml`.
 pub static FLEXIBLE_JOINT: Flight = flight::<InPairs<flexible_joint::Simulator>>();
+/// `specs/missile_pitch.yaml`.
+pub static MISSILE_PITCH: Flight = flight::<InPairs<missile_pitch::Simulator>>();
 /// `specs/motor_arm.yaml`.
 pub static MOTOR_ARM: Flight = flight::<InPairs<motor_arm::Simulator>>();
 /// `specs/nsv_attitude.yaml`.
 pub static NSV_ATTITUDE: Flight = flight::<InPairs<nsv_attitude::Simulator>>();
+/// `specs/nsv_six_dof.yaml`.
+pub static NSV_SIX_DOF: Flight = flight::<InPairs<nsv_six_dof::Simulator>>();
 /// `specs/pendulum.yaml`.
 pub static PENDULUM: Flight = flight::<pendulum::Simulator>();
 /// `specs/two_link_arm.yaml`.
@@ -33,10 +38,12 @@ pub static TWO_LINK_ARM: Flight = flight::<InPairs<two_link_arm::Simulator>>();
 pub static UNDERWATER_VEHICLE: Flight = flight::<InPairs<underwater_vehicle::Simulator>>();
 
 /// All of them.
-pub static ALL: [&Flight; 6] = [
+pub static ALL: [&Flight; 8] = [
     &FLEXIBLE_JOINT,
+    &MISSILE_PITCH,
     &MOTOR_ARM,
     &NSV_ATTITUDE,
+    &NSV_SIX_DOF,
     &PENDULUM,
     &TWO_LINK_ARM,
     &UNDERWATER_VEHICLE,

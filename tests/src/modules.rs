@@ -49,6 +49,18 @@ module!(
 );
 
 module!(
+    missile_pitch,
+    params: [CN_scale CM_scale fin_scale],
+    measured: [x1 x2],
+    exosystems: [],
+    initial: [params],
+    state: [zeta1 zeta2 th1 h1 W2 th2],
+    truths: [violated],
+    control: [u u_sat y_r e1 k1 alpha1 D_hat1 e2 D_hat2],
+    plant: [drift d1 d2]
+);
+
+module!(
     motor_arm,
     params: [load_mass],
     measured: [x1 x2 x3],
@@ -62,6 +74,18 @@ module!(
 
 module!(
     nsv_attitude,
+    params: [CL_scale CD_scale CY_scale Cl_scale Cm_scale Cn_scale],
+    measured: [x1 x2],
+    exosystems: [w2],
+    initial: [params],
+    state: [zeta1 zeta2 W1 th1 h1 W2 th2 eps2 sigma2 phi2],
+    truths: [violated],
+    control: [u u_sat y_r e1 k1 alpha1 D_hat1 e2 k2 D_hat2],
+    plant: [drift diffusion d1 d2]
+);
+
+module!(
+    nsv_six_dof,
     params: [CL_scale CD_scale CY_scale Cl_scale Cm_scale Cn_scale],
     measured: [x1 x2],
     exosystems: [w2],

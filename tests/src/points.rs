@@ -26,6 +26,8 @@ pub struct Point {
     pub params: BTreeMap<String, f64>,
     /// Rates of the packed plant state with these parameters.
     pub drift: Vec<f64>,
+    /// Largest error of each of these rates in double precision, where what is flown has further states: their units differ.
+    pub drift_tolerance: Option<Vec<f64>>,
     /// Covariance rate of the packed plant state with these parameters.
     pub covariance: Vec<f64>,
 }
@@ -76,17 +78,20 @@ impl Point {
                 vec![plant[&parameter.name]],
             );
         }
-        let parts = ["x", "w"]
-            .into_iter()
-            .flat_map(|leaf| (1..=model.blocks.len()).map(move |i| format!("{leaf}{i}")));
-        let packed = parts
-            .filter_map(|leaf| self.inputs.get(&leaf))
-            .flatten()
-            .copied();
-        values.insert("x".into(), packed.collect());
+        let packed = packed_leaves(model.blocks.len());
+        let packed = packed.filter_map(|leaf| self.inputs.get(&leaf));
+        values.insert("x".into(), packed.flatten().copied().collect());
         values.insert("u_sat".into(), self.expected["u_sat"].clone());
         values
     }
+}
+
+/// What a plant's state is packed of, as far as it has it: states of the blocks, further states of what is flown, exosystems.
+pub fn packed_leaves(blocks: usize) -> impl Iterator<Item = String> {
+    let of_blocks = move |leaf: char| (1..=blocks).map(move |i| format!("{leaf}{i}"));
+    of_blocks('x')
+        .chain(["truth".to_owned()])
+        .chain(of_blocks('w'))
 }
 
 fn point(value: &Value) -> Point {
@@ -101,6 +106,7 @@ fn point(value: &Value) -> Point {
         tolerance: object(&value["tolerance"], number),
         params: object(&plant["params"], number),
         drift: flat(&plant["drift"]),
+        drift_tolerance: plant.get("tolerance").map(flat),
         covariance: flat(&plant["covariance"]),
     }
 }

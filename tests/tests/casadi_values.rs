@@ -17,6 +17,7 @@ use nsv_codegen::ir::eval::eval;
 use nsv_codegen::lower::Programs;
 use nsv_codegen::opt::optimise;
 use nsv_tests::compiled::{Module, modules};
+use nsv_tests::points::packed_leaves;
 use nsv_tests::specification::{compiled, named, repository};
 use serde_json::Value;
 
@@ -66,17 +67,8 @@ fn inputs(program: &str, state: &Values) -> Values {
             .iter()
             .map(|(name, value)| (format!("state.{name}"), value.clone())),
     );
-    let leaves = ["x", "w"]
-        .into_iter()
-        .flat_map(|leaf| (1..10).map(move |i| format!("{leaf}{i}")));
-    inputs.insert(
-        "x".into(),
-        leaves
-            .filter_map(|leaf| state.get(&leaf))
-            .flatten()
-            .copied()
-            .collect(),
-    );
+    let packed = packed_leaves(9).filter_map(|leaf| state.get(&leaf));
+    inputs.insert("x".into(), packed.flatten().copied().collect());
     if program == "plant" {
         let own = state.iter().filter_map(|(name, value)| {
             Some((

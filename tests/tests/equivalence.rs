@@ -9,7 +9,7 @@ use nsv_codegen::opt::{Kind, PASSES, optimise};
 use nsv_runtime::noise::Noise;
 use nsv_spec::model::Model;
 use nsv_tests::compiled::{Emitted, Module, modules};
-use nsv_tests::points::points;
+use nsv_tests::points::{packed_leaves, points};
 use nsv_tests::specification::{compiled, named};
 
 /// Relative sizes of the changes of a point: in its last digits, within its surroundings, and out of any flight.
@@ -173,10 +173,7 @@ fn a_flight_is_the_same_interpreted_and_compiled() {
                 run("lyapunov", &values);
                 let rates = &run("plant", &values)["drift"];
                 let mut moved = values["x"].iter().zip(rates).map(|(x, rate)| x + dt * rate);
-                for leaf in ["x", "w"]
-                    .into_iter()
-                    .flat_map(|leaf| (1..=model.blocks.len()).map(move |i| format!("{leaf}{i}")))
-                {
+                for leaf in packed_leaves(model.blocks.len()) {
                     for entry in point.inputs.get_mut(&leaf).into_iter().flatten() {
                         *entry = moved.next().unwrap();
                     }

@@ -7,6 +7,7 @@
 use nsv_codegen::ir::eval::eval;
 use nsv_codegen::ir::{Instruction, Op, Operator, Program, Type, ValueId, Values};
 use nsv_codegen::opt::{Arithmetic, optimise, optimise_with};
+use nsv_runtime::noise::Noise;
 use nsv_tests::points::{names, points};
 use nsv_tests::specification::{compiled, named};
 
@@ -18,7 +19,7 @@ const PATTERNS: u64 = 16;
 
 /// The program with every input and the result of every operation multiplied by one last bit more or less than 1, by a pattern.
 fn perturbed(program: &Program, pattern: u64) -> Program {
-    let mut state = pattern.wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1;
+    let draw = Noise::<f64>::process(pattern, 0);
     let mut noisy = Program {
         instructions: Vec::new(),
         ..program.clone()
@@ -35,10 +36,7 @@ fn perturbed(program: &Program, pattern: u64) -> Program {
             ..instruction.clone()
         });
         if instruction.ty != Type::Bool && !exact {
-            state = state
-                .wrapping_mul(6364136223846793005)
-                .wrapping_add(1442695040888963407);
-            let factor = noisy.scalar(if state >> 63 == 1 {
+            let factor = noisy.scalar(if draw.uniform(u64::from(value.0), 0) < 0.5 {
                 1.0 + f64::EPSILON
             } else {
                 1.0 - f64::EPSILON

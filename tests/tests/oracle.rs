@@ -69,12 +69,24 @@ fn check_plant(model: &Model, plant: &Program, point: &Point) {
     );
     let found = outputs(plant, &values, &point.label);
     let context = format!("{}, {}", model.name, point.label);
-    check(
-        &format!("{context}: drift"),
-        &found["drift"],
-        &point.drift,
-        1e-12 * largest(&point.drift),
+    let whole = 1e-12 * largest(&point.drift);
+    let tolerance = point.drift_tolerance.clone();
+    let tolerance = tolerance.unwrap_or_else(|| vec![whole; point.drift.len()]);
+    assert_eq!(
+        (found["drift"].len(), tolerance.len()),
+        (point.drift.len(), point.drift.len()),
+        "{context}"
     );
+    for (at, tolerance) in tolerance.into_iter().enumerate() {
+        let context = format!("{context}: drift of state {at}");
+        let entry = at..=at;
+        check(
+            &context,
+            &found["drift"][entry.clone()],
+            &point.drift[entry],
+            tolerance.min(whole),
+        );
+    }
     let n = point.drift.len();
     let diffusion: &[f64] = found.get("diffusion").map_or(&[], |diffusion| diffusion);
     let columns = diffusion.len() / n;

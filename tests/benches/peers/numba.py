@@ -1,5 +1,5 @@
 """numba: the law as straight-line Python, compiled with and without fastmath: to a C callback, and with the loops of an ensemble around
-it. The code is cached between processes."""
+it. The code is cached between processes. Divisions are numpy's: one by zero is no error, since the law chooses another value there."""
 
 from importlib.util import find_spec
 from pathlib import Path
@@ -14,7 +14,7 @@ from numba import cfunc, types
 pointer = types.CPointer(types.float64)
 
 
-@cfunc(types.void(pointer, pointer), cache=True, fastmath={fastmath})
+@cfunc(types.void(pointer, pointer), cache=True, fastmath={fastmath}, error_model="numpy")
 def step(x, y):
     {body}
 """
@@ -24,12 +24,12 @@ import numpy as np
 from numba import njit
 
 
-@njit(cache=True, fastmath={fastmath}, inline="never")
+@njit(cache=True, fastmath={fastmath}, error_model="numpy", inline="never")
 def step(x, y):
     {body}
 
 
-@njit(cache=True, fastmath={fastmath})
+@njit(cache=True, fastmath={fastmath}, error_model="numpy")
 def loops(start, runs, steps, draw, scale, finals):
     x, y = start.copy(), np.empty({results})
     for run in range(runs):

@@ -1,61 +1,11 @@
 //! What lies between controller and plant, in a simulated run: actuator, sensors and further states do what the specification says.
 
-use std::collections::BTreeMap;
-use std::path::Path;
-use std::process::Command;
+use super::program::{campaign, check_campaign, flown};
 
-const SPECIFICATION: &str = concat!(
-    env!("CARGO_MANIFEST_DIR"),
-    "/../tests/specs/imperfect_plant.yaml"
-);
+const NAME: &str = "imperfect_plant";
 /// Length of a plant step of it, s, and plant steps of a sample.
 const STEP: f64 = 0.0005;
 const SUBSTEPS: usize = 4;
-
-/// The program with a cache that lives as long as the tests' target folder.
-fn simulate(arguments: &[&str]) -> String {
-    let cache = Path::new(env!("CARGO_TARGET_TMPDIR")).join("cache");
-    let output = Command::new(env!("CARGO_BIN_EXE_nsv"))
-        .args(["simulate", SPECIFICATION])
-        .args(arguments)
-        .env("NSV_CACHE_DIR", cache)
-        .output()
-        .expect("nsv starts");
-    let stderr = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{stderr}");
-    String::from_utf8(output.stdout).expect("text")
-}
-
-/// Columns of a table in CSV.
-fn columns(path: &Path) -> BTreeMap<String, Vec<f64>> {
-    let mut reader = csv::Reader::from_path(path).expect("a table");
-    let names: Vec<String> = reader
-        .headers()
-        .expect("a header")
-        .iter()
-        .map(String::from)
-        .collect();
-    let mut columns: BTreeMap<String, Vec<f64>> = BTreeMap::new();
-    for record in reader.records() {
-        for (name, value) in names.iter().zip(&record.expect("a row")) {
-            let column = columns.entry(name.clone()).or_default();
-            column.push(match value {
-                "false" => 0.0,
-                number => number.parse().expect("a number"),
-            });
-        }
-    }
-    columns
-}
-
-/// The telemetry of one run.
-fn flown(run: &str) -> BTreeMap<String, Vec<f64>> {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("run.csv");
-    let out = path.to_str().expect("a path in UTF-8");
-    simulate(&["--run", run, "--out", out]);
-    columns(&path)
-}
 
 fn mean(values: impl Iterator<Item = f64> + Clone) -> f64 {
     values.clone().sum::<f64>() / values.count() as f64
@@ -63,7 +13,7 @@ fn mean(values: impl Iterator<Item = f64> + Clone) -> f64 {
 
 #[test]
 fn the_actuator_lags_is_limited_rounded_delayed_and_fails_in_time() {
-    let run = flown("0");
+    let run = flown(NAME, 0, &[]);
     let (command, felt) = (&run["u_sat.torque"], &run["u_act.torque"]);
     let approach = 1.0 - f64::exp(-STEP / 0.005);
     let (mut position, mut delayed) = (0.0, [0.0; 2]);
@@ -88,7 +38,7 @@ fn the_actuator_lags_is_limited_rounded_delayed_and_fails_in_time() {
 
 #[test]
 fn sensors_are_biased_noisy_rounded_and_lose_samples() {
-    let run = flown("1");
+    let run = flown(NAME, 1, &[]);
     let (angle, measured) = (&run["x1.theta"], &run["y.theta"]);
     let quantum = 0.01_f64.to_radians();
     let whole = |value: &f64| (value / quantum - (value / quantum).round()).abs() < 1e-9;
@@ -118,7 +68,7 @@ fn sensors_are_biased_noisy_rounded_and_lose_samples() {
 
 #[test]
 fn further_states_follow_their_rates() {
-    let run = flown("2");
+    let run = flown(NAME, 2, &[]);
     let (heat, wear) = (&run["truth.heat"], &run["truth.wear"]);
     assert!((10.0..30.0).contains(&heat[0]) && wear[0] == 0.0);
     for (heat, wear) in heat.windows(2).zip(wear.windows(2)) {
@@ -129,24 +79,7 @@ fn further_states_follow_their_rates() {
 
 #[test]
 fn a_run_of_a_campaign_is_the_run_alone_and_ideal_without_noise_and_dispersion() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("runs.csv");
-    let out = path.to_str().expect("a path in UTF-8");
-    simulate(&["--runs", "40", "--runs-out", out]);
-    let rows = columns(&path);
-    for at in [0, 7, 39] {
-        let alone = flown(&at.to_string());
-        let largest = alone["ratio1"].iter().copied().fold(0.0, f64::max);
-        assert_eq!(rows["ratio"][at].to_bits(), largest.to_bits(), "run {at}");
-    }
-    simulate(&[
-        "--runs",
-        "40",
-        "--runs-out",
-        out,
-        "--no-noise",
-        "--no-dispersion",
-    ]);
-    let rows = columns(&path);
+    check_campaign(NAME);
+    let rows = campaign(NAME, &["--no-noise", "--no-dispersion"]);
     assert!(rows["ratio"].iter().all(|ratio| *ratio == rows["ratio"][0]));
 }

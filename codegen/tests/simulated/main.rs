@@ -1,0 +1,5 @@
+//! Simulated runs of the test specifications, compiled by the program as a user has it.
+
+mod imperfect;
+mod platen;
+mod program;
