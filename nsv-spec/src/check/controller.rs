@@ -94,6 +94,7 @@ impl Context<'_> {
         let Pairing { matched, strangers } = pair(&wanted, &texts(gains));
         for (at, meant) in strangers.into_iter().filter(|_| plant.complete) {
             let own = &gains[at].name;
+            self.supersede(own.span);
             let message = format!("controller block `{}` is no block of the plant", own.value);
             let fault = Diagnostic::error(Rule::E0114, own.span, message);
             // Either of the two names may be the misspelt one.
@@ -129,7 +130,7 @@ impl Context<'_> {
         &mut self,
         at: usize,
         gains: &Named<ControllerBlock>,
-        plant: Option<PlantBlock>,
+        plant: PlantBlock,
         horizon: Option<f64>,
     ) -> Option<Block> {
         self.check_features(at, gains);
@@ -180,18 +181,17 @@ impl Context<'_> {
             .noise_bound
             .as_ref()
             .map(|bound| self.noise_bound(at, &bound.value));
-        let plant = plant?;
         let observer = own
             .observer
             .as_ref()
-            .map(|formula| self.observer(formula, &plant.disturbance, &name.value));
+            .map(|formula| self.observer(formula, at, plant.disturbance.as_ref()));
         Some(Block {
             name: name.value.clone(),
             states: self.states[at].clone()?,
-            drift: plant.drift,
-            gain: plant.gain,
-            disturbance: plant.disturbance,
-            noise: plant.noise,
+            drift: plant.drift?,
+            gain: plant.gain?,
+            disturbance: plant.disturbance?,
+            noise: plant.noise?,
             k: k?,
             kbar: kbar?,
             c: c?,

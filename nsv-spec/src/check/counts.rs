@@ -1,6 +1,8 @@
 //! Guarantees that the plant is a chain of blocks of equal width with as many inputs.
 
 use super::Context;
+use std::collections::BTreeMap;
+
 use crate::diagnostic::{Diagnostic, Rule, counted};
 use crate::spec::{Named, PlantBlock};
 
@@ -12,8 +14,8 @@ pub(super) const MAX_WIDTH: usize = 32;
 const SHOWN: usize = 4;
 
 impl Context<'_> {
-    /// Checks the numbers of blocks, states and inputs. Gives the number of states of each block; `None` if it is wrong or hidden
-    /// by another fault.
+    /// Checks the numbers of blocks, states and inputs. Gives the number of states of each block, where they differ that of most;
+    /// `None` if none is right or another fault hides it.
     pub(super) fn check_counts(&mut self) -> Option<usize> {
         let spec = self.spec;
         let before = self.faults.len();
@@ -29,7 +31,7 @@ impl Context<'_> {
             return None;
         };
         if !first.value.states.complete {
-            return None;
+            return self.usual_width();
         }
         if spec.blocks.len() > MAX_BLOCKS {
             let message = format!(
@@ -88,7 +90,26 @@ impl Context<'_> {
         let complete = spec.blocks.complete
             && spec.inputs.complete
             && blocks.all(|block| block.value.states.complete);
-        (complete && self.faults.len() == before).then_some(width)
+        self.even = complete && self.faults.len() == before;
+        self.usual_width()
+    }
+
+    /// The number of channels of most blocks and the inputs, unless another is as frequent.
+    fn usual_width(&self) -> Option<usize> {
+        let spec = self.spec;
+        let blocks = spec.blocks.iter().map(|block| &block.value.states);
+        let states = blocks.filter(|states| states.complete);
+        let inputs = Some(spec.inputs.len()).filter(|_| spec.inputs.complete);
+        let mut frequency: BTreeMap<usize, usize> = BTreeMap::new();
+        for width in states.map(|states| states.len()).chain(inputs) {
+            *frequency.entry(width).or_default() += 1;
+        }
+        let most = *frequency.values().max()?;
+        let mut usual = frequency.iter().filter(|(_, count)| **count == most);
+        match (usual.next(), usual.next()) {
+            (Some((&width @ 1..=MAX_WIDTH, _)), None) => Some(width),
+            _ => None,
+        }
     }
 
     /// The fault of a plant with more or fewer inputs than its blocks have states.

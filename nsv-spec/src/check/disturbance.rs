@@ -93,10 +93,10 @@ impl Context<'_> {
                 fits
             };
         // A list of numbers is a column; for L it stands for a row.
-        let l = if l.cols == 1 && l.rows == states {
+        let l = if l.cols == 1 {
             Matrix {
                 rows: 1,
-                cols: states,
+                cols: l.rows,
                 data: l.data,
             }
         } else {

@@ -102,6 +102,7 @@ impl Context<'_> {
                     });
                 }
                 (Ok(false), Some(&span)) => {
+                    self.supersede(span);
                     let message = format!("`{}` has no use in block `{}`", need.key, block.value);
                     let help = match need.with {
                         Some(with) => format!(

@@ -50,6 +50,8 @@ impl Context<'_> {
         let gains = match numbers.shape {
             Shape::Scalar => vec![numbers.values[0]; width],
             Shape::Vector(rows) if rows == width => numbers.values,
+            // It may be the block that has too many states.
+            _ if !self.even => return None,
             shape => {
                 let (message, help) = match width {
                     1 => (
@@ -91,6 +93,7 @@ impl Context<'_> {
             Shape::Matrix(rows, cols) if rows == width && cols == width => {
                 return Some(numbers.matrix());
             }
+            _ if !self.even => return None,
             shape => {
                 let (message, help) = match width {
                     1 => (
@@ -246,7 +249,6 @@ impl Context<'_> {
     /// The dimension of a block's error: that of its states if they share one, else a pure number of SI values; `None` where some
     /// are not known.
     pub(super) fn error_dimension(&self, at: usize) -> Option<Dimension> {
-        self.width?;
         let states = self.states.get(at)?.as_ref()?;
         let first = states.first()?.dimension;
         let shared = states.iter().all(|state| state.dimension == first);

@@ -100,8 +100,10 @@ struct Context<'a> {
     /// Further states of the flown plant.
     truth_states: Vec<Option<State>>,
     inputs: Option<Vec<Input>>,
-    /// Number of states of each block; `None` after a fault in the number of any.
+    /// Number of states of each block, or of most; `None` where that cannot be told.
     width: Option<usize>,
+    /// Whether all blocks and the inputs have as many.
+    even: bool,
     /// Definitions that are an angle divided by a degree, with their places.
     in_degrees: BTreeMap<String, Span>,
 }
@@ -134,6 +136,7 @@ impl<'a> Context<'a> {
             truth_states: Vec::new(),
             inputs: None,
             width: None,
+            even: false,
             in_degrees: BTreeMap::new(),
         }
     }
@@ -210,6 +213,12 @@ impl<'a> Context<'a> {
     ) {
         self.faults
             .push(Diagnostic::error(rule, span, message).with_help(help));
+    }
+
+    /// Takes back what is missing in the map under a key that has no use at all.
+    fn supersede(&mut self, key: Span) {
+        let of_it = |fault: &Diagnostic| (fault.rule, fault.span) == (Rule::E0104, Some(key));
+        self.faults.retain(|fault| !of_it(fault));
     }
 
     /// The result of another module, its faults reported here.

@@ -226,21 +226,28 @@ pub(super) fn written_in(dimension: Dimension) -> String {
 /// The fault of a number of a wrong unit, whose remedy shows the number that is written with the unit that is expected. A bare
 /// number is changed so; of one with another unit nobody knows which of the two was meant.
 pub(super) fn with_unit(fault: Diagnostic, code: &Code, expected: Dimension) -> Diagnostic {
-    let literal = code
-        .parsed()
-        .is_some_and(|expr| expr.as_literal().is_some());
+    let expr = code.parsed();
+    let literal = expr.as_ref().and_then(|expr| expr.as_literal());
+    let written = literal.and_then(|(_, unit)| unit);
     let text = code.text.as_ref().map_or("", |text| text.trim());
     let digits = text.find(|c: char| c.is_whitespace() || c.is_ascii_alphabetic() && c != 'e');
     let number = text[..digits.unwrap_or(text.len())].trim();
-    if !literal || number.parse::<f64>().is_err() {
+    if literal.is_none() || number.parse::<f64>().is_err() {
         return fault;
     }
     if expected.is_dimensionless() {
         return fault.with_help(format!("write it without a unit: `{number}`"));
     }
-    let change = format!("{number} {expected}");
+    // An angle is a number: what is missing is the rest of its unit.
+    let angle = written.filter(|unit| unit.dimension == Dimension::ONE);
+    let unit = match (angle, expected.to_string().strip_prefix("1/")) {
+        (Some(angle), Some(below)) => format!("{}/{below}", angle.text),
+        (Some(angle), None) => format!("{}*{expected}", angle.text),
+        (None, _) => expected.to_string(),
+    };
+    let change = format!("{number} {unit}");
     if digits.is_some() {
-        return fault.with_help(format!("write it in {expected}, as in `{change}`"));
+        return fault.with_help(format!("write it in {unit}, as in `{change}`"));
     }
     let fault = fault.with_help(format!("write it with its unit: `{change}`"));
     match code.base.holds(0..text.len()) {

@@ -6,22 +6,24 @@ use super::numbers::Numbers;
 use crate::diagnostic::{Rule, rounded};
 use crate::expr::arena::Shape;
 use crate::model::{Disturbance, Exosystem, Matrix};
-use crate::spec::Formula;
+use crate::spec::{self, Formula, Named};
 use crate::unit::Dimension;
 
 impl Context<'_> {
-    /// S of a block, with which the observer's error decays.
+    /// S of a block, with which the observer's error decays; `None` for a disturbance with a fault.
     pub(super) fn observer(
         &mut self,
         formula: &Formula,
-        disturbance: &Disturbance,
-        block: &str,
+        at: usize,
+        disturbance: Option<&Disturbance>,
     ) -> Option<Matrix> {
-        let what = format!("observer of block `{block}`");
+        let Named { name, value: block } = &self.spec.blocks[at];
+        let what = format!("observer of block `{}`", name.value);
+        let written = block.disturbance.as_ref().map(|given| &given.value);
+        let bounded = matches!(written, Some(Ok(spec::Disturbance::Bounded(_))));
         let (gain, error_dynamics, remedy) = match disturbance {
-            Disturbance::None => return None,
             // (20): the estimate follows at the rate S
-            Disturbance::Bounded(_) => {
+            _ if bounded => {
                 let gain = self.square_gain(formula, &what)?;
                 let negative = gain.data.iter().map(|entry| -entry).collect();
                 let error_dynamics = Matrix {
@@ -37,12 +39,16 @@ impl Context<'_> {
                 (gain, error_dynamics, remedy)
             }
             // (49): the error of w_hat follows M - S L
-            Disturbance::Exosystem(channels) => {
+            Some(Disturbance::Exosystem(channels)) => {
                 let gain = self.exosystem_gain(formula, channels, &what)?;
                 let (m, l) = block_diagonal(channels);
                 let closed = minus_product(&m, &gain, &l);
                 let remedy = "choose `observer` (S) so that every eigenvalue of M - S L has a negative real part, with `M` and `L` of the exosystems";
                 (gain, closed, remedy)
+            }
+            _ => {
+                self.numbers_for(formula, &what);
+                return None;
             }
         };
         let span = formula.span();
@@ -62,8 +68,8 @@ impl Context<'_> {
             true => format!("its error grows as exp({} t){swings}", rounded(re)),
             false => format!("its error does not decay{swings}"),
         };
-        let message = match (disturbance, gain.data.as_slice()) {
-            (Disturbance::Bounded(_), [only]) => {
+        let message = match gain.data.as_slice() {
+            [only] if bounded => {
                 format!(
                     "{what} is {}, expected more than 0: {error}",
                     rounded(*only)

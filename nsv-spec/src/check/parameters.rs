@@ -49,7 +49,8 @@ impl Context<'_> {
                     dimension,
                     unit: unit.as_ref(),
                 };
-                Some(self.dispersion(dispersion.as_ref().ok()?, &of)?)
+                // A fault in it takes nothing from what is known of the parameter.
+                (dispersion.as_ref().ok()).and_then(|one| self.dispersion(one, &of))
             }
             None => None,
         };

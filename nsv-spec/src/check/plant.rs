@@ -11,12 +11,12 @@ use crate::unit::Dimension;
 
 pub(super) const SECOND: Dimension = Dimension::new(0, 0, 1, 0);
 
-/// The plant's side of a block.
+/// The plant's side of a block; `None` for what has a fault.
 pub(super) struct PlantBlock {
-    pub(super) drift: ExprId,
-    pub(super) gain: ExprId,
-    pub(super) disturbance: Disturbance,
-    pub(super) noise: Option<Noise>,
+    pub(super) drift: Option<ExprId>,
+    pub(super) gain: Option<ExprId>,
+    pub(super) disturbance: Option<Disturbance>,
+    pub(super) noise: Option<Option<Noise>>,
 }
 
 impl Context<'_> {
@@ -25,7 +25,7 @@ impl Context<'_> {
         &mut self,
         at: usize,
         inputs: Option<&[model::Input]>,
-    ) -> Option<PlantBlock> {
+    ) -> PlantBlock {
         let spec = self.spec;
         let Named {
             name,
@@ -74,12 +74,12 @@ impl Context<'_> {
             Some(noise) => self.noise(at, noise, own.as_deref()).map(Some),
             None => Some(None),
         };
-        Some(PlantBlock {
-            drift: drift?.0,
-            gain: gain?.0,
-            disturbance: disturbance?,
-            noise: noise?,
-        })
+        PlantBlock {
+            drift: drift.map(|(id, _)| id),
+            gain: gain.map(|(id, _)| id),
+            disturbance,
+            noise,
+        }
     }
 
     /// Why each row of F and G is in a state's unit per second.
@@ -126,17 +126,14 @@ impl Context<'_> {
         block: usize,
         inputs: Option<&[model::Input]>,
     ) -> Option<Vec<Dimension>> {
-        self.width?;
-        match self.states.get(block) {
-            Some(states) => Some(
-                states
-                    .as_ref()?
-                    .iter()
-                    .map(|state| state.dimension)
-                    .collect(),
-            ),
-            None => Some(inputs?.iter().map(|input| input.dimension).collect()),
-        }
+        let width = self.width?;
+        let dimensions: Vec<Dimension> = match self.states.get(block) {
+            Some(states) => (states.as_ref()?.iter())
+                .map(|state| state.dimension)
+                .collect(),
+            None => inputs?.iter().map(|input| input.dimension).collect(),
+        };
+        (dimensions.len() == width).then_some(dimensions)
     }
 
     /// Every quotient of an entry of `above` by one of `below`, row by row.

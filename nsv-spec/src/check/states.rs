@@ -67,14 +67,11 @@ impl Context<'_> {
             dimension,
             unit: unit.as_ref(),
         };
-        let dispersion = match &written.dispersion {
-            Some(dispersion) => Some(self.dispersion(dispersion.as_ref().ok()?, &of)?),
-            None => None,
-        };
-        let sensor = match &written.sensor {
-            Some(sensor) => Some(self.sensor(sensor, &name.value, dimension)?),
-            None => None,
-        };
+        // A fault in these takes nothing from what is known of the state.
+        let dispersion = written.dispersion.as_ref();
+        let dispersion = dispersion.and_then(|one| self.dispersion(one.as_ref().ok()?, &of));
+        let sensor = written.sensor.as_ref();
+        let sensor = sensor.and_then(|one| self.sensor(one, &name.value, dimension));
         let display = match unit {
             Some(unit) => (unit.text, unit.scale),
             None => self.display(&written.initial, dimension),
@@ -150,13 +147,13 @@ impl Context<'_> {
         let what = format!("limit of input `{}`", name.value);
         let (limit, dimension) = self.scalar(&written.limit, &what)?;
         let span = written.limit.base.span;
-        self.positive(limit, span, &what)?;
+        // A fault from here on takes nothing from what is known of the input.
+        let sound = self.positive(limit, span, &what).is_some();
         let safe = match &written.safe {
-            Some(code) => self.quantity(
-                code,
-                &format!("safe value of input `{}`", name.value),
-                dimension,
-            )?,
+            Some(code) => {
+                let what = format!("safe value of input `{}`", name.value);
+                self.quantity(code, &what, dimension).unwrap_or_default()
+            }
             None => {
                 self.default(
                     format!("plant.inputs.{}.safe", name.value),
@@ -166,7 +163,7 @@ impl Context<'_> {
                 0.0
             }
         };
-        if safe.abs() > limit {
+        if sound && safe.abs() > limit {
             let most = in_unit(limit, dimension);
             let message = format!(
                 "safe value of input `{}` is {}, beyond its limit {most}",
@@ -178,12 +175,9 @@ impl Context<'_> {
                 .with_related(span, "the limit")
                 .with_help(format!("choose a value from -{most} to {most}"));
             self.faults.push(fault);
-            return None;
         }
-        let actuator = match &written.actuator {
-            Some(actuator) => Some(self.actuator(actuator, &name.value, dimension)?),
-            None => None,
-        };
+        let actuator = written.actuator.as_ref();
+        let actuator = actuator.and_then(|one| self.actuator(one, &name.value, dimension));
         Some(model::Input {
             actuator,
             name: name.value.clone(),

@@ -20,8 +20,9 @@ impl Reader {
         let before = self.faults.len();
         let fields = self.fields(node, &DISPERSION);
         let kinds: Vec<&str> = DISPERSION.keys.iter().map(|key| key.name).collect();
-        let given: Vec<&Entry> = kinds.iter().filter_map(|kind| fields.entry(kind)).collect();
-        let &[entry] = given.as_slice() else {
+        let given = |kind: &&'static str| Some((*kind, fields.entry(kind)?));
+        let given: Vec<(&str, &Entry)> = kinds.iter().filter_map(given).collect();
+        let &[(kind, entry)] = given.as_slice() else {
             if self.faults.len() == before {
                 let message = format!("dispersion must have one of {}", list(&kinds));
                 let help = "write `{uniform: [0.8, 1.2]}` or `{normal: [1, 0.1]}`";
@@ -30,7 +31,7 @@ impl Reader {
             return Err(Unreadable);
         };
         let value = &entry.value;
-        match entry.key.text.as_str() {
+        match kind {
             "uniform" => (self.numbers(value, "[least, largest]")).map(Dispersion::Uniform),
             "normal" => (self.numbers(value, "[mean, deviation]")).map(Dispersion::Normal),
             "truncated_normal" => (self.numbers(value, "[mean, deviation, least, largest]"))

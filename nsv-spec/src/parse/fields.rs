@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::spec::{Declared, Located, Named, Read, Unreadable, Word};
 use crate::suggest::nearest;
-use crate::vocabulary::{Key as Known, Kind as Expects, Section};
+use crate::vocabulary::{Key as Known, Kind as Expects, Section, places_of};
 use crate::yaml::{Entry, Key, Kind, Node, excerpt};
 
 /// Keys that name files with further keys.
@@ -17,6 +17,8 @@ pub(crate) struct Fields<'a> {
     entries: BTreeMap<&'static str, &'a Entry>,
     /// Whether every key that is given is among them.
     pub(crate) complete: bool,
+    /// Whether at least those with a map are.
+    pub(crate) has_maps: bool,
     /// The whole map.
     pub(crate) span: Span,
 }
@@ -34,8 +36,14 @@ impl<'a> Fields<'a> {
 
     /// Whether a key may be left out and is.
     pub(crate) fn left_out(&self, name: &str) -> bool {
-        let required = self.key(name).is_none_or(|key| key.required);
-        self.complete && !required && self.entry(name).is_none()
+        let Some(key) = self.key(name) else {
+            return false;
+        };
+        let complete = match key.kind {
+            Expects::Section(_) | Expects::Named(_) => self.has_maps,
+            _ => self.complete,
+        };
+        complete && !key.required && self.entry(name).is_none()
     }
 
     /// Places of the keys that are given.
@@ -80,13 +88,14 @@ impl Reader {
             section,
             entries: BTreeMap::new(),
             complete: !self.partial,
+            has_maps: !self.partial,
             span: node.span,
         };
         let Kind::Map(entries) = &node.kind else {
             let keys: Vec<&str> = section.keys.iter().map(|key| key.name).collect();
             let expected = format!("{}: a map", section.noun);
             self.kind(node, &expected, &format!("its keys are {}", list(&keys)));
-            fields.complete = false;
+            (fields.complete, fields.has_maps) = (false, false);
             return fields;
         };
         let mut unknown = Vec::new();
@@ -135,6 +144,7 @@ impl Reader {
                 section,
                 entries: BTreeMap::new(),
                 complete: false,
+                has_maps: false,
                 span: parent.span,
             },
         }
@@ -144,28 +154,37 @@ impl Reader {
     /// key is no second fault.
     fn unknown<'a>(&mut self, entry: &'a Entry, fields: &mut Fields<'a>) {
         let (section, text) = (fields.section, &entry.key.text);
-        let open = section
-            .keys
-            .iter()
-            .filter(|key| !fields.entries.contains_key(key.name));
+        // A key that another file gives can be meant too: that is what the two are laid over each other for.
+        let open = section.keys.iter().filter(|key| {
+            let given = fields.entries.get(key.name);
+            given.is_none_or(|given| given.key.span.file != entry.key.span.file)
+        });
         let mut meant = nearest(text, open.map(|key| key.name));
         let key = meant.as_ref().and_then(|meant| fields.key(&meant.name));
         if let (Some(meant), Some(key)) = (&mut meant, key) {
-            fields.entries.insert(key.name, entry);
             meant.sure |= key.required;
+            fields.entries.entry(key.name).or_insert(entry);
         }
-        fields.complete &= key.is_some();
-        self.partial |= match key {
-            // Files are joined before keys are read.
-            Some(key) => JOINING.contains(&key.name),
-            None => matches!(entry.value.kind, Kind::Map(_)),
+        // A map with names, or files that have some.
+        let holds_names = match &entry.value.kind {
+            Kind::Scalar(scalar) => scalar.text.ends_with(".yaml"),
+            Kind::Null => false,
+            _ => true,
         };
+        fields.complete &= key.is_some();
+        fields.has_maps &= key.is_some() || !holds_names;
+        // Files are joined before keys are read.
+        self.partial |= key.map_or(holds_names, |key| JOINING.contains(&key.name));
         let message = format!("unknown key `{}` in {}", excerpt(text), section.noun);
         let fault = Diagnostic::error(Rule::E0101, entry.key.span, message);
         let names: Vec<&str> = section.keys.iter().map(|key| key.name).collect();
         self.faults
             .push(fault.did_you_mean(entry.key.span, text, meant, || {
-                format!("{} has the keys {}", section.noun, list(&names))
+                let keys = format!("{} has the keys {}", section.noun, list(&names));
+                match places_of(text).as_slice() {
+                    [] => keys,
+                    places => format!("it is a key of {}; {keys}", places.join(" or ")),
+                }
             }));
     }
 

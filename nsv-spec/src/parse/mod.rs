@@ -52,7 +52,7 @@ impl Reader {
         self.version(&fields);
         let plant = self.section(&fields, "plant");
         let mut spec = Spec {
-            complete: fields.complete && plant.complete,
+            complete: fields.has_maps && plant.has_maps,
             name: self.text(&fields, "name").unwrap_or(Err(Unreadable)),
             title: self.note(&fields, "title"),
             constants: self.map(&fields, "constants", Self::constant),

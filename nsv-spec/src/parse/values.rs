@@ -100,6 +100,15 @@ impl Reader {
         let node = &fields.entry(key)?.value;
         Some(match &node.kind {
             Kind::Scalar(scalar) if scalar.text == "auto" => AutoCode::Auto(node.span),
+            Kind::Scalar(scalar) if nearest(&scalar.text, ["auto"]).is_some() => {
+                let message = format!("found {}, expected `auto` or a number", node.describe());
+                let fault = Diagnostic::error(Rule::E0103, node.span, message);
+                let meant = nearest(&scalar.text, ["auto"]);
+                let otherwise = || "write `auto`".into();
+                let fault = fault.did_you_mean(node.span, &scalar.text, meant, otherwise);
+                self.faults.push(fault);
+                AutoCode::Code(Code::unreadable(node.span))
+            }
             _ => AutoCode::Code(self.code_of(node)),
         })
     }

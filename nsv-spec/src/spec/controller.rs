@@ -30,7 +30,7 @@ pub struct Controller {
 pub struct ControllerBlock {
     /// Places of the keys that are given.
     pub keys: BTreeMap<&'static str, Span>,
-    /// Whether there are no others.
+    /// Whether there are no others with a map.
     pub complete: bool,
     /// `K`
     pub k: Formula,

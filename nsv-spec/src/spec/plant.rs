@@ -10,7 +10,7 @@ use crate::diagnostic::Span;
 pub struct PlantBlock {
     /// Places of the keys that are given.
     pub keys: BTreeMap<&'static str, Span>,
-    /// Whether there are no others.
+    /// Whether there are no others with a map.
     pub complete: bool,
     /// `states`
     pub states: Declared<State>,

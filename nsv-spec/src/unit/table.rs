@@ -225,19 +225,24 @@ pub(super) fn find(name: &str) -> Option<(Dimension, Double)> {
 pub(super) fn suggest(name: &str) -> Option<Meant> {
     let meant = |name: String, sure| Some(Meant { name, sure });
     if let Some((_, symbol)) = SPOKEN.iter().find(|(spoken, _)| *spoken == name) {
-        return meant((*symbol).to_owned(), true);
+        // Degrees in the plural, or degrees per second?
+        let plural = name.ends_with('s') && symbol.ends_with("/s");
+        return meant((*symbol).to_owned(), !plural);
     }
+    let is_whole = |part: &str| TABLE.iter().any(|entry| entry.name == part);
     let letters = name.trim_end_matches(|c: char| c.is_ascii_digit());
     if letters.len() < name.len() && find(letters).is_some() {
-        return meant(format!("{letters}^{}", &name[letters.len()..]), true);
+        // `m2` is m^2, but `ms2` may be m/s^2.
+        let power = format!("{letters}^{}", &name[letters.len()..]);
+        return meant(power, is_whole(letters));
     }
     // Nobody means kelvin times newton.
     let kilo = name.strip_prefix('K').map(|unit| format!("k{unit}"));
     if let Some(kilo) = kilo.filter(|kilo| find(kilo).is_some()) {
         return meant(kilo, true);
     }
-    // `Nm` before `nm`: a product without its `*` is likelier than a slip. Only `N*m` can be meant by it, but `Nms` has three parts.
-    let is_whole = |part: &str| TABLE.iter().any(|entry| entry.name == part);
+    // `Nm` before `nm`: a product without its `*` is likelier than a slip. Only `N*m` can be meant by it, but `Nms` has three parts,
+    // and an `s` at the end may be a plural or stand under a stroke.
     let halves: Vec<(&str, &str)> = (1..name.len())
         .filter_map(|middle| name.split_at_checked(middle))
         .filter(|(left, right)| find(left).is_some() && find(right).is_some())
@@ -245,7 +250,7 @@ pub(super) fn suggest(name: &str) -> Option<Meant> {
     if let Some((left, right)) = halves.first() {
         return meant(
             format!("{left}*{right}"),
-            halves.len() == 1 && is_whole(right),
+            halves.len() == 1 && is_whole(right) && *right != "s",
         );
     }
     if let [only] = in_other_case(name).as_slice() {

@@ -86,6 +86,29 @@ const fn optional(name: &'static str, kind: Kind, doc: &'static str) -> Key {
     }
 }
 
+/// What has a key of that name, in the order of the language.
+pub(crate) fn places_of(key: &str) -> Vec<&'static str> {
+    let mut places = Vec::new();
+    search(&Kind::Section(&SPECIFICATION), key, &mut places);
+    places
+}
+
+fn search(kind: &Kind, key: &str, places: &mut Vec<&'static str>) {
+    match kind {
+        Kind::Section(section) => {
+            for known in section.keys {
+                if known.name == key && !places.contains(&section.noun) {
+                    places.push(section.noun);
+                }
+                search(&known.kind, key, places);
+            }
+        }
+        Kind::List(inner) | Kind::Named(inner) | Kind::ByName(inner) => search(inner, key, places),
+        Kind::Either(kinds) => kinds.iter().for_each(|kind| search(kind, key, places)),
+        _ => {}
+    }
+}
+
 /// A quantity or the word `auto`.
 const QUANTITY_OR_AUTO: Kind = Kind::Either(&[Kind::Choice(&["auto"]), Kind::Quantity]);
 const FORMULAS: Kind = Kind::Named(&Kind::Formula);

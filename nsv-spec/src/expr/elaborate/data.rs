@@ -11,6 +11,9 @@ use crate::expr::scope::Signature;
 use crate::expr::syntax::Name;
 use crate::suggest::nearest;
 
+/// Most functions of the specification's own that a message names.
+const OWN: usize = 8;
+
 impl Elaborator<'_> {
     /// A call of data.
     pub(super) fn call_data(
@@ -103,15 +106,24 @@ impl Elaborator<'_> {
                 format!("write `*` to multiply: `{text}*(..)`"),
             ),
             None => {
-                let data = self.scope.names().into_iter();
-                let data = data
-                    .filter(|known| matches!(self.resolve(known), Some(Symbol::Polynomial(..))));
-                let known = builtin::names().map(str::to_owned).chain(data);
+                let callable = |known: &String| {
+                    matches!(
+                        self.resolve(known),
+                        Some(Symbol::Polynomial(..) | Symbol::Function(_) | Symbol::Table(..))
+                    )
+                };
+                let own: Vec<String> = (self.scope.names().into_iter()).filter(callable).collect();
+                let known = (builtin::names().map(str::to_owned)).chain(own.iter().cloned());
                 let meant = builtin::elsewhere(text).or_else(|| nearest(text, known));
                 let message = format!("unknown function {}", quoted(text));
                 Fault::unknown(Rule::E0302, message, name, meant, || {
                     let names: Vec<&str> = builtin::names().collect();
-                    format!("functions are {}", names.join(", "))
+                    let own: Vec<&str> = own.iter().take(OWN).map(String::as_str).collect();
+                    let names = names.join(", ");
+                    match own.is_empty() {
+                        true => format!("functions are {names}"),
+                        false => format!("functions are {} and {names}", own.join(", ")),
+                    }
                 })
             }
         };
