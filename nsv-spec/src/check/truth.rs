@@ -39,6 +39,7 @@ impl Context<'_> {
             states: states?,
             rates: further.into_iter().collect::<Option<_>>()?,
             replaced,
+            span: *span,
         }))
     }
 

@@ -234,6 +234,8 @@ pub struct Truth {
     pub rates: Vec<ExprId>,
     /// By block and channel, the rate that replaces F_i + G_i x_{i+1}.
     pub replaced: Vec<Vec<Option<ExprId>>>,
+    /// Where it is given.
+    pub span: Span,
 }
 
 /// Disturbance d_i of a block.

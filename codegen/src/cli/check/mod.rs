@@ -83,24 +83,22 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     }
 }
 
-/// The specification itself; if there is no fault in it, also each variant of its sweep.
+/// The specification itself and each variant of its sweep, of which only what was not said before is told.
 fn check<'a>(path: &'a Path, settings: &Overrides) -> Vec<Checked<'a>> {
     let composition = match Composition::read(path, &settings.values) {
         Ok(composition) => composition,
         Err(faults) => return vec![checked(path, None, Err(faults))],
     };
     let mut all = vec![checked(path, None, composition.base())];
-    if all[0].model.is_none() {
-        return all;
-    }
-    let known = all[0].faults.items.clone();
+    let mut known = all[0].faults.items.clone();
     for variant in composition.variants() {
-        let mut one = composition.variant(&variant);
-        // What is said of the specification itself need not be said again.
-        if let Ok((_, warnings)) = &mut one {
-            warnings.retain(|warning| !known.contains(warning));
+        let values = variant.settings().join(", ");
+        let mut one = checked(path, Some(values), composition.variant(&variant));
+        one.faults.items.retain(|item| !known.contains(item));
+        if one.model.is_some() || !one.faults.items.is_empty() {
+            known.extend(one.faults.items.iter().cloned());
+            all.push(one);
         }
-        all.push(checked(path, Some(variant.settings().join(", ")), one));
     }
     all
 }

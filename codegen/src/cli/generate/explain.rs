@@ -8,10 +8,9 @@ use nsv_codegen::opt::cost::Cost;
 use nsv_codegen::opt::explain::{EquationCost, Explanation, explain};
 use nsv_spec::diagnostic::FileId;
 use nsv_spec::model::Model;
-use nsv_spec::yaml::excerpt;
 use serde_json::{Value, json};
 
-use super::origin::origin;
+use super::origin::{Origin, origin};
 use crate::cli::compile::Math;
 
 /// Every program explained, in the order in which they are emitted.
@@ -28,7 +27,7 @@ pub(super) fn explanations(programs: &Programs, math: Math) -> Vec<Explanation> 
 
 /// The line of the specification that a quantity comes from, `file:line`.
 fn place(model: &Model, equation: &EquationCost) -> Option<String> {
-    let span = origin(model, &equation.quantity)?;
+    let Origin { span, .. } = origin(model, &equation.quantity)?;
     let (line, _) = model.sources.location(span);
     Some(format!("{}:{line}", model.sources.source(span.file).name))
 }
@@ -152,11 +151,11 @@ fn row(text: &mut String, model: &Model, equation: &EquationCost) {
 
 /// What each line of the specification costs: the sum over the quantities that come from it.
 fn lines(text: &mut String, model: &Model, explanation: &Explanation) {
-    let mut sums: BTreeMap<(FileId, usize), (Cost, Cost)> = BTreeMap::new();
+    let mut sums: BTreeMap<(FileId, usize, String), (Cost, Cost)> = BTreeMap::new();
     for equation in &explanation.equations {
-        if let Some(span) = origin(model, &equation.quantity) {
+        if let Some(Origin { span, what }) = origin(model, &equation.quantity) {
             let (line, _) = model.sources.location(span);
-            let (before, after) = sums.entry((span.file, line)).or_default();
+            let (before, after) = sums.entry((span.file, line, what)).or_default();
             *before = *before + equation.before;
             *after = *after + equation.after;
         }
@@ -166,20 +165,11 @@ fn lines(text: &mut String, model: &Model, explanation: &Explanation) {
         return;
     }
     heading(text, "by line of the specification", explanation.lowered);
-    for ((file, line), (before, after)) in sums {
-        let source = model.sources.source(file);
-        let written = source.text.lines().nth(line - 1).unwrap_or_default();
-        let place = format!("{}:{line}", source.name);
-        let _ = write!(text, "    {place:<35} {:<16}", start(written));
+    for ((file, line, what), (before, after)) in sums {
+        let place = format!("{}:{line}", model.sources.source(file).name);
+        let _ = write!(text, "    {what:<20} {place:<31}");
         cells(text, before, after);
     }
-}
-
-/// The first key of a line, by which it is known again.
-fn start(line: &str) -> String {
-    let line = line.trim_start_matches([' ', '-', '{']);
-    let key = line.split(':').next().unwrap_or_default();
-    excerpt(key)
 }
 
 /// `before > after` for each kind of operation.

@@ -73,31 +73,58 @@ const QUANTITIES: [(&str, &str); 65] = [
     ("V_phi#", "noise_bound"),
 ];
 
-/// The place of a definition, of the key of a block, of the reference, or else of the block.
-pub(super) fn origin(model: &Model, quantity: &str) -> Option<Span> {
+/// Where a quantity comes from.
+pub(super) struct Origin {
+    pub(super) span: Span,
+    /// What is there, such as `attitude.drift`.
+    pub(super) what: String,
+}
+
+/// The definition, the key of a block, the reference or the flown plant that a quantity comes from.
+pub(super) fn origin(model: &Model, quantity: &str) -> Option<Origin> {
+    let found = |span, what: &str| {
+        let what = what.to_owned();
+        Some(Origin { span, what })
+    };
     let mut definitions = model.definitions.iter();
     if let Some(definition) = definitions.find(|known| known.name == quantity) {
-        return Some(definition.span);
+        return found(definition.span, quantity);
     }
     let channel = |block: &&Block| block.states.iter().any(|state| state.name == quantity);
     if let Some(block) = model.blocks.iter().find(channel) {
-        return Some(block.span);
+        return found(block.span, &block.name);
+    }
+    if let Some(truth) = model.truth.as_ref().filter(|_| is_flown(quantity)) {
+        return found(truth.span, "truth");
     }
     if rest(quantity, "y_r").is_some() {
-        return Some(model.reference_span);
+        return found(model.reference_span, "reference");
     }
-    if rest(quantity, "u").is_some() {
-        return Some(model.blocks.last()?.span);
+    if let Some(last) = model
+        .blocks
+        .last()
+        .filter(|_| rest(quantity, "u").is_some())
+    {
+        return found(last.span, &last.name);
     }
     let known = QUANTITIES.iter().filter_map(|(pattern, key)| {
         let (number, length) = numbered(quantity, pattern)?;
         // (38) damps the coupling with the block outside, whose eta_3 it has.
         let outside = usize::from(*key == "eta_3");
         let block = model.blocks.get(number.checked_sub(1 + outside)?)?;
-        Some((length, block.keys.get(key).copied().unwrap_or(block.span)))
+        Some((length, block, *key))
     });
-    let (_, span) = known.max_by_key(|(length, _)| *length)?;
-    Some(span)
+    let (_, block, key) = known.max_by_key(|(length, ..)| *length)?;
+    match block.keys.get(key) {
+        Some(span) => found(*span, &format!("{}.{key}", block.name)),
+        None => found(block.span, &block.name),
+    }
+}
+
+/// Whether a quantity is a rate of the plant that is flown in place of the blocks.
+fn is_flown(quantity: &str) -> bool {
+    let flown = numbered(quantity, "x#_flown");
+    flown.is_some() || quantity == "drift" || rest(quantity, "truth").is_some()
 }
 
 /// The number in a quantity of a pattern, and how much of the name the pattern takes.
