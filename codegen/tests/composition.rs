@@ -112,3 +112,22 @@ fn files_are_laid_out_all_or_none() {
     let new = fs::read_to_string(at("a.yaml")).expect("a file");
     assert_eq!(new, "a:\n  b: [1, 2]   # why\n");
 }
+
+#[test]
+fn each_fault_of_a_sweep_is_told_once_beside_those_of_the_specification() {
+    let sweep = "scenario.sweep={controller.blocks.speed.K: [12, -1], controller.blocks.speed.C: [20, fast]}";
+    let arguments = [
+        "check",
+        PENDULUM,
+        "--set",
+        "plant.inputs.torque=1 N",
+        "--set",
+        sweep,
+    ];
+    let output = nsv(Path::new("."), &arguments);
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{stderr}");
+    for fault in ["error[E0407]", "error[E0601]", "error[E0301]"] {
+        assert_eq!(stderr.matches(fault).count(), 1, "{fault}: {stderr}");
+    }
+}

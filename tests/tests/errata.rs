@@ -125,7 +125,11 @@ fn e1_the_auxiliary_system_takes_the_saturation_out_of_the_error() {
                     &inputs[&format!("zeta{}", i + 1)],
                 ),
             };
-            let x_dot = &plant["drift"][(i - 1) * m..i * m];
+            // Of the blocks, where something else is flown.
+            let x_dot = match case.model.truth {
+                None => &plant["drift"][(i - 1) * m..i * m],
+                Some(_) => &law[&format!("x{i}_flow")],
+            };
             let e_dot = difference(
                 &difference(x_dot, command_rate),
                 &law[&format!("zeta{i}_dot")],
