@@ -6,7 +6,7 @@ use super::plant::{PlantBlock, SECOND};
 use crate::diagnostic::{Diagnostic, Rule};
 use crate::model::{Block, Controller, Integration, Norm, VirtualDerivative};
 use crate::spec::{Code, ControllerBlock, Named, Word};
-use crate::suggest::Meant;
+use crate::suggest::{Meant, nearest};
 use crate::unit::Dimension;
 
 const PER_SECOND: Dimension = Dimension::new(0, 0, -1, 0);
@@ -94,9 +94,16 @@ impl Context<'_> {
         let Pairing { matched, strangers } = pair(&wanted, &texts(gains));
         for (at, meant) in strangers.into_iter().filter(|_| plant.complete) {
             let own = &gains[at].name;
-            self.supersede(own.span);
+            if !matched.contains(&Some(at)) {
+                self.supersede(own.span);
+            }
             let message = format!("controller block `{}` is no block of the plant", own.value);
             let fault = Diagnostic::error(Rule::E0114, own.span, message);
+            // One that another file gives can be meant too.
+            let elsewhere = |at: usize| gains[at].name.span.file != own.span.file;
+            let given = wanted.iter().zip(&matched);
+            let given = given.filter(|(_, at)| at.is_some_and(elsewhere));
+            let meant = meant.or_else(|| nearest(&own.value, given.map(|(name, _)| *name)));
             // Either of the two names may be the misspelt one.
             let meant = meant.map(|meant| Meant {
                 sure: false,

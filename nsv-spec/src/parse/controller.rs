@@ -31,7 +31,7 @@ impl Reader {
         let fields = self.fields(node, &CONTROLLER_BLOCK);
         ControllerBlock {
             keys: fields.keys(),
-            complete: fields.has_maps,
+            complete: fields.maps_complete,
             k: self.formula(&fields, "K"),
             kbar: self
                 .auto(&fields, "kbar")

@@ -17,8 +17,8 @@ pub(crate) struct Fields<'a> {
     entries: BTreeMap<&'static str, &'a Entry>,
     /// Whether every key that is given is among them.
     pub(crate) complete: bool,
-    /// Whether at least those with a map are.
-    pub(crate) has_maps: bool,
+    /// Whether those are that are given with a map or with files, which may declare names.
+    pub(crate) maps_complete: bool,
     /// The whole map.
     pub(crate) span: Span,
 }
@@ -40,7 +40,7 @@ impl<'a> Fields<'a> {
             return false;
         };
         let complete = match key.kind {
-            Expects::Section(_) | Expects::Named(_) => self.has_maps,
+            Expects::Section(_) | Expects::Named(_) => self.maps_complete,
             _ => self.complete,
         };
         complete && !key.required && self.entry(name).is_none()
@@ -88,14 +88,14 @@ impl Reader {
             section,
             entries: BTreeMap::new(),
             complete: !self.partial,
-            has_maps: !self.partial,
+            maps_complete: !self.partial,
             span: node.span,
         };
         let Kind::Map(entries) = &node.kind else {
             let keys: Vec<&str> = section.keys.iter().map(|key| key.name).collect();
             let expected = format!("{}: a map", section.noun);
             self.kind(node, &expected, &format!("its keys are {}", list(&keys)));
-            (fields.complete, fields.has_maps) = (false, false);
+            (fields.complete, fields.maps_complete) = (false, false);
             return fields;
         };
         let mut unknown = Vec::new();
@@ -144,7 +144,7 @@ impl Reader {
                 section,
                 entries: BTreeMap::new(),
                 complete: false,
-                has_maps: false,
+                maps_complete: false,
                 span: parent.span,
             },
         }
@@ -172,7 +172,7 @@ impl Reader {
             _ => true,
         };
         fields.complete &= key.is_some();
-        fields.has_maps &= key.is_some() || !holds_names;
+        fields.maps_complete &= key.is_some() || !holds_names;
         // Files are joined before keys are read.
         self.partial |= key.map_or(holds_names, |key| JOINING.contains(&key.name));
         let message = format!("unknown key `{}` in {}", excerpt(text), section.noun);

@@ -52,7 +52,7 @@ impl Reader {
         self.version(&fields);
         let plant = self.section(&fields, "plant");
         let mut spec = Spec {
-            complete: fields.has_maps && plant.has_maps,
+            complete: fields.maps_complete && plant.maps_complete,
             name: self.text(&fields, "name").unwrap_or(Err(Unreadable)),
             title: self.note(&fields, "title"),
             constants: self.map(&fields, "constants", Self::constant),

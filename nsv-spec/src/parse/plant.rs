@@ -36,7 +36,7 @@ impl Reader {
         let fields = self.fields(node, &PLANT_BLOCK);
         PlantBlock {
             keys: fields.keys(),
-            complete: fields.has_maps,
+            complete: fields.maps_complete,
             states: self.map(&fields, "states", Self::state),
             drift: self.formula(&fields, "drift"),
             gain: self.formula(&fields, "gain"),
