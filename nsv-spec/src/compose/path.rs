@@ -3,7 +3,7 @@
 use super::overlay::{absent, is_written};
 use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::suggest::nearest;
-use crate::vocabulary::{Kind as Expects, SPECIFICATION, Section};
+use crate::vocabulary::{Kind as Expects, SPECIFICATION, Section, places_of};
 use crate::yaml::{Entry, Key, Kind, Node, excerpt};
 
 /// The keys of a path, each with its place. A piece of text that the file holds with escapes has the place of the whole.
@@ -207,7 +207,14 @@ fn unknown(key: &Key, place: &str, known: Vec<&str>) -> Box<Diagnostic> {
     Box::new(
         fault.did_you_mean(key.span, &key.text, meant, || match names.is_empty() {
             true => "nothing is there; give the whole map".into(),
-            false => format!("there are {}{more}", names.join(", ")),
+            false => match places_of(&key.text).as_slice() {
+                [] => format!("there are {}{more}", names.join(", ")),
+                places => format!(
+                    "it is a key of {}; here are {}{more}",
+                    places.join(" or "),
+                    names.join(", ")
+                ),
+            },
         }),
     )
 }

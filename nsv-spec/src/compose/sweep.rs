@@ -77,7 +77,7 @@ impl Sweep {
         }
         let (mut axes, mut faults): (Vec<Axis>, Vec<Diagnostic>) = Default::default();
         for entry in entries {
-            let twice = axes.iter().find(|axis| axis.name == entry.key.text);
+            let twice = (axes.iter()).find(|axis| overlap(&axis.name, &entry.key.text));
             let first = twice.map(|axis| axis.place);
             match axis(tree, entry, first) {
                 Ok(axis) => axes.push(axis),
@@ -137,6 +137,15 @@ impl Sweep {
     }
 }
 
+/// Whether one path leads to what another leads to, or into it.
+fn overlap(one: &str, other: &str) -> bool {
+    let into = |path: &str, whole: &str| {
+        let rest = path.strip_prefix(whole);
+        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+    };
+    into(one, other) || into(other, one)
+}
+
 /// What a sweep looks like.
 const EXAMPLE: &str = "write `sweep: {controller.blocks.position.K: [2, 4, 8]}`";
 
@@ -163,7 +172,7 @@ fn axis(tree: &Node, entry: Entry, first: Option<Span>) -> Result<Axis, Box<Diag
     };
     if let Some(first) = first {
         let message = format!("`{}` is swept twice", excerpt(&name));
-        let help = "write its values in one list";
+        let help = "write its values in one list, under one path";
         return Err(Box::new(
             fault(span, message, help).with_related(first, "first swept here"),
         ));

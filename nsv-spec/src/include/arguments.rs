@@ -9,7 +9,7 @@ use crate::vocabulary::INCLUDE;
 use crate::yaml::{Entry, Kind, Node, excerpt};
 
 /// Sections whose entries may be given another value.
-const DECLARING: [&str; 2] = ["constants", "parameters"];
+pub(super) const DECLARING: [&str; 2] = ["constants", "parameters"];
 
 /// One file to include.
 pub(super) struct Included {

@@ -17,7 +17,7 @@ use std::path::{Component, Path, PathBuf};
 
 use crate::diagnostic::{Diagnostic, FileId, Rule, SourceMap, Span};
 use crate::yaml::{self, Entry, Key, Kind, MAX_BYTES, Node, excerpt};
-use arguments::Included;
+use arguments::{DECLARING, Included};
 
 /// Most files of one specification, itself included.
 pub(crate) const MAX_FILES: usize = 16;
@@ -381,7 +381,6 @@ impl Joiner<'_> {
             Kind::Map(entries) => {
                 let misplaced = |entry: &Entry| NOT_IN_FRAGMENTS.contains(&entry.key.text.as_str());
                 for entry in entries.iter().filter(|entry| misplaced(entry)) {
-                    self.partial = true;
                     let message = format!(
                         "found `{}` in an included file, expected it in the specification only",
                         entry.key.text
@@ -390,6 +389,7 @@ impl Joiner<'_> {
                         .with_related(span, "included here");
                     let key = &entry.key.text;
                     let own = self.own.iter().find(|own| own.text == *key);
+                    self.partial |= own.is_none();
                     self.faults.push(match own {
                         Some(own) => fault
                             .with_related(own.span, format!("the specification has its own `{key}` here"))
@@ -440,7 +440,9 @@ impl Joiner<'_> {
                 Some(old) => {
                     self.faults.push(twice(&name, &entry, old));
                     let is_map = |node: &Node| matches!(node.kind, Kind::Map(_));
-                    self.partial |= is_map(&entry.value) != is_map(&old.value);
+                    // Of a constant or parameter the one is as good as the other.
+                    let short = DECLARING.contains(&path);
+                    self.partial |= !short && is_map(&entry.value) != is_map(&old.value);
                     // More can be told of a map than of what stands in its place.
                     if is_map(&entry.value) {
                         old.value = entry.value;

@@ -68,7 +68,8 @@ impl Reader {
 
     fn not_numbers<T>(&mut self, node: &Node, count: usize, expected: &str) -> Read<T> {
         let what = format!("a list of {count}: `{expected}`");
-        self.kind(node, &what, "write the numbers in brackets");
+        let help = format!("write {count} in brackets: `{expected}`");
+        self.kind(node, &what, &help);
         Err(Unreadable)
     }
 

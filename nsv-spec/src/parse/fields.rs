@@ -1,6 +1,6 @@
 //! Reads maps by the keys that the vocabulary knows.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::spec::{Declared, Located, Named, Read, Unreadable, Word};
@@ -39,9 +39,9 @@ impl<'a> Fields<'a> {
         let Some(key) = self.key(name) else {
             return false;
         };
-        let complete = match key.kind {
-            Expects::Section(_) | Expects::Named(_) => self.maps_complete,
-            _ => self.complete,
+        let complete = match key.has_map() {
+            true => self.maps_complete,
+            false => self.complete,
         };
         complete && !key.required && self.entry(name).is_none()
     }
@@ -68,6 +68,8 @@ pub(crate) struct Reader {
     pub(crate) partial: bool,
     /// The key of each value, by the place of the value.
     keys: BTreeMap<Span, Key>,
+    /// Values that end at a comma of their own expression.
+    pub(super) cut: BTreeSet<Span>,
 }
 
 impl Reader {
@@ -92,9 +94,8 @@ impl Reader {
             span: node.span,
         };
         let Kind::Map(entries) = &node.kind else {
-            let keys: Vec<&str> = section.keys.iter().map(|key| key.name).collect();
             let expected = format!("{}: a map", section.noun);
-            self.kind(node, &expected, &format!("its keys are {}", list(&keys)));
+            self.kind(node, &expected, &in_words(section));
             (fields.complete, fields.maps_complete) = (false, false);
             return fields;
         };
@@ -106,6 +107,12 @@ impl Reader {
             }
         }
         for entry in unknown {
+            if is_rest(entry) {
+                let start = entry.key.span.start;
+                let mut before = entries.iter().rev();
+                let before = before.find(|before| before.value.span.end <= start);
+                self.cut.extend(before.map(|before| before.value.span));
+            }
             self.unknown(entry, &mut fields);
         }
         if !self.partial {
@@ -161,15 +168,20 @@ impl Reader {
         });
         let mut meant = nearest(text, open.map(|key| key.name));
         let key = meant.as_ref().and_then(|meant| fields.key(&meant.name));
+        // `eta_1` and `eta_4` are two things.
+        let digits = |text: &str| -> String { text.chars().filter(char::is_ascii_digit).collect() };
+        let key = key.filter(|key| digits(key.name) == digits(text));
         if let (Some(meant), Some(key)) = (&mut meant, key) {
             meant.sure |= key.required;
             fields.entries.entry(key.name).or_insert(entry);
         }
         // A map with names, or files that have some.
+        let joins = section.keys.iter().any(|key| JOINING.contains(&key.name));
         let holds_names = match &entry.value.kind {
-            Kind::Scalar(scalar) => scalar.text.ends_with(".yaml"),
+            Kind::Scalar(scalar) => joins && scalar.text.ends_with(".yaml"),
+            Kind::Seq(_) => joins,
+            Kind::Map(_) => section.keys.iter().any(Known::has_map),
             Kind::Null => false,
-            _ => true,
         };
         fields.complete &= key.is_some();
         fields.maps_complete &= key.is_some() || !holds_names;
@@ -178,14 +190,22 @@ impl Reader {
         let message = format!("unknown key `{}` in {}", excerpt(text), section.noun);
         let fault = Diagnostic::error(Rule::E0101, entry.key.span, message);
         let names: Vec<&str> = section.keys.iter().map(|key| key.name).collect();
-        self.faults
-            .push(fault.did_you_mean(entry.key.span, text, meant, || {
-                let keys = format!("{} has the keys {}", section.noun, list(&names));
-                match places_of(text).as_slice() {
-                    [] => keys,
-                    places => format!("it is a key of {}; {keys}", places.join(" or ")),
+        let otherwise = || {
+            let keys = format!("{} has the keys {}", section.noun, list(&names));
+            match places_of(text).as_slice() {
+                _ if is_rest(entry) => {
+                    "write the expression before it in quotes: within `{}` and `[]` a comma ends it"
+                        .to_owned()
                 }
-            }));
+                [] if section.keys.iter().any(|key| key.required) => {
+                    format!("remove it, or make it a comment; {keys}")
+                }
+                [] => keys,
+                places => format!("it is a key of {}; {keys}", places.join(" or ")),
+            }
+        };
+        self.faults
+            .push(fault.did_you_mean(entry.key.span, text, meant, otherwise));
     }
 
     /// The entries of a map with names chosen by the user.
@@ -297,6 +317,31 @@ impl Reader {
             _ => format!("found {}, expected {expected}", node.describe()),
         };
         self.fault(Rule::E0103, node.span, message, help);
+    }
+}
+
+/// Whether a key without a value is the end of the expression before it, behind a comma.
+fn is_rest(entry: &Entry) -> bool {
+    let text = &entry.key.text;
+    entry.value.kind == Kind::Null && text.matches(')').count() > text.matches('(').count()
+}
+
+/// The keys of a section, those that it needs first.
+fn in_words(section: &Section) -> String {
+    let (needed, other): (Vec<&Known>, Vec<&Known>) =
+        section.keys.iter().partition(|key| key.required);
+    let names = |keys: &[&Known]| -> String {
+        let names: Vec<String> = keys.iter().map(|key| format!("`{}`", key.name)).collect();
+        names.join(", ")
+    };
+    match (needed.as_slice(), other.as_slice()) {
+        ([], other) => format!("its keys are {}", names(other)),
+        (needed, []) => format!("it needs the keys {}", names(needed)),
+        (needed, other) => format!(
+            "it needs the keys {}, and may have {}",
+            names(needed),
+            names(other)
+        ),
     }
 }
 

@@ -70,6 +70,9 @@ impl Reader {
 
     /// One expression.
     pub(super) fn code_of(&mut self, node: &Node) -> Code {
+        if self.cut.contains(&node.span) {
+            return Code::unreadable(node.span);
+        }
         if let Kind::Scalar(scalar) = &node.kind {
             return Code {
                 text: Ok(scalar.code.clone()),

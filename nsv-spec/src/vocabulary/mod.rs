@@ -37,6 +37,13 @@ pub struct Key {
     pub doc: &'static str,
 }
 
+impl Key {
+    /// Whether a map stands behind it.
+    pub(crate) fn has_map(&self) -> bool {
+        matches!(self.kind, Kind::Section(_) | Kind::Named(_))
+    }
+}
+
 /// What may stand behind a key.
 #[derive(Clone, Copy, Debug)]
 pub enum Kind {
