@@ -180,6 +180,27 @@ fn an_argument_that_its_function_does_not_use_is_a_warning() {
 }
 
 #[test]
+fn a_function_or_a_table_that_nothing_calls_is_a_warning() {
+    let base = nsv_spec::diagnostic::explain::BASE;
+    let text = base.replace(
+        "plant:\n",
+        "functions: {drag: {arguments: [rate], value: -rate}}\ntables: {lift: {axes: {mach: [0, 1]}, values: [0, 1], \
+         interpolation: linear, extrapolation: clamp}}\nplant:\n",
+    );
+    let (_, warnings) = load_str("cart.yaml", &text)
+        .map_err(|faults| faults.short())
+        .unwrap();
+    let found: Vec<_> = (warnings.iter())
+        .map(|warning| (warning.rule, warning.message.as_str()))
+        .collect();
+    let expected = [
+        "function `drag` is never used",
+        "table `lift` is never used",
+    ];
+    assert_eq!(found, expected.map(|message| (Rule::W0002, message)));
+}
+
+#[test]
 fn a_fragment_is_as_good_as_the_text_itself() {
     let directory = tempfile::tempdir().unwrap();
     let text = std::fs::read_to_string("tests/good/pendulum.yaml").unwrap();

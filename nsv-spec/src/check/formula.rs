@@ -128,11 +128,8 @@ impl Context<'_> {
         }
         let parsed = expr::parse(text, code.base.clone());
         let parsed = self.accept(parsed)?;
-        let names = parsed
-            .free_names()
-            .into_iter()
-            .map(|(name, _)| name.to_owned());
-        self.used.extend(names);
+        let names = parsed.free_names().into_iter().chain(parsed.called_names());
+        self.used.extend(names.map(|(name, _)| name.to_owned()));
         Some(Parsed::Expr(parsed))
     }
 

@@ -90,7 +90,7 @@ struct Context<'a> {
     defaults: Vec<String>,
     arena: Arena,
     names: Names,
-    /// Every name that an expression uses as a value.
+    /// Every name that an expression uses or calls.
     used: BTreeSet<String>,
     constants: Vec<Option<Constant>>,
     parameters: Vec<Option<Parameter>>,

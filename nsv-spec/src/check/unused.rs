@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, FileId, Rule};
 use crate::spec::{Named, Word};
 
 impl Context<'_> {
-    /// Checks constants, parameters and definitions.
+    /// Checks constants, parameters, definitions, functions and tables.
     pub(super) fn warn_of_unused(&mut self) {
         let spec = self.spec;
         let mut unused: Vec<(&'static str, &Word)> = Vec::new();
@@ -13,6 +13,8 @@ impl Context<'_> {
         unused.extend(without_use(&spec.constants, used, "constant"));
         unused.extend(without_use(&spec.parameters, used, "parameter"));
         unused.extend(without_use(&spec.definitions, used, "definition"));
+        unused.extend(without_use(&spec.functions, used, "function"));
+        unused.extend(without_use(&spec.tables, used, "table"));
         for (noun, name) in unused {
             let message = format!("{noun} `{}` is never used", name.value);
             let warning = Diagnostic::warning(Rule::W0002, name.span, message);

@@ -106,7 +106,7 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
     (
         Rule::W0002,
         plain(
-            "A constant, parameter or definition that no expression uses is often one whose use was forgotten, or mistyped into the name of another. Declarations in included files are left alone, for other specifications may use them.",
+            "A constant, parameter, definition, function or table that no expression uses is often one whose use was forgotten, or mistyped into the name of another. Declarations in included files are left alone, for other specifications may use them.",
             &[
                 edit(
                     "plant:\n",
