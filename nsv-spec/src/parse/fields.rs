@@ -107,12 +107,6 @@ impl Reader {
             }
         }
         for entry in unknown {
-            if is_rest(entry) {
-                let start = entry.key.span.start;
-                let mut before = entries.iter().rev();
-                let before = before.find(|before| before.value.span.end <= start);
-                self.cut.extend(before.map(|before| before.value.span));
-            }
             self.unknown(entry, &mut fields);
         }
         if !self.partial {
@@ -193,10 +187,6 @@ impl Reader {
         let otherwise = || {
             let keys = format!("{} has the keys {}", section.noun, list(&names));
             match places_of(text).as_slice() {
-                _ if is_rest(entry) => {
-                    "write the expression before it in quotes: within `{}` and `[]` a comma ends it"
-                        .to_owned()
-                }
                 [] if section.keys.iter().any(|key| key.required) => {
                     format!("remove it, or make it a comment; {keys}")
                 }
@@ -271,7 +261,10 @@ impl Reader {
             Some(Node {
                 kind: Kind::Seq(items),
                 ..
-            }) => Ok(items),
+            }) => match self.in_pieces(items) {
+                false => Ok(items),
+                true => Err(Unreadable),
+            },
             Some(other) => {
                 self.kind(
                     other,
@@ -287,7 +280,17 @@ impl Reader {
     fn unique<'a>(&mut self, entries: &'a [Entry]) -> Vec<&'a Entry> {
         let mut first: BTreeMap<&str, Span> = BTreeMap::new();
         let mut kept = Vec::new();
-        for entry in entries {
+        let mut cut = false;
+        for (at, entry) in entries.iter().enumerate() {
+            let is_empty = |entry: &Entry| entry.value.kind == Kind::Null;
+            if cut && is_empty(entry) {
+                cut = depth(&entry.key.text) >= 0;
+                continue;
+            }
+            cut = is_open(&entry.value) && entries.get(at + 1).is_some_and(is_empty);
+            if cut {
+                self.report_cut(&entry.value);
+            }
             self.keys.insert(entry.value.span, entry.key.clone());
             match first.get(entry.key.text.as_str()) {
                 None => {
@@ -308,6 +311,28 @@ impl Reader {
         kept
     }
 
+    /// Reports an expression that ends at a comma within its brackets, whose rest looks like something else.
+    fn report_cut(&mut self, node: &Node) {
+        self.cut.insert(node.span);
+        let message = "expression ends at a comma within its brackets";
+        let help = "write it in quotes: within `{}` and `[]` a comma ends a value";
+        self.fault(Rule::E0204, node.span, message, help);
+    }
+
+    /// Whether a list is an expression in pieces, which is reported.
+    pub(super) fn in_pieces(&mut self, items: &[Node]) -> bool {
+        let ends = |node: &Node| match &node.kind {
+            Kind::Scalar(scalar) => !scalar.quoted && depth(&scalar.text) < 0,
+            _ => false,
+        };
+        let open = items.iter().position(is_open);
+        let Some(open) = open.filter(|&open| items[open..].iter().any(ends)) else {
+            return false;
+        };
+        self.report_cut(&items[open]);
+        true
+    }
+
     /// Reports a value of a wrong kind.
     pub(crate) fn kind(&mut self, node: &Node, expected: &str, help: &str) {
         let message = match self.keys.get(&node.span) {
@@ -320,10 +345,22 @@ impl Reader {
     }
 }
 
-/// Whether a key without a value is the end of the expression before it, behind a comma.
-fn is_rest(entry: &Entry) -> bool {
-    let text = &entry.key.text;
-    entry.value.kind == Kind::Null && text.matches(')').count() > text.matches('(').count()
+/// Whether an expression without quotes ends before its brackets do.
+fn is_open(node: &Node) -> bool {
+    match &node.kind {
+        Kind::Scalar(scalar) => !scalar.quoted && depth(&scalar.text) > 0,
+        _ => false,
+    }
+}
+
+/// Brackets that are opened, less those that are closed.
+fn depth(text: &str) -> isize {
+    let brackets = text.chars().map(|c| match c {
+        '(' => 1,
+        ')' => -1,
+        _ => 0,
+    });
+    brackets.sum()
 }
 
 /// The keys of a section, those that it needs first.

@@ -48,6 +48,9 @@ impl Reader {
                 if items.is_empty() {
                     self.kind(node, "at least one entry", "write its entries");
                 }
+                if self.in_pieces(items) {
+                    return Formula::Code(Code::unreadable(node.span));
+                }
                 Formula::List(
                     items.iter().map(|item| self.formula_of(item)).collect(),
                     node.span,
