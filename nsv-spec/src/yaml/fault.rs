@@ -60,7 +60,7 @@ pub(super) fn diagnostic(error: &Error, text: &str, file: FileId) -> Diagnostic 
             "every key is a plain word",
         ),
         other => {
-            let fault = syntax(other, span);
+            let fault = syntax(other, text, span);
             without_colon(&fault, text).unwrap_or(fault)
         }
     }
@@ -145,7 +145,7 @@ fn too_deep(span: Span) -> Diagnostic {
     .with_help("a specification needs eight levels; look for a bracket that is never closed")
 }
 
-fn syntax(error: &Error, span: Span) -> Diagnostic {
+fn syntax(error: &Error, text: &str, span: Span) -> Diagnostic {
     let mut message = error.to_string();
     if let Some(at) = message.rfind(" at line ") {
         message.truncate(at);
@@ -154,7 +154,11 @@ fn syntax(error: &Error, span: Span) -> Diagnostic {
     if message.contains("recursion limit") || message.contains("nesting") {
         return too_deep(span);
     }
-    let help = if message.contains("mapping values are not allowed") {
+    let unclosed = message.contains("did not find expected");
+    let open = open_bracket(text, span.start as usize).filter(|_| unclosed);
+    let help = if open.is_some() {
+        "close the bracket before this, or quote text that contains one of `: # { } [ ] , & * ! | > % @`"
+    } else if message.contains("mapping values are not allowed") {
         "put a blank after `:` only between key and value, indent keys of one map alike, and quote text that contains `: `"
     } else if message.contains("tabs disallowed") {
         "indent with blanks instead of tabs"
@@ -165,7 +169,34 @@ fn syntax(error: &Error, span: Span) -> Diagnostic {
     } else {
         "quote text that contains one of `: # { } [ ] , & * ! | > % @`"
     };
-    Diagnostic::error(Rule::E0004, span, format!("not valid YAML: {message}")).with_help(help)
+    let fault =
+        Diagnostic::error(Rule::E0004, span, format!("not valid YAML: {message}")).with_help(help);
+    match open {
+        Some(at) => {
+            let (start, end) = (at as u32, at as u32 + 1);
+            fault.with_related(Span { start, end, ..span }, "this bracket is open")
+        }
+        None => fault,
+    }
+}
+
+/// The innermost bracket of YAML that is open at a byte.
+fn open_bracket(text: &str, end: usize) -> Option<usize> {
+    let mut open: Vec<usize> = Vec::new();
+    let (mut quote, mut comment, mut before) = (None, false, ' ');
+    for (at, c) in text.get(..end)?.char_indices() {
+        match (quote, c) {
+            _ if comment => comment = c != '\n',
+            (Some(mark), c) => quote = (c != mark).then_some(mark),
+            (None, '"' | '\'') if !before.is_alphanumeric() => quote = Some(c),
+            (None, '#') if before.is_whitespace() => comment = true,
+            (None, '{' | '[') => open.push(at),
+            (None, '}' | ']') => drop(open.pop()),
+            _ => {}
+        }
+        before = c;
+    }
+    open.pop()
 }
 
 fn span(error: &Error, text: &str, file: FileId) -> Span {

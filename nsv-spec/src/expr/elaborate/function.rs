@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::{Dimension, Elaborator, ExprId, Fault, NodeId, Real, Shape, Span, Symbol};
-use crate::diagnostic::{Diagnostic, Rule};
+use crate::diagnostic::{Diagnostic, Rule, a};
 use crate::expr::builtin::{self, Entry};
 use crate::expr::parser::INDEX;
 use crate::expr::scope::Defined;
@@ -175,13 +175,20 @@ impl Elaborator<'_> {
     ) -> Option<ExprId> {
         let text = &counter.text;
         if self.resolve(text).is_some() || builtin::is_reserved(text) || text.contains('.') {
-            let message = format!("counter `{text}` has the name of something else");
-            let fault = Fault::new(
-                Rule::E0307,
-                message,
-                "choose a name that means nothing here",
-            );
-            return self.report(counter.span, fault, &[]);
+            let origin = self.scope.origin(text);
+            let noun = origin
+                .as_ref()
+                .map_or("something else".to_owned(), |one| a(one.noun));
+            let message = format!("counter `{text}` has the name of {noun}");
+            let help = "choose a name that means nothing here";
+            let fault = Diagnostic::error(Rule::E0307, counter.span, message).with_help(help);
+            self.faults.push(match origin {
+                Some(one) => {
+                    fault.with_related(one.span, format!("the {} is declared here", one.noun))
+                }
+                None => fault,
+            });
+            return None;
         }
         let mut items: Vec<(ExprId, Real)> = Vec::new();
         for round in first..=last {
