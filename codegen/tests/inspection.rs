@@ -130,3 +130,26 @@ fn operations_are_explained_by_pass_and_by_equation() {
     assert_eq!(control["lowered"]["mul"], sum("before"));
     assert_eq!(control["optimised"]["mul"], sum("after"));
 }
+
+/// A quantity that the derivation gains has its line, or is named here.
+#[test]
+fn every_quantity_of_a_law_has_its_line_in_the_specification() {
+    for name in ["nsv_attitude", "chaotic_jerk", "missile_pitch"] {
+        let spec = PENDULUM.replace("pendulum", name);
+        let json = shown(&[&spec, "--explain-cost", "--format=json"]);
+        let document: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+        let equations = document["programs"][0]["equations"]
+            .as_array()
+            .expect("a list");
+        for equation in equations
+            .iter()
+            .filter(|equation| equation["spec"].is_null())
+        {
+            let quantity = equation["quantity"].as_str().expect("a name");
+            assert!(
+                ["one", "violated", ""].contains(&quantity),
+                "{name}: {quantity}"
+            );
+        }
+    }
+}

@@ -161,6 +161,14 @@ fn a_kbar_below_its_bound_is_a_warning() {
     );
 }
 
+fn warnings_of(text: &str) -> Vec<(Rule, String)> {
+    let loaded = load_str("cart.yaml", text).map_err(|faults| faults.short());
+    let (_, warnings) = loaded.expect("a good specification");
+    let told = warnings.into_iter();
+    told.map(|warning| (warning.rule, warning.message))
+        .collect()
+}
+
 #[test]
 fn an_argument_that_its_function_does_not_use_is_a_warning() {
     let base = nsv_spec::diagnostic::explain::BASE;
@@ -169,14 +177,8 @@ fn an_argument_that_its_function_does_not_use_is_a_warning() {
         "functions: {drag: {arguments: [rate, limit, gain], value: \"each(i, 1, 1, gain*rate)[1]\"}}\nplant:\n",
     );
     let text = text.replace("\"-v/(1 s)\"", "\"drag(v, 1, -1 1/s)\"");
-    let (_, warnings) = load_str("cart.yaml", &text)
-        .map_err(|faults| faults.short())
-        .unwrap();
-    let found: Vec<_> = (warnings.iter())
-        .map(|warning| (warning.rule, warning.message.as_str()))
-        .collect();
     let expected = "argument `limit` of function `drag` is never used";
-    assert_eq!(found, [(Rule::W0003, expected)]);
+    assert_eq!(warnings_of(&text), [(Rule::W0003, expected.to_owned())]);
 }
 
 #[test]
@@ -187,17 +189,12 @@ fn a_function_or_a_table_that_nothing_calls_is_a_warning() {
         "functions: {drag: {arguments: [rate], value: -rate}}\ntables: {lift: {axes: {mach: [0, 1]}, values: [0, 1], \
          interpolation: linear, extrapolation: clamp}}\nplant:\n",
     );
-    let (_, warnings) = load_str("cart.yaml", &text)
-        .map_err(|faults| faults.short())
-        .unwrap();
-    let found: Vec<_> = (warnings.iter())
-        .map(|warning| (warning.rule, warning.message.as_str()))
-        .collect();
     let expected = [
         "function `drag` is never used",
         "table `lift` is never used",
     ];
-    assert_eq!(found, expected.map(|message| (Rule::W0002, message)));
+    let expected = expected.map(|message| (Rule::W0002, message.to_owned()));
+    assert_eq!(warnings_of(&text), expected);
 }
 
 #[test]

@@ -287,7 +287,8 @@ impl Reader {
                 cut = depth(&entry.key.text) >= 0;
                 continue;
             }
-            cut = is_open(&entry.value) && entries.get(at + 1).is_some_and(is_empty);
+            let mut rest = entries[at + 1..].iter().take_while(|entry| is_empty(entry));
+            cut = is_open(&entry.value) && rest.any(|entry| depth(&entry.key.text) < 0);
             if cut {
                 self.report_cut(&entry.value);
             }
