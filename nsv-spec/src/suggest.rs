@@ -23,7 +23,7 @@ impl Meant {
 }
 
 /// The candidate with the smallest edit distance to `name`, ignoring case, if it is near enough to be meant: one slip in
-/// three characters, one character too many or too few at the end, or an abbreviation. The first of equals.
+/// three characters, or one character too many or too few at the end. The first of equals.
 pub(crate) fn nearest<S: AsRef<str>>(
     name: &str,
     candidates: impl IntoIterator<Item = S>,
@@ -33,12 +33,6 @@ pub(crate) fn nearest<S: AsRef<str>>(
     let lower = name.to_ascii_lowercase();
     for candidate in candidates {
         let candidate = candidate.as_ref();
-        if is_abbreviation(&lower, candidate) {
-            let only = best.as_ref().is_none_or(|((distance, _), _)| *distance > 0);
-            best = Some(((0, 0), candidate.to_owned()));
-            unique = only;
-            continue;
-        }
         let longer = name.len().max(candidate.len());
         let shorter = name.len().min(candidate.len());
         if name == candidate || longer > 64 || (longer - shorter) * 3 > longer.max(3) {
@@ -65,16 +59,29 @@ pub(crate) fn nearest<S: AsRef<str>>(
         }
     }
     best.map(|((distance, _), candidate)| Meant {
-        sure: unique && !is_abbreviation(&lower, &candidate) && slip(name, &candidate, distance),
+        sure: unique && slip(name, &candidate, distance),
         name: candidate,
     })
 }
 
-/// Whether a text is the beginning of a candidate, with or without an `s` behind it, as in `init` and `args`.
-fn is_abbreviation(text: &str, candidate: &str) -> bool {
+/// The only candidate that a text abbreviates, with or without an `s` behind it, as in `init` and `args`.
+pub(crate) fn abbreviated<'a>(
+    text: &str,
+    candidates: impl IntoIterator<Item = &'a str>,
+) -> Option<Meant> {
     let stem = text.strip_suffix('s').unwrap_or(text);
-    let begins = |stem: &str| candidate.starts_with(stem) && candidate.len() > stem.len() + 1;
-    stem.len() >= 3 && (begins(text) || begins(stem))
+    let begins = |candidate: &str, stem: &str| {
+        candidate.starts_with(stem) && candidate.len() > stem.len() + 1
+    };
+    let mut long = (candidates.into_iter())
+        .filter(|candidate| begins(candidate, text) || begins(candidate, stem));
+    let only = long
+        .next()
+        .filter(|_| stem.len() >= 3 && long.next().is_none())?;
+    Some(Meant {
+        name: only.to_owned(),
+        sure: false,
+    })
 }
 
 /// How to mend a name that nothing has, where those that are given already cannot have been meant.
@@ -173,6 +180,16 @@ mod tests {
         assert!(!sure("Kp", &["K"]));
         assert!(!sure("mas", &["mass"]));
         assert!(!sure("substeps", &["substep", "substepz"]));
+    }
+
+    #[test]
+    fn an_abbreviation_stands_for_one_word_only() {
+        let keys = ["initial", "unit", "controller", "constants", "arguments"];
+        let meant = |text| abbreviated(text, keys).map(|meant| meant.name);
+        assert_eq!(meant("init").as_deref(), Some("initial"));
+        assert_eq!(meant("args").as_deref(), Some("arguments"));
+        assert_eq!(meant("con"), None);
+        assert_eq!(meant("u"), None);
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::spec::{Declared, Located, Named, Read, Unreadable, Word};
-use crate::suggest::nearest;
+use crate::suggest::{abbreviated, nearest};
 use crate::vocabulary::{Key as Known, Kind as Expects, Section, places_of};
 use crate::yaml::{Entry, Key, Kind, Node, excerpt};
 
@@ -160,7 +160,9 @@ impl Reader {
             let given = fields.entries.get(key.name);
             given.is_none_or(|given| given.key.span.file != entry.key.span.file)
         });
-        let mut meant = nearest(text, open.map(|key| key.name));
+        let open: Vec<&str> = open.map(|key| key.name).collect();
+        let short = abbreviated(text, open.iter().copied());
+        let mut meant = short.or_else(|| nearest(text, &open));
         let key = meant.as_ref().and_then(|meant| fields.key(&meant.name));
         // `eta_1` and `eta_4` are two things.
         let digits = |text: &str| -> String { text.chars().filter(char::is_ascii_digit).collect() };
