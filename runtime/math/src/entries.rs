@@ -47,33 +47,34 @@ pub(crate) mod single {
     use crate::real::{Mask, Part, Real};
 
     #[inline(always)]
-    pub(crate) fn each<T: Real, F: Each>(f: F, entries: &mut [T]) {
-        if F::BRANCHES && !T::IS_SCALAR && entries.len() > 1 {
-            return with_one_branch(f, entries);
+    pub(crate) fn each<T: Real, F: Each>(f: F, entries: &[T], results: &mut [T]) {
+        if F::BRANCHES && !T::IS_SCALAR {
+            return with_one_branch(f, entries, results);
         }
         let mut i = 0;
         while i < entries.len() {
-            entries[i] = f.of(entries[i]);
+            results[i] = f.of(entries[i]);
             i += 1;
         }
     }
 
+    /// The usual values come before the branch, so that the compiler finds what they have in common with other functions of these entries.
     #[inline(always)]
-    fn with_one_branch<T: Real>(f: impl Each, entries: &mut [T]) {
+    fn with_one_branch<T: Real>(f: impl Each, entries: &[T], results: &mut [T]) {
         let mut rare = T::Mask::splat(false);
         let mut i = 0;
         while i < entries.len() {
             rare = rare.or(f.is_rare(entries[i]));
+            results[i] = f.usual(entries[i]);
             i += 1;
         }
         if rare.any() {
             rarely();
-            return T::outlined(OneByOne(f, entries));
-        }
-        let mut i = 0;
-        while i < entries.len() {
-            entries[i] = f.usual(entries[i]);
-            i += 1;
+            let mut i = 0;
+            while i < entries.len() {
+                results[i] = T::outlined(Alone(f, entries[i]));
+                i += 1;
+            }
         }
     }
 
@@ -82,19 +83,15 @@ pub(crate) mod single {
     #[inline(never)]
     fn rarely() {}
 
-    /// The function of each entry, in a function of its own because it is rarely called.
-    struct OneByOne<'a, F, T>(F, &'a mut [T]);
+    /// The function of one entry, in a function of its own because it is rarely called.
+    struct Alone<F, T>(F, T);
 
-    impl<F: Each, T: Real> Part for OneByOne<'_, F, T> {
-        type Output = ();
+    impl<F: Each, T: Real> Part for Alone<F, T> {
+        type Output = T;
 
         #[inline(always)]
-        fn run(self) {
-            let mut i = 0;
-            while i < self.1.len() {
-                self.1[i] = self.0.of(self.1[i]);
-                i += 1;
-            }
+        fn run(self) -> T {
+            self.0.of(self.1)
         }
     }
 
@@ -147,43 +144,46 @@ pub(crate) mod packed {
     #[inline(always)]
     pub(crate) fn each<S, W, M, N, const WIDE: usize, const MIDDLE: usize, const NARROW: usize>(
         f: impl Each,
-        entries: &mut [S],
+        entries: &[S],
+        results: &mut [S],
     ) where
         S: Real,
         W: Register<S, WIDE>,
         M: Register<S, MIDDLE>,
         N: Register<S, NARROW>,
     {
-        let mut rest = entries;
+        let mut rest = (entries, results);
         if AVX512 {
-            rest = whole::<S, W, WIDE, _>(f, rest);
+            rest = whole::<S, W, WIDE, _>(f, rest.0, rest.1);
         }
         if AVX2 {
-            rest = whole::<S, M, MIDDLE, _>(f, rest);
+            rest = whole::<S, M, MIDDLE, _>(f, rest.0, rest.1);
         }
-        rest = whole::<S, N, NARROW, _>(f, rest);
-        single::each(f, rest);
+        rest = whole::<S, N, NARROW, _>(f, rest.0, rest.1);
+        single::each(f, rest.0, rest.1);
     }
 
     /// Takes whole registers off the front and gives the rest, or nothing if that was taken too.
     #[inline(always)]
-    fn whole<S: Real, L: Register<S, N>, const N: usize, F: Each>(
+    fn whole<'a, S: Real, L: Register<S, N>, const N: usize, F: Each>(
         f: F,
-        entries: &mut [S],
-    ) -> &mut [S] {
-        let (chunks, rest) = entries.as_chunks_mut::<N>();
+        entries: &'a [S],
+        results: &'a mut [S],
+    ) -> (&'a [S], &'a mut [S]) {
+        let (chunks, rest) = entries.as_chunks::<N>();
+        let (result_chunks, result_rest) = results.as_chunks_mut::<N>();
         let mut i = 0;
         while i < chunks.len() {
-            f.of(L::load(&chunks[i])).store(&mut chunks[i]);
+            f.of(L::load(&chunks[i])).store(&mut result_chunks[i]);
             i += 1;
         }
         if F::LONG && 2 * rest.len() > N {
-            let mut results = filled(rest);
-            f.of(L::load(&results)).store(&mut results);
-            copy(&results, rest);
-            return &mut [];
+            let mut values = filled(rest);
+            f.of(L::load(&values)).store(&mut values);
+            copy(&values, result_rest);
+            return (&[], &mut []);
         }
-        rest
+        (rest, result_rest)
     }
 
     #[inline(always)]

@@ -112,10 +112,10 @@ pub trait Real:
     /// The result of a part, in a function of its own that is compiled for the instruction set of this type.
     fn outlined<P: Part>(part: P) -> P::Output;
 
-    /// `f` of each entry.
+    /// Writes `f` of each entry to the results, of which there are as many.
     #[inline(always)]
-    fn each(f: impl Each, entries: &mut [Self]) {
-        single::each(f, entries);
+    fn each(f: impl Each, entries: &[Self], results: &mut [Self]) {
+        single::each(f, entries, results);
     }
 
     /// `f` of each entry and the other at the same place; there are as many others.

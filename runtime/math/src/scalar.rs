@@ -192,9 +192,9 @@ macro_rules! scalar {
 
             #[cfg(target_arch = "x86_64")]
             #[inline(always)]
-            fn each(f: impl Each, entries: &mut [Self]) {
+            fn each(f: impl Each, entries: &[Self], results: &mut [Self]) {
                 packed::each::<Self, x86::$wide, x86::$middle, x86::$narrow, $w, $m, $n>(
-                    f, entries,
+                    f, entries, results,
                 );
             }
 

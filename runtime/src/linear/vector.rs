@@ -45,9 +45,10 @@ impl<T: Real, const N: usize> Vector<T, N> {
 
     /// `f` of each entry.
     #[inline(always)]
-    pub fn each(mut self, f: impl Each) -> Self {
-        T::each(f, &mut self.0);
-        self
+    pub fn each(self, f: impl Each) -> Self {
+        let mut results = Self::zero();
+        T::each(f, &self.0, &mut results.0);
+        results
     }
 
     /// `f` of the entries at each place.
