@@ -20,6 +20,7 @@ extern crate std;
 pub use nsv_math::{entries, lanes, real};
 
 pub mod actuator;
+pub mod ahead;
 pub mod closed_loop;
 mod hardware;
 pub mod kernel;

@@ -22,13 +22,15 @@ struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, 1, 1> for Plant<T> {
+    type Instant = ();
+
     #[inline(always)]
-    fn drift(&self, _: f64, x: &Vector<T, 1>) -> Vector<T, 1> {
+    fn drift(&self, _: &(), x: &Vector<T, 1>) -> Vector<T, 1> {
         Vector([self.a * x[0] * x[0] * x[0] + self.u])
     }
 
     #[inline(always)]
-    fn diffusion(&self, _: f64, _: &Vector<T, 1>) -> Matrix<T, 1, 1> {
+    fn diffusion(&self, _: &(), _: &Vector<T, 1>) -> Matrix<T, 1, 1> {
         Matrix::rows([[T::from_f64(0.1)]])
     }
 }
@@ -96,7 +98,7 @@ impl<const CONSTRAINED: bool, T: Real> Runs<T> for MockLoop<CONSTRAINED, T> {
         self.x = sde::step(
             Scheme::EulerMaruyama,
             &self.plant,
-            self.sample as f64 * SAMPLE_TIME,
+            [&(); 3],
             &self.x,
             SAMPLE_TIME,
             &Vector([draw * T::from_f64(SAMPLE_TIME).sqrt()]),

@@ -11,26 +11,28 @@ use crate::real::Real;
 
 /// An Ito equation with `N` states and `Q` Wiener processes.
 pub trait Sde<T: Real, const N: usize, const Q: usize> {
+    /// What `f` and `G` take of a time: the time itself in seconds, values that depend on it alone, or nothing.
+    type Instant: Copy;
     /// Whether each column of `G` depends on `x`; as far as it is not known to, it does.
     const STATE_DEPENDENT: [bool; Q] = [true; Q];
     /// `f(t, x)`.
-    fn drift(&self, t: f64, x: &Vector<T, N>) -> Vector<T, N>;
+    fn drift(&self, at: &Self::Instant, x: &Vector<T, N>) -> Vector<T, N>;
     /// `G(t, x)`.
-    fn diffusion(&self, t: f64, x: &Vector<T, N>) -> Matrix<T, N, Q>;
+    fn diffusion(&self, at: &Self::Instant, x: &Vector<T, N>) -> Matrix<T, N, Q>;
     /// Column `j` of `G(t, x)`.
     #[inline(always)]
-    fn diffusion_column(&self, t: f64, x: &Vector<T, N>, j: usize) -> Vector<T, N> {
-        self.diffusion(t, x).column(j)
+    fn diffusion_column(&self, at: &Self::Instant, x: &Vector<T, N>, j: usize) -> Vector<T, N> {
+        self.diffusion(at, x).column(j)
     }
     /// `f(t, x)` and `G(t, x) dw`.
     #[inline(always)]
     fn drift_and_noise(
         &self,
-        t: f64,
+        at: &Self::Instant,
         x: &Vector<T, N>,
         dw: &Vector<T, Q>,
     ) -> (Vector<T, N>, Vector<T, N>) {
-        (self.drift(t, x), self.diffusion(t, x) * *dw)
+        (self.drift(at, x), self.diffusion(at, x) * *dw)
     }
 }
 
@@ -54,46 +56,54 @@ pub enum Scheme {
     RungeKutta4,
 }
 
-/// The state after a step of length `dt` from `(t, x)`, time in seconds, with the increments `dw` of the Wiener processes (variance `dt` each).
+/// The start, the middle and the end of a step of length `dt` from `t`, s.
+#[inline(always)]
+pub fn stages(t: f64, dt: f64) -> [f64; 3] {
+    [t, t + dt / 2.0, t + dt]
+}
+
+/// The state after a step of length `dt` (s) from `x`, with the increments `dw` of the Wiener processes (variance `dt` each). `at` are the
+/// [`stages`] of the step, of which only [`Scheme::RungeKutta4`] reads the last two.
 #[inline(always)]
 pub fn step<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     scheme: Scheme,
     sde: &S,
-    t: f64,
+    at: [&S::Instant; 3],
     x: &Vector<T, N>,
     dt: f64,
     dw: &Vector<T, Q>,
 ) -> Vector<T, N> {
+    let [start, _, _] = at;
     match scheme {
         Scheme::EulerMaruyama => {
-            let (drift, noise) = sde.drift_and_noise(t, x, dw);
+            let (drift, noise) = sde.drift_and_noise(start, x, dw);
             (*x + drift * T::from_f64(dt)) + noise
         }
-        Scheme::Platen => platen(sde, t, x, dt, dw),
-        Scheme::RungeKutta4 => runge_kutta4(sde, t, x, dt),
+        Scheme::Platen => platen(sde, start, x, dt, dw),
+        Scheme::RungeKutta4 => runge_kutta4(sde, at, x, dt),
     }
 }
 
 #[inline(always)]
 fn platen<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     sde: &S,
-    t: f64,
+    at: &S::Instant,
     x: &Vector<T, N>,
     dt: f64,
     dw: &Vector<T, Q>,
 ) -> Vector<T, N> {
-    let (drift, noise) = sde.drift_and_noise(t, x, dw);
+    let (drift, noise) = sde.drift_and_noise(at, x, dw);
     let dt = T::from_f64(dt);
     let drifted = *x + drift * dt;
     let mut next = drifted + noise;
     if !S::STATE_DEPENDENT.contains(&true) {
         return next;
     }
-    let diffusion = sde.diffusion(t, x);
+    let diffusion = sde.diffusion(at, x);
     let h = dt.sqrt();
     for j in (0..Q).filter(|&j| S::STATE_DEPENDENT[j]) {
         let column = diffusion.column(j);
-        let moved = sde.diffusion_column(t, &(drifted + column * h), j);
+        let moved = sde.diffusion_column(at, &(drifted + column * h), j);
         next = next + (moved - column) * ((dw[j] * dw[j] - dt) / (h + h));
     }
     next
@@ -102,15 +112,15 @@ fn platen<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
 #[inline(always)]
 fn runge_kutta4<T: Real, S: Sde<T, N, Q>, const N: usize, const Q: usize>(
     sde: &S,
-    t: f64,
+    [start, middle, end]: [&S::Instant; 3],
     x: &Vector<T, N>,
     dt: f64,
 ) -> Vector<T, N> {
-    let (two, middle) = (T::from_f64(2.0), t + dt / 2.0);
+    let two = T::from_f64(2.0);
     let (whole, half) = (T::from_f64(dt), T::from_f64(dt / 2.0));
-    let k1 = sde.drift(t, x);
+    let k1 = sde.drift(start, x);
     let k2 = sde.drift(middle, &(*x + k1 * half));
     let k3 = sde.drift(middle, &(*x + k2 * half));
-    let k4 = sde.drift(t + dt, &(*x + k3 * whole));
+    let k4 = sde.drift(end, &(*x + k3 * whole));
     *x + (((k1 + k2 * two) + k3 * two) + k4) * T::from_f64(dt / 6.0)
 }

@@ -2,7 +2,7 @@
 
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::noise::Noise;
-use nsv_runtime::sde::{Scheme, Sde, step};
+use nsv_runtime::sde::{Scheme, Sde, stages, step};
 
 /// `dx_i = mu_i x_i dt + s_i x_i dw_i`, each channel drives a state of its own.
 struct GeometricBrownianMotion {
@@ -11,11 +11,13 @@ struct GeometricBrownianMotion {
 }
 
 impl Sde<f64, 3, 3> for GeometricBrownianMotion {
-    fn drift(&self, _: f64, x: &Vector<f64, 3>) -> Vector<f64, 3> {
+    type Instant = f64;
+
+    fn drift(&self, _: &f64, x: &Vector<f64, 3>) -> Vector<f64, 3> {
         Vector(self.drift).hadamard(*x)
     }
 
-    fn diffusion(&self, _: f64, x: &Vector<f64, 3>) -> Matrix<f64, 3, 3> {
+    fn diffusion(&self, _: &f64, x: &Vector<f64, 3>) -> Matrix<f64, 3, 3> {
         let column = Vector(self.volatility).hadamard(*x);
         Matrix::rows(std::array::from_fn(|i| {
             std::array::from_fn(|j| if i == j { column[i] } else { 0.0 })
@@ -30,11 +32,13 @@ struct OrnsteinUhlenbeck {
 }
 
 impl Sde<f64, 1, 1> for OrnsteinUhlenbeck {
-    fn drift(&self, _: f64, x: &Vector<f64, 1>) -> Vector<f64, 1> {
+    type Instant = f64;
+
+    fn drift(&self, _: &f64, x: &Vector<f64, 1>) -> Vector<f64, 1> {
         *x * -self.theta
     }
 
-    fn diffusion(&self, _: f64, _: &Vector<f64, 1>) -> Matrix<f64, 1, 1> {
+    fn diffusion(&self, _: &f64, _: &Vector<f64, 1>) -> Matrix<f64, 1, 1> {
         Matrix::rows([[self.intensity]])
     }
 }
@@ -43,11 +47,13 @@ impl Sde<f64, 1, 1> for OrnsteinUhlenbeck {
 struct Deterministic;
 
 impl Sde<f64, 3, 0> for Deterministic {
-    fn drift(&self, t: f64, x: &Vector<f64, 3>) -> Vector<f64, 3> {
+    type Instant = f64;
+
+    fn drift(&self, t: &f64, x: &Vector<f64, 3>) -> Vector<f64, 3> {
         Vector([x[1], -x[0], -2.0 * t * x[2]])
     }
 
-    fn diffusion(&self, _: f64, _: &Vector<f64, 3>) -> Matrix<f64, 3, 0> {
+    fn diffusion(&self, _: &f64, _: &Vector<f64, 3>) -> Matrix<f64, 3, 0> {
         Matrix::rows([[]; 3])
     }
 }
@@ -73,7 +79,7 @@ const LEVELS: [usize; 6] = [16, 32, 64, 128, 256, 512];
 /// End point of one path with `steps` equal steps over [0, 1], increments summed from the fine ones.
 fn integrate<const N: usize, const Q: usize>(
     scheme: Scheme,
-    sde: &impl Sde<f64, N, Q>,
+    sde: &impl Sde<f64, N, Q, Instant = f64>,
     initial: Vector<f64, N>,
     steps: usize,
     fine: &[Vector<f64, Q>],
@@ -85,7 +91,14 @@ fn integrate<const N: usize, const Q: usize>(
         let dw = fine[k * width..(k + 1) * width]
             .iter()
             .fold(Vector::zero(), |sum, &dw| sum + dw);
-        x = step(scheme, sde, k as f64 * dt, &x, dt, &dw);
+        x = step(
+            scheme,
+            sde,
+            stages(k as f64 * dt, dt).each_ref(),
+            &x,
+            dt,
+            &dw,
+        );
     }
     x
 }
@@ -93,7 +106,7 @@ fn integrate<const N: usize, const Q: usize>(
 /// Mean norm of the error at the end for each step size.
 fn strong_errors<const N: usize, const Q: usize>(
     scheme: Scheme,
-    sde: &impl Sde<f64, N, Q>,
+    sde: &impl Sde<f64, N, Q, Instant = f64>,
     initial: Vector<f64, N>,
     path: impl Fn(u64) -> (Vec<Vector<f64, Q>>, Vector<f64, N>),
 ) -> Vec<(f64, f64)> {
@@ -205,8 +218,16 @@ fn both_schemes_have_order_one_for_additive_noise() {
 #[test]
 fn platen_is_euler_maruyama_for_additive_noise() {
     let x = Vector([0.3]);
-    let [a, b] = [Scheme::EulerMaruyama, Scheme::Platen]
-        .map(|scheme| step(scheme, &PROCESS, 0.0, &x, 0.01, &Vector([0.05])));
+    let [a, b] = [Scheme::EulerMaruyama, Scheme::Platen].map(|scheme| {
+        step(
+            scheme,
+            &PROCESS,
+            stages(0.0, 0.01).each_ref(),
+            &x,
+            0.01,
+            &Vector([0.05]),
+        )
+    });
     assert_eq!(a, b);
 }
 

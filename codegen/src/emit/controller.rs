@@ -87,7 +87,7 @@ impl Controller<'_> {
             }
             .items(),
         );
-        let law = Split::new(&control, "law");
+        let law = Split::law(&control);
         items.push(self.output(&control));
         items.push(self.controller_struct(&law));
         items.push(self.controller_impl(&control, &law));

@@ -26,7 +26,9 @@ impl Plant<'_> {
         } else {
             ("Drift.", quote!(#rate rate.drift))
         };
-        let Time { field, t, given } = time_of(dynamics.rest());
+        let instant = Instant::of(dynamics);
+        let Handed { field, at, given } = instant.handed(dynamics.rest());
+        let instant = instant.ty();
         let drift = part("Drift", drift_docs, &vector, &drift, [field.as_ref(), None]);
         let (columns, noise) = if wiener {
             (quote!(NOISE_CHANNELS), self.noise(dynamics, alone))
@@ -41,10 +43,12 @@ impl Plant<'_> {
         } = noise;
         quote! {
             impl<T: Real> Sde<T, STATES, #columns> for Plant<T> {
+                type Instant = #instant;
+
                 #dependent
 
                 #[inline(always)]
-                fn drift(&self, #t: f64, x: &#vector) -> #vector {
+                fn drift(&self, #at: &Self::Instant, x: &#vector) -> #vector {
                     T::outlined(Drift { plant: self, #given x })
                 }
 
@@ -63,7 +67,8 @@ impl Plant<'_> {
             quote!(Matrix<T, STATES, NOISE_CHANNELS>),
         );
         let (rate, alone_rate) = (rate(dynamics, dynamics.rest()), rate(dynamics, alone));
-        let (time, alone_time) = (time_of(dynamics.rest()), time_of(alone));
+        let instant = Instant::of(dynamics);
+        let (time, alone_time) = (instant.handed(dynamics.rest()), instant.handed(alone));
         let mut parts = vec![
             part(
                 "Diffusion",
@@ -92,17 +97,18 @@ impl Plant<'_> {
         let dependent = dependent
             .contains(&false)
             .then(|| quote!(const STATE_DEPENDENT: [bool; NOISE_CHANNELS] = [#(#dependent),*];));
-        let (Time { t, given, .. }, alone_t, alone_given) = (time, alone_time.t, alone_time.given);
+        let (Handed { at, given, .. }, alone_at, alone_given) =
+            (time, alone_time.at, alone_time.given);
         let methods = quote! {
             #[inline(always)]
-            fn diffusion(&self, #alone_t: f64, x: &#vector) -> #matrix {
+            fn diffusion(&self, #alone_at: &Self::Instant, x: &#vector) -> #matrix {
                 T::outlined(Diffusion { plant: self, #alone_given x })
             }
 
             #one_column
 
             #[inline(always)]
-            fn drift_and_noise(&self, #t: f64, x: &#vector, dw: &Vector<T, NOISE_CHANNELS>) -> (#vector, #vector) {
+            fn drift_and_noise(&self, #at: &Self::Instant, x: &#vector, dw: &Vector<T, NOISE_CHANNELS>) -> (#vector, #vector) {
                 T::outlined(Rates { plant: self, #given x, dw })
             }
         };
@@ -130,7 +136,7 @@ fn without_noise(columns: &Literal) -> Noise {
         dependent: None,
         methods: quote! {
             #[inline(always)]
-            fn diffusion(&self, _t: f64, _x: &Vector<T, STATES>) -> Matrix<T, STATES, #columns> { Matrix::zero() }
+            fn diffusion(&self, _at: &Self::Instant, _x: &Vector<T, STATES>) -> Matrix<T, STATES, #columns> { Matrix::zero() }
         },
         parts: Vec::new(),
     }
@@ -140,16 +146,16 @@ fn without_noise(columns: &Literal) -> Noise {
 fn diffusion_column(
     dependent: &[bool],
     rate: &TokenStream,
-    Time { field, t, given }: &Time,
+    Handed { field, at, given }: &Handed,
 ) -> (TokenStream, TokenStream) {
     let columns = (0..).zip(dependent).filter(|(_, dependent)| **dependent);
     let columns: Vec<Literal> = columns.map(|(column, _)| index(column)).collect();
     let method = quote! {
         #[inline(always)]
-        fn diffusion_column(&self, #t: f64, x: &Vector<T, STATES>, j: usize) -> Vector<T, STATES> {
+        fn diffusion_column(&self, #at: &Self::Instant, x: &Vector<T, STATES>, j: usize) -> Vector<T, STATES> {
             match j {
                 #(#columns => T::outlined(DiffusionColumn::<T, #columns> { plant: self, #given x }),)*
-                _ => self.diffusion(#t, x).column(j),
+                _ => self.diffusion(#at, x).column(j),
             }
         }
     };
@@ -206,14 +212,14 @@ fn part(
     arguments: [Option<&TokenStream>; 2],
 ) -> TokenStream {
     let (name, docs) = (ident(name), docs(&[about]));
-    let [t, noise] = arguments;
+    let [instant, noise] = arguments;
     let unused = unused_plant(body);
     quote! {
         #docs
         #unused
         struct #name<'a, T> {
             plant: &'a Plant<T>,
-            #t
+            #instant
             x: &'a Vector<T, STATES>,
             #noise
         }
@@ -233,30 +239,76 @@ fn unused_plant(body: &TokenStream) -> Option<TokenStream> {
         .then(|| quote!(#[allow(dead_code, reason = "a diffusion may need states alone")]))
 }
 
-/// The time in a part that calls a program: neither field nor argument if the program does not read it.
-struct Time {
+/// What the plant's equation takes of a time.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Instant {
+    /// Nothing.
+    Nothing,
+    /// The time itself.
+    Time,
+    /// Values that depend on time alone.
+    Clock,
+}
+
+impl Instant {
+    /// Of the equation of a plant.
+    pub(super) fn of(dynamics: &Split<'_>) -> Instant {
+        let rest = dynamics.rest();
+        let clock = reads_clock(rest);
+        if clock && dynamics.shares_clock() && !reads_time(rest) {
+            Instant::Clock
+        } else if clock || reads_time(rest) {
+            Instant::Time
+        } else {
+            Instant::Nothing
+        }
+    }
+
+    fn ty(self) -> TokenStream {
+        match self {
+            Instant::Nothing => quote!(()),
+            Instant::Time => quote!(f64),
+            Instant::Clock => quote!(Clock<T>),
+        }
+    }
+
+    /// How it reaches the part of the equation that calls a program.
+    fn handed(self, program: &Program) -> Handed {
+        let (field, given) = match self {
+            Instant::Clock if reads_clock(program) => {
+                (quote!(clock: &'a Clock<T>,), quote!(clock: at,))
+            }
+            Instant::Time if reads_clock(program) || reads_time(program) => {
+                (quote!(t: f64,), quote!(t: *at,))
+            }
+            _ => {
+                return Handed {
+                    field: None,
+                    at: quote!(_at),
+                    given: quote!(),
+                };
+            }
+        };
+        Handed {
+            field: Some(field),
+            at: quote!(at),
+            given,
+        }
+    }
+}
+
+/// An instant in a part that calls a program: neither field nor argument if the program does not need it.
+struct Handed {
     /// The field.
     field: Option<TokenStream>,
     /// The parameter that gives it.
-    t: TokenStream,
+    at: TokenStream,
     /// The argument.
     given: TokenStream,
 }
 
-fn time_of(program: &Program) -> Time {
-    if reads_clock(program) || program.inputs.iter().any(|input| input.name == "t") {
-        Time {
-            field: Some(quote!(t: f64,)),
-            t: quote!(t),
-            given: quote!(t,),
-        }
-    } else {
-        Time {
-            field: None,
-            t: quote!(_t),
-            given: quote!(),
-        }
-    }
+fn reads_time(program: &Program) -> bool {
+    program.inputs.iter().any(|input| input.name == "t")
 }
 
 /// Whether a program needs values of `clock`.
@@ -265,31 +317,28 @@ fn reads_clock(program: &Program) -> bool {
     names.any(|name| name.starts_with("clock."))
 }
 
-/// `let rate = ..;` of a part of the plant's equation, by a piece. A clock that depends on time alone serves all lanes.
+/// `let rate = ..;` of a part of the plant's equation, by a piece, after the clock where the instant does not bring it.
 fn rate(dynamics: &Split<'_>, piece: &Program) -> TokenStream {
-    let clock = dynamics.clock().filter(|_| reads_clock(piece));
+    let instant = Instant::of(dynamics);
+    let argument = |name: &str| argument(name, instant);
+    let clock = dynamics
+        .clock()
+        .filter(|_| instant == Instant::Time && reads_clock(piece));
     let clock = clock.map(|clock| {
-        let shared = clock.inputs.iter().all(|input| input.name == "t");
-        let call = call_with(clock, |argument| match argument {
-            "t" if shared => quote!(T::Scalar::from_f64(self.t)),
-            other => self::argument(other),
-        });
-        if shared {
-            quote!(let clock = Clock::splat(&#call);)
-        } else {
-            quote!(let clock = #call;)
-        }
+        let call = call_with(clock, argument);
+        quote!(let clock = #call;)
     });
     let call = call_with(piece, argument);
     quote!(#clock let rate = #call;)
 }
 
 /// An argument of the plant's functions inside a part of its equation.
-fn argument(name: &str) -> TokenStream {
+fn argument(name: &str, instant: Instant) -> TokenStream {
     match name {
         "t" => quote!(T::from_f64(self.t)),
         "params" => quote!(&self.plant.params),
         "prepared" => quote!(&self.plant.prepared),
+        "clock" if instant == Instant::Clock => quote!(self.clock),
         "clock" => quote!(&clock),
         "u_sat" => quote!(self.plant.u_sat),
         _ => quote!(*self.x),

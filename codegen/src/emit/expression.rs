@@ -105,7 +105,9 @@ impl Names<'_> {
                     level: Level::Unary,
                 };
             }
-            Op::Apply(function, a) => self.method(*a, function_name(*function), &[]),
+            Op::Apply(function, a) => {
+                self.method(*a, function_name(*function, self.program.fused), &[])
+            }
             Op::Kernel(kernel, a) => {
                 let name = ident(kernel_name(*kernel));
                 self.call(&quote!(kernel::#name), &[*a])
@@ -310,7 +312,11 @@ impl Names<'_> {
                 Operator::Sub => self.infix(Level::Sum, a, &quote!(-), b),
                 Operator::Mul => self.infix(Level::Product, a, &quote!(*), b),
                 Operator::Div => self.infix(Level::Product, a, &quote!(/), b),
-                other => Fragment::postfix(self.method(a, operator_name(other), &[b])),
+                other => Fragment::postfix(self.method(
+                    a,
+                    operator_name(other, self.program.fused),
+                    &[b],
+                )),
             },
             (_, Shape::Scalar) => self.array_with_scalar(operator, a, b),
             (Shape::Scalar, _) => self.scalar_with_array(operator, a, b),
@@ -324,7 +330,7 @@ impl Names<'_> {
             Operator::Sub => return self.infix(Level::Sum, a, &quote!(-), b),
             Operator::Mul => self.method(a, "hadamard", &[b]),
             Operator::Div => self.method(a, "quotient", &[b]),
-            other => self.method(a, operator_name(other), &[b]),
+            other => self.method(a, operator_name(other, self.program.fused), &[b]),
         })
     }
 
@@ -342,7 +348,10 @@ impl Names<'_> {
             Operator::Mul => return self.infix(Level::Product, array, &quote!(*), scalar),
             Operator::Div => return self.infix(Level::Product, array, &quote!(/), scalar),
             other => {
-                let (scalar, array_name) = (self.splat(array, scalar), operator_name(other));
+                let (scalar, array_name) = (
+                    self.splat(array, scalar),
+                    operator_name(other, self.program.fused),
+                );
                 let (array, name) = (self.at(array, Level::Postfix), ident(array_name));
                 quote!(#array.#name(#scalar))
             }
@@ -363,7 +372,7 @@ impl Names<'_> {
             other => {
                 let name = match other {
                     Operator::Div => "quotient",
-                    other => operator_name(other),
+                    other => operator_name(other, self.program.fused),
                 };
                 let (splat, name) = (self.splat(array, scalar), ident(name));
                 let array = self.at(array, Level::Sum);

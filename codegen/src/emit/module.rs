@@ -122,6 +122,7 @@ const IMPORTS: [(&str, &[&str]); 7] = [
     (
         "controller",
         &[
+            "nsv_runtime::ahead::OfTime",
             "nsv_runtime::status::Status",
             "super::params::Params",
             "super::polynomials",
@@ -131,6 +132,7 @@ const IMPORTS: [(&str, &[&str]); 7] = [
     (
         "plant",
         &[
+            "nsv_runtime::ahead::OfTime",
             "nsv_runtime::noise::Noise",
             "nsv_runtime::sde::Sde",
             "super::params::Params",
@@ -152,6 +154,8 @@ const IMPORTS: [(&str, &[&str]); 7] = [
         &[
             "nsv_runtime::actuator::Actuator",
             "nsv_runtime::actuator::Delay",
+            "nsv_runtime::ahead::Ahead",
+            "nsv_runtime::ahead::Stages",
             "nsv_runtime::actuator::Effect",
             "nsv_runtime::actuator::Fault",
             "nsv_runtime::closed_loop::ClosedLoop",
@@ -167,7 +171,6 @@ const IMPORTS: [(&str, &[&str]); 7] = [
             "super::controller::Output",
             "super::controller::SAMPLE_TIME",
             "super::controller::State",
-            "super::controller::clock",
             "super::lyapunov",
             "super::params::Params",
             "super::plant::INITIAL_STATE",
@@ -310,8 +313,8 @@ fn simulator(
     );
     Simulator {
         interface,
-        dynamics: &Split::new(&plant, "dynamics"),
-        law: &Split::new(&control, "law"),
+        dynamics: &Split::dynamics(&plant),
+        law: &Split::law(&control),
         plant: &plant,
         lyapunov: &function(programs.lyapunov, &lyapunov_records),
         initial: programs.initial,

@@ -107,7 +107,7 @@ impl Pack {
         names: impl Fn(ValueId) -> Option<String>,
         scope: &mut Scope,
     ) -> Vec<TokenStream> {
-        let function = function_name(self.function);
+        let function = function_name(self.function, false);
         let variable = |(argument, &used): (&Argument, &bool)| {
             if !used {
                 return quote!(_);

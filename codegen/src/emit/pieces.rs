@@ -6,17 +6,18 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use crate::emit::comment::{Comments, code, docs};
+use crate::emit::comment::{Comments, code};
 use crate::emit::function::{Function, Record, Results};
 use crate::emit::names::{Fields, Scope, ident, snake};
 use crate::emit::record::{self, Field};
-use crate::ir::{Program, Shape, ValueId};
+use crate::ir::{Program, ValueId};
 use crate::opt::hoist::{Pieces, hoist};
 
 /// The function of a program in pieces.
 pub(crate) struct Split<'a> {
     whole: &'a Function<'a>,
     pieces: Pieces,
+    shared: bool,
 }
 
 const PREPARE: &str =
@@ -24,11 +25,29 @@ const PREPARE: &str =
 const CLOCK: &str = "What depends on time and parameters alone: needed once for a sample of all runs with these parameters. See [`Clock`].";
 
 impl<'a> Split<'a> {
-    /// Splits a function; the piece that gives its results is called `rest`.
-    pub(crate) fn new(whole: &'a Function<'a>, rest: &str) -> Split<'a> {
+    /// Splits the law, whose parameters are those of the design in every run.
+    pub(crate) fn law(whole: &'a Function<'a>) -> Split<'a> {
+        Self::new(whole, "law", &["t", "params"])
+    }
+
+    /// Splits the plant, whose parameters can differ from run to run.
+    pub(crate) fn dynamics(whole: &'a Function<'a>) -> Split<'a> {
+        Self::new(whole, "dynamics", &["t"])
+    }
+
+    /// Splits a function; the piece that gives its results is called `rest`, and `common` are the inputs that all runs have in common.
+    fn new(whole: &'a Function<'a>, rest: &str, common: &[&str]) -> Split<'a> {
         let mut pieces = hoist(whole.program);
         pieces.rest.name = rest.to_owned();
-        Split { whole, pieces }
+        let shared = pieces.clock.as_ref().is_some_and(|clock| {
+            let mut inputs = clock.inputs.iter();
+            inputs.all(|input| common.contains(&record_of(&input.name)))
+        });
+        Split {
+            whole,
+            pieces,
+            shared,
+        }
     }
 
     /// The piece of what depends on parameters alone.
@@ -39,6 +58,11 @@ impl<'a> Split<'a> {
     /// The piece of what depends on time and parameters alone.
     pub(crate) fn clock(&self) -> Option<&Program> {
         self.pieces.clock.as_ref()
+    }
+
+    /// Whether all runs have the same clock, which then implements `OfTime`.
+    pub(crate) fn shares_clock(&self) -> bool {
+        self.shared
     }
 
     /// The piece that gives the results: the whole if there is no other.
@@ -96,7 +120,9 @@ impl<'a> Split<'a> {
         }
         if let Some(clock) = clock {
             items.push(definition(clock, "Clock", "Values of [`clock`].", &at));
-            items.push(in_lanes(clock, &at));
+            if self.shared {
+                items.push(of_time(clock, &at));
+            }
             add(
                 &mut items,
                 clock,
@@ -188,13 +214,15 @@ fn definition(piece: &Program, ty: &str, about: &str, fields: &Fields) -> TokenS
 /// A call of a piece where each argument, an input or the record of inputs, is `value` of its name.
 pub(crate) fn call_with(program: &Program, value: impl Fn(&str) -> TokenStream) -> TokenStream {
     let mut known = BTreeSet::new();
-    let names = program.inputs.iter().map(|input| {
-        let name = input.name.as_str();
-        name.split_once('.').map_or(name, |(record, _)| record)
-    });
+    let names = program.inputs.iter().map(|input| record_of(&input.name));
     let arguments = names.filter(|name| known.insert(*name)).map(value);
     let name = Scope::default().claim(&snake(&program.name));
     quote!(#name(#(#arguments),*))
+}
+
+/// The record that an input is part of, or the input itself.
+fn record_of(input: &str) -> &str {
+    input.split_once('.').map_or(input, |(record, _)| record)
 }
 
 fn record_fields(piece: &Program, fields: &Fields) -> Vec<Field> {
@@ -206,21 +234,23 @@ fn record_fields(piece: &Program, fields: &Fields) -> Vec<Field> {
     piece.outputs.iter().map(field).collect()
 }
 
-/// The conversion of a clock in scalars to one of any type.
-fn in_lanes(clock: &Program, fields: &Fields) -> TokenStream {
-    let value = record::literal(&quote!(Self), &record_fields(clock, fields), |field| {
-        let (constructor, name) = (record::constructor(field.shape), &field.name);
-        match field.shape {
-            Shape::Scalar => quote!(T::splat(clock.#name)),
-            _ => quote!(#constructor::splat_lanes(clock.#name)),
-        }
+/// A clock that all runs have in common as values for several times at once.
+fn of_time(clock: &Program, fields: &Fields) -> TokenStream {
+    let call = call_with(clock, |argument| match argument {
+        "t" => quote!(t),
+        _ => quote!(&Params::design()),
     });
-    let docs = docs(&["The same values in every lane."]);
+    let lane = record::literal(&quote!(Self), &record_fields(clock, fields), |field| {
+        let name = &field.name;
+        quote!(self.#name.in_every_lane(lane))
+    });
     quote! {
-        impl<T: Real> Clock<T> {
-            #docs
+        impl<T: Real> OfTime<T> for Clock<T> {
             #[inline(always)]
-            pub fn splat(clock: &Clock<T::Scalar>) -> Self { #value }
+            fn at(t: T) -> Self { #call }
+
+            #[inline(always)]
+            fn of_lane(&self, lane: usize) -> Self { #lane }
         }
     }
 }

@@ -57,7 +57,7 @@ impl Plant<'_> {
             tables: self.tables,
             updates: None,
         };
-        let dynamics = Split::new(&function, "dynamics");
+        let dynamics = Split::dynamics(&function);
         let mut items = self.constants();
         items.extend(self.dispersed_state());
         items.push(self.plant_struct(&dynamics));

@@ -6,6 +6,10 @@ use super::rewrite::{literal, rewrite};
 
 /// Expands them.
 pub(super) fn run(program: Program) -> Program {
+    // The functions of a fused program are fused, a kernel is not.
+    if program.fused {
+        return program;
+    }
     rewrite(program, |program, instruction| match instruction.op {
         // sin(E) cos(E) / E, 1 at 0 (exact: that is its definition)
         Op::Kernel(Kernel::SinCosOver, e) => {

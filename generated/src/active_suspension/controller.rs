@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 01f2c0ef2ea7b83246e0ad08a7870d683107d4fb709c6918f94b60e284d4e6ab
+// SHA-256 of the text below: fdc9da16fe9ecc111f5cb3819d9f9d89e310e4f74067d63ac2ffc1271f608ced
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 22 additions, 47 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
 // control: 94 additions, 145 multiplications, 7 divisions, 2 square roots, 8 elementary functions, 9 comparisons and selections
@@ -12,6 +12,7 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -579,15 +580,19 @@ pub struct Clock<T> {
     pub E1_free_1: T,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            y_r: Vector::splat_lanes(clock.y_r),
-            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
-            k1: T::splat(clock.k1),
-            E1_free_1: T::splat(clock.E1_free_1),
+            y_r: self.y_r.in_every_lane(lane),
+            y_r_dot: self.y_r_dot.in_every_lane(lane),
+            k1: self.k1.in_every_lane(lane),
+            E1_free_1: self.E1_free_1.in_every_lane(lane),
         }
     }
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: ede68c1df595fe7f7d53928eaf301df294236464f25e0b71838517ee3a656614
+// SHA-256 of the text below: c82fc1ca074e90d6ad91b0acb79bead631ffa536b10b3792c137a0b3b22be4f0
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // plant: 8 additions, 16 multiplications, 1 divisions, 0 square roots, 0 elementary functions, 0 comparisons and selections
 
@@ -35,17 +35,18 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
+    type Instant = ();
     const STATE_DEPENDENT: [bool; NOISE_CHANNELS] = [false, false, false];
 
     #[inline(always)]
-    fn drift(&self, _t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+    fn drift(&self, _at: &Self::Instant, x: &Vector<T, STATES>) -> Vector<T, STATES> {
         T::outlined(Drift { plant: self, x })
     }
 
     #[inline(always)]
     fn diffusion(
         &self,
-        _t: f64,
+        _at: &Self::Instant,
         x: &Vector<T, STATES>,
     ) -> Matrix<T, STATES, NOISE_CHANNELS> {
         T::outlined(Diffusion { plant: self, x })
@@ -54,7 +55,7 @@ impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
     #[inline(always)]
     fn drift_and_noise(
         &self,
-        _t: f64,
+        _at: &Self::Instant,
         x: &Vector<T, STATES>,
         dw: &Vector<T, NOISE_CHANNELS>,
     ) -> (Vector<T, STATES>, Vector<T, STATES>) {

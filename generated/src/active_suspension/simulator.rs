@@ -1,4 +1,4 @@
-// SHA-256 of the text below: b87ba6df0e0ccc8de27f4aa9fdb9e4963906c63a17d18ac8105f4a7ed660301e
+// SHA-256 of the text below: 3076b8204068288f3af308792191579bd1da7dc573f45a9e3bde4508481a2ec5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `active_suspension`: closed loop of controller and plant.
@@ -7,11 +7,12 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State, clock};
+use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
 use super::plant::{INITIAL_STATE, NOISE_CHANNELS, Plant, STATES};
+use nsv_runtime::ahead::Ahead;
 use nsv_runtime::closed_loop::{ClosedLoop, Options, Runs};
 use nsv_runtime::linear::Vector;
 use nsv_runtime::noise::Noise;
@@ -28,6 +29,12 @@ pub const SUBSTEPS: u32 = 2;
 /// Length of a plant step, s.
 pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;
 
+/// Time of a sample, s.
+#[inline(always)]
+fn sample_time(sample: u64) -> f64 {
+    sample as f64 * SAMPLE_TIME
+}
+
 /// Runs of controller and plant, one in each lane.
 #[derive(Clone, Debug)]
 pub struct Simulator<T: Real = f64> {
@@ -38,6 +45,7 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
+    clock: Ahead<Clock<T>>,
     noise: Option<Noise<T>>,
 }
 
@@ -45,7 +53,7 @@ impl<T: Real> Simulator<T> {
     /// Time of the sample, s.
     #[inline(always)]
     pub fn time(&self) -> f64 {
-        self.sample as f64 * SAMPLE_TIME
+        sample_time(self.sample)
     }
 
     /// The plant's parameters in this run.
@@ -150,6 +158,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
             state,
             output: Output::zero(),
             sample: 0,
+            clock: Ahead::new(sample_time),
             noise: options.noise.then_some(process),
         }
     }
@@ -162,15 +171,10 @@ impl<T: Real> Runs<T> for Simulator<T> {
     #[inline(always)]
     fn control(&mut self) {
         let t = T::from_f64(self.time());
+        let clock = self.clock.at(self.sample, sample_time);
         self.output = self
             .controller
-            .step_at(
-                t,
-                &Clock::splat(&clock(T::Scalar::from_f64(self.time()))),
-                self.x1(),
-                self.x2(),
-                self.x3(),
-            );
+            .step_at(t, &clock, self.x1(), self.x2(), self.x3());
     }
 
     /// Platen's scheme: no state changes the diffusion, so that its correction is 0 and the scheme
@@ -183,10 +187,16 @@ impl<T: Real> Runs<T> for Simulator<T> {
             u_sat: self.output.u_sat,
         };
         for substep in 0..SUBSTEPS {
-            let t = self.time() + f64::from(substep) * SUBSTEP;
             let step = self.sample * u64::from(SUBSTEPS) + u64::from(substep);
             let dw = self.draw(step) * T::from_f64(SUBSTEP).sqrt();
-            self.x = sde::step(Scheme::EulerMaruyama, &plant, t, &self.x, SUBSTEP, &dw);
+            self.x = sde::step(
+                Scheme::EulerMaruyama,
+                &plant,
+                [&(); 3],
+                &self.x,
+                SUBSTEP,
+                &dw,
+            );
         }
         self.sample += 1;
     }

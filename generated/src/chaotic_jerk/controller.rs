@@ -1,4 +1,4 @@
-// SHA-256 of the text below: a4ffaf41aeb8960a7684194bfe3f5969a8c391226147bb251d16fd0b3245f95a
+// SHA-256 of the text below: 7be4b72c72db8ae4c402f212c51087757e2d1ca7ce6ed4908d1d9547886ed906
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 0 additions, 1 multiplications, 0 divisions, 0 square roots, 0 elementary functions, 0 comparisons and selections
 // control: 98 additions, 120 multiplications, 0 divisions, 0 square roots, 3 elementary functions, 2 comparisons and selections
@@ -11,6 +11,7 @@
 
 use super::params::Params;
 use super::polynomials;
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -374,15 +375,19 @@ pub struct Clock<T> {
     pub y_r_dot3: Vector<T, 1>,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            y_r: Vector::splat_lanes(clock.y_r),
-            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
-            y_r_dot2: Vector::splat_lanes(clock.y_r_dot2),
-            y_r_dot3: Vector::splat_lanes(clock.y_r_dot3),
+            y_r: self.y_r.in_every_lane(lane),
+            y_r_dot: self.y_r_dot.in_every_lane(lane),
+            y_r_dot2: self.y_r_dot2.in_every_lane(lane),
+            y_r_dot3: self.y_r_dot3.in_every_lane(lane),
         }
     }
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 4939e0d8237833ec463d9b69e2021262db46c2723ee6818198afdd29bdf43637
+// SHA-256 of the text below: bb95269a63d07281893799b4d66f80bd8635a4051512bbc58f5903ffbcbc4114
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // plant: 5 additions, 5 multiplications, 0 divisions, 0 square roots, 1 elementary functions, 0 comparisons and selections
 
@@ -9,6 +9,7 @@
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
 use super::params::Params;
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
@@ -32,28 +33,32 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
+    type Instant = Clock<T>;
     #[inline(always)]
-    fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        T::outlined(Drift { plant: self, t, x })
+    fn drift(&self, at: &Self::Instant, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+        T::outlined(Drift { plant: self, clock: at, x })
     }
 
     #[inline(always)]
-    fn diffusion(&self, _t: f64, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
+    fn diffusion(
+        &self,
+        _at: &Self::Instant,
+        _x: &Vector<T, STATES>,
+    ) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
 }
 /// Drift.
 struct Drift<'a, T> {
     plant: &'a Plant<T>,
-    t: f64,
+    clock: &'a Clock<T>,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Drift<'_, T> {
     type Output = Vector<T, STATES>;
     #[inline(always)]
     fn run(self) -> Vector<T, STATES> {
-        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
-        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.params, &clock);
+        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.params, self.clock);
         rate.drift
     }
 }
@@ -66,12 +71,16 @@ pub struct Clock<T> {
     pub d3: Vector<T, 1>,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            d3: Vector::splat_lanes(clock.d3),
+            d3: self.d3.in_every_lane(lane),
         }
     }
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 41e0690123fe584e566c663ccfc02a6b9b78c56aaace2ad92ccf5030cdeca36e
+// SHA-256 of the text below: 5d168d71c43da2c22afc9ddd725a6e69febd204c64c35397ce4f8110e9e205c3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 21 additions, 54 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 83 additions, 120 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
@@ -12,6 +12,7 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -647,15 +648,19 @@ pub struct Clock<T> {
     pub E1_free_1: T,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            y_r: Vector::splat_lanes(clock.y_r),
-            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
-            k1: T::splat(clock.k1),
-            E1_free_1: T::splat(clock.E1_free_1),
+            y_r: self.y_r.in_every_lane(lane),
+            y_r_dot: self.y_r_dot.in_every_lane(lane),
+            k1: self.k1.in_every_lane(lane),
+            E1_free_1: self.E1_free_1.in_every_lane(lane),
         }
     }
 }

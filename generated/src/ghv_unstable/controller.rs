@@ -1,4 +1,4 @@
-// SHA-256 of the text below: ace80ec28c64491507c6564ab4b6bfef9c0331d56a9f5b1c77c618771400cf20
+// SHA-256 of the text below: 7d57a9db006f71bf5916408dd6dd42d3231ddc6de67baee1cfc11edb95d787e3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 59 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary functions, 3 comparisons and selections
 // control: 564 additions, 850 multiplications, 12 divisions, 4 square roots, 26 elementary functions, 18 comparisons and selections
@@ -12,6 +12,7 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -588,17 +589,21 @@ pub struct Clock<T> {
     pub E2_free_1: T,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            y_r: Vector::splat_lanes(clock.y_r),
-            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
-            k2: T::splat(clock.k2),
-            k1: T::splat(clock.k1),
-            E1_free_1: T::splat(clock.E1_free_1),
-            E2_free_1: T::splat(clock.E2_free_1),
+            y_r: self.y_r.in_every_lane(lane),
+            y_r_dot: self.y_r_dot.in_every_lane(lane),
+            k2: self.k2.in_every_lane(lane),
+            k1: self.k1.in_every_lane(lane),
+            E1_free_1: self.E1_free_1.in_every_lane(lane),
+            E2_free_1: self.E2_free_1.in_every_lane(lane),
         }
     }
 }

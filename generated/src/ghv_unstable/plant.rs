@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 4df952cf1858ddfc3bdf32ee2a3aaf4cf122453cbb1ee173a1afb026bb69c563
+// SHA-256 of the text below: 6995dc5ac5f57d5232a45c747057438eff3f5bb713cffac7ed67f9484550088a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // plant: 176 additions, 251 multiplications, 2 divisions, 0 square roots, 12 elementary functions, 0 comparisons and selections
 
@@ -10,6 +10,7 @@
 
 use super::params::Params;
 use super::polynomials;
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
@@ -49,19 +50,20 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
+    type Instant = Clock<T>;
     const STATE_DEPENDENT: [bool; NOISE_CHANNELS] = [
         true, true, true, false, false, false, false, false, false,
     ];
 
     #[inline(always)]
-    fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        T::outlined(Drift { plant: self, t, x })
+    fn drift(&self, at: &Self::Instant, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+        T::outlined(Drift { plant: self, clock: at, x })
     }
 
     #[inline(always)]
     fn diffusion(
         &self,
-        _t: f64,
+        _at: &Self::Instant,
         x: &Vector<T, STATES>,
     ) -> Matrix<T, STATES, NOISE_CHANNELS> {
         T::outlined(Diffusion { plant: self, x })
@@ -70,7 +72,7 @@ impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
     #[inline(always)]
     fn diffusion_column(
         &self,
-        _t: f64,
+        _at: &Self::Instant,
         x: &Vector<T, STATES>,
         j: usize,
     ) -> Vector<T, STATES> {
@@ -93,37 +95,41 @@ impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
                     x,
                 })
             }
-            _ => self.diffusion(_t, x).column(j),
+            _ => self.diffusion(_at, x).column(j),
         }
     }
 
     #[inline(always)]
     fn drift_and_noise(
         &self,
-        t: f64,
+        at: &Self::Instant,
         x: &Vector<T, STATES>,
         dw: &Vector<T, NOISE_CHANNELS>,
     ) -> (Vector<T, STATES>, Vector<T, STATES>) {
-        T::outlined(Rates { plant: self, t, x, dw })
+        T::outlined(Rates {
+            plant: self,
+            clock: at,
+            x,
+            dw,
+        })
     }
 }
 /// Drift.
 struct Drift<'a, T> {
     plant: &'a Plant<T>,
-    t: f64,
+    clock: &'a Clock<T>,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Drift<'_, T> {
     type Output = Vector<T, STATES>;
     #[inline(always)]
     fn run(self) -> Vector<T, STATES> {
-        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
         let rate = dynamics(
             *self.x,
             self.plant.u_sat,
             &self.plant.params,
             &self.plant.prepared,
-            &clock,
+            self.clock,
         );
         rate.drift
     }
@@ -144,7 +150,7 @@ impl<T: Real> Part for Diffusion<'_, T> {
 /// Drift, and diffusion times noise.
 struct Rates<'a, T> {
     plant: &'a Plant<T>,
-    t: f64,
+    clock: &'a Clock<T>,
     x: &'a Vector<T, STATES>,
     dw: &'a Vector<T, NOISE_CHANNELS>,
 }
@@ -152,13 +158,12 @@ impl<T: Real> Part for Rates<'_, T> {
     type Output = (Vector<T, STATES>, Vector<T, STATES>);
     #[inline(always)]
     fn run(self) -> (Vector<T, STATES>, Vector<T, STATES>) {
-        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
         let rate = dynamics(
             *self.x,
             self.plant.u_sat,
             &self.plant.params,
             &self.plant.prepared,
-            &clock,
+            self.clock,
         );
         (rate.drift, diffuse(&rate.diffusion, self.dw))
     }
@@ -263,12 +268,16 @@ pub struct Clock<T> {
     pub d1: Vector<T, 3>,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            d1: Vector::splat_lanes(clock.d1),
+            d1: self.d1.in_every_lane(lane),
         }
     }
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0bb4ca8e521627b41d97fcefa8680746dcb192fd8107cf4e0deb6bcee0e5dca2
+// SHA-256 of the text below: 550945aa37e1b765824e8ad2c7fb0e14028421ba18a74f084952b3cee6a5682a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 67 additions, 99 multiplications, 3 divisions, 0 square roots, 4 elementary functions, 31 comparisons and selections
 // control: 146 additions, 191 multiplications, 4 divisions, 0 square roots, 4 elementary functions, 38 comparisons and selections
@@ -12,6 +12,7 @@
 use super::params::Params;
 use super::{polynomials, tables};
 use core::f64::consts::FRAC_PI_2;
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -491,15 +492,19 @@ pub struct Clock<T> {
     pub E1_free_1: T,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            y_r: Vector::splat_lanes(clock.y_r),
-            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
-            k1: T::splat(clock.k1),
-            E1_free_1: T::splat(clock.E1_free_1),
+            y_r: self.y_r.in_every_lane(lane),
+            y_r_dot: self.y_r_dot.in_every_lane(lane),
+            k1: self.k1.in_every_lane(lane),
+            E1_free_1: self.E1_free_1.in_every_lane(lane),
         }
     }
 }

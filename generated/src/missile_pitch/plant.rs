@@ -1,4 +1,4 @@
-// SHA-256 of the text below: e832f1ebd68d0862dd1c68f2fff51d406623b226f1cc102911861ad3c62d6e49
+// SHA-256 of the text below: 89cfb82e655845734fc670d5e3628b3ad6a46819246c1d7815d6639424dbaa2a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // plant: 88 additions, 107 multiplications, 0 divisions, 0 square roots, 4 elementary functions, 8 comparisons and selections
 
@@ -10,6 +10,7 @@
 
 use super::params::Params;
 use super::tables;
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::noise::Noise;
 use nsv_runtime::real::{Part, Real};
@@ -43,28 +44,32 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
+    type Instant = Clock<T>;
     #[inline(always)]
-    fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        T::outlined(Drift { plant: self, t, x })
+    fn drift(&self, at: &Self::Instant, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+        T::outlined(Drift { plant: self, clock: at, x })
     }
 
     #[inline(always)]
-    fn diffusion(&self, _t: f64, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
+    fn diffusion(
+        &self,
+        _at: &Self::Instant,
+        _x: &Vector<T, STATES>,
+    ) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
 }
 /// Drift.
 struct Drift<'a, T> {
     plant: &'a Plant<T>,
-    t: f64,
+    clock: &'a Clock<T>,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Drift<'_, T> {
     type Output = Vector<T, STATES>;
     #[inline(always)]
     fn run(self) -> Vector<T, STATES> {
-        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
-        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.params, &clock);
+        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.params, self.clock);
         rate.drift
     }
 }
@@ -79,13 +84,17 @@ pub struct Clock<T> {
     pub d1: Vector<T, 1>,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            d1_1: Vector::splat_lanes(clock.d1_1),
-            d1: Vector::splat_lanes(clock.d1),
+            d1_1: self.d1_1.in_every_lane(lane),
+            d1: self.d1.in_every_lane(lane),
         }
     }
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 1693bf853931f1221ae1eec39964cdc706c7af0f51d76a12b87fbc6fc95681c3
+// SHA-256 of the text below: b5a4799da41959d5c7ef7d54ddc405beac9d4a19f1f4efa687957c3283e6ad85
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `missile_pitch`: closed loop of controller and plant.
@@ -7,11 +7,12 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State, clock};
+use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
 use super::params::Params;
 use super::plant;
 use super::plant::{INITIAL_STATE, Plant, STATES};
 use nsv_runtime::actuator::Actuator;
+use nsv_runtime::ahead::{Ahead, Stages};
 use nsv_runtime::closed_loop::{ClosedLoop, Options, Runs};
 use nsv_runtime::linear::Vector;
 use nsv_runtime::noise::Noise;
@@ -53,6 +54,19 @@ const SENSORS: [Sensor; 2] = [
     },
 ];
 
+/// Time of a sample, s.
+#[inline(always)]
+fn sample_time(sample: u64) -> f64 {
+    sample as f64 * SAMPLE_TIME
+}
+
+/// Time of a step of the plant, s.
+#[inline(always)]
+fn step_time(step: u64) -> f64 {
+    let (sample, substep) = (step / u64::from(SUBSTEPS), step % u64::from(SUBSTEPS));
+    sample_time(sample) + substep as f64 * SUBSTEP
+}
+
 /// Runs of controller and plant, one in each lane.
 #[derive(Clone, Debug)]
 pub struct Simulator<T: Real = f64> {
@@ -62,6 +76,8 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
+    clock: Ahead<Clock<T>>,
+    plant_clock: Stages<plant::Clock<T>>,
     position: Vector<T, 1>,
     u_act: Vector<T, 1>,
     bias: Vector<T, 2>,
@@ -73,7 +89,7 @@ impl<T: Real> Simulator<T> {
     /// Time of the sample, s.
     #[inline(always)]
     pub fn time(&self) -> f64 {
-        self.sample as f64 * SAMPLE_TIME
+        sample_time(self.sample)
     }
 
     /// The plant's parameters in this run.
@@ -197,6 +213,8 @@ impl<T: Real> Runs<T> for Simulator<T> {
             state,
             output: Output::zero(),
             sample: 0,
+            clock: Ahead::new(sample_time),
+            plant_clock: Stages::new(step_time, SUBSTEP),
             position: Vector([T::from_f64(0.0)]),
             u_act: Vector([T::from_f64(0.0)]),
             bias: if options.dispersion {
@@ -226,28 +244,23 @@ impl<T: Real> Runs<T> for Simulator<T> {
     fn control(&mut self) {
         let t = T::from_f64(self.time());
         self.measure();
-        self.output = self
-            .controller
-            .step_at(
-                t,
-                &Clock::splat(&clock(T::Scalar::from_f64(self.time()))),
-                self.y1(),
-                self.y2(),
-            );
+        let clock = self.clock.at(self.sample, sample_time);
+        self.output = self.controller.step_at(t, &clock, self.y1(), self.y2());
     }
 
     #[inline(always)]
     fn advance(&mut self) {
         for substep in 0..SUBSTEPS {
-            let t = self.time() + f64::from(substep) * SUBSTEP;
+            let step = self.sample * u64::from(SUBSTEPS) + u64::from(substep);
             let plant = Plant {
                 params: self.truth,
-                u_sat: self.actuate(t),
+                u_sat: self.actuate(step_time(step)),
             };
+            let at = self.plant_clock.at(step, step_time, SUBSTEP);
             self.x = sde::step(
                 Scheme::RungeKutta4,
                 &plant,
-                t,
+                at.each_ref(),
                 &self.x,
                 SUBSTEP,
                 &Vector([]),

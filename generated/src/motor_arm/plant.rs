@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 50681159bf208f9578f4a48c9b0e26b6ae758898ca138106464fad45a9000d07
+// SHA-256 of the text below: 0756319d7d93349bda5de79720bffaf954d644bebb78b585d07777bfa60c68ab
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // plant: 9 additions, 20 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
@@ -9,6 +9,7 @@
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
 use super::params::Params;
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
@@ -35,66 +36,74 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
+    type Instant = Clock<T>;
     const STATE_DEPENDENT: [bool; NOISE_CHANNELS] = [false, false];
 
     #[inline(always)]
-    fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        T::outlined(Drift { plant: self, t, x })
+    fn drift(&self, at: &Self::Instant, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+        T::outlined(Drift { plant: self, clock: at, x })
     }
 
     #[inline(always)]
     fn diffusion(
         &self,
-        t: f64,
+        at: &Self::Instant,
         x: &Vector<T, STATES>,
     ) -> Matrix<T, STATES, NOISE_CHANNELS> {
-        T::outlined(Diffusion { plant: self, t, x })
+        T::outlined(Diffusion {
+            plant: self,
+            clock: at,
+            x,
+        })
     }
 
     #[inline(always)]
     fn drift_and_noise(
         &self,
-        t: f64,
+        at: &Self::Instant,
         x: &Vector<T, STATES>,
         dw: &Vector<T, NOISE_CHANNELS>,
     ) -> (Vector<T, STATES>, Vector<T, STATES>) {
-        T::outlined(Rates { plant: self, t, x, dw })
+        T::outlined(Rates {
+            plant: self,
+            clock: at,
+            x,
+            dw,
+        })
     }
 }
 /// Drift.
 struct Drift<'a, T> {
     plant: &'a Plant<T>,
-    t: f64,
+    clock: &'a Clock<T>,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Drift<'_, T> {
     type Output = Vector<T, STATES>;
     #[inline(always)]
     fn run(self) -> Vector<T, STATES> {
-        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
-        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.prepared, &clock);
+        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.prepared, self.clock);
         rate.drift
     }
 }
 /// Diffusion.
 struct Diffusion<'a, T> {
     plant: &'a Plant<T>,
-    t: f64,
+    clock: &'a Clock<T>,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Diffusion<'_, T> {
     type Output = Matrix<T, STATES, NOISE_CHANNELS>;
     #[inline(always)]
     fn run(self) -> Matrix<T, STATES, NOISE_CHANNELS> {
-        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
-        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.prepared, &clock);
+        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.prepared, self.clock);
         rate.diffusion
     }
 }
 /// Drift, and diffusion times noise.
 struct Rates<'a, T> {
     plant: &'a Plant<T>,
-    t: f64,
+    clock: &'a Clock<T>,
     x: &'a Vector<T, STATES>,
     dw: &'a Vector<T, NOISE_CHANNELS>,
 }
@@ -102,8 +111,7 @@ impl<T: Real> Part for Rates<'_, T> {
     type Output = (Vector<T, STATES>, Vector<T, STATES>);
     #[inline(always)]
     fn run(self) -> (Vector<T, STATES>, Vector<T, STATES>) {
-        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
-        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.prepared, &clock);
+        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.prepared, self.clock);
         (rate.drift, diffuse(&rate.diffusion, self.dw))
     }
 }
@@ -178,12 +186,16 @@ pub struct Clock<T> {
     pub d3: Vector<T, 1>,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            d3: Vector::splat_lanes(clock.d3),
+            d3: self.d3.in_every_lane(lane),
         }
     }
 }

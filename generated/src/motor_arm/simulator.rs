@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 514cc6bbf210722890693f7c57c1e0e237849e23842b7f6435d709a2bd5bb68a
+// SHA-256 of the text below: 0914512ff2e1f820ab6389f5380580268c3e912a90561cd0b4d1a4a25937f280
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `motor_arm`: closed loop of controller and plant.
@@ -7,11 +7,12 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State, clock};
+use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
 use super::plant::{INITIAL_STATE, NOISE_CHANNELS, Plant, STATES};
+use nsv_runtime::ahead::Ahead;
 use nsv_runtime::closed_loop::{ClosedLoop, Options, Runs};
 use nsv_runtime::linear::Vector;
 use nsv_runtime::noise::Noise;
@@ -28,6 +29,19 @@ pub const SUBSTEPS: u32 = 4;
 /// Length of a plant step, s.
 pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;
 
+/// Time of a sample, s.
+#[inline(always)]
+fn sample_time(sample: u64) -> f64 {
+    sample as f64 * SAMPLE_TIME
+}
+
+/// Time of a step of the plant, s.
+#[inline(always)]
+fn step_time(step: u64) -> f64 {
+    let (sample, substep) = (step / u64::from(SUBSTEPS), step % u64::from(SUBSTEPS));
+    sample_time(sample) + substep as f64 * SUBSTEP
+}
+
 /// Runs of controller and plant, one in each lane.
 #[derive(Clone, Debug)]
 pub struct Simulator<T: Real = f64> {
@@ -38,6 +52,8 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
+    clock: Ahead<Clock<T>>,
+    plant_clock: Ahead<plant::Clock<T>>,
     noise: Option<Noise<T>>,
 }
 
@@ -45,7 +61,7 @@ impl<T: Real> Simulator<T> {
     /// Time of the sample, s.
     #[inline(always)]
     pub fn time(&self) -> f64 {
-        self.sample as f64 * SAMPLE_TIME
+        sample_time(self.sample)
     }
 
     /// The plant's parameters in this run.
@@ -152,6 +168,8 @@ impl<T: Real> Runs<T> for Simulator<T> {
             state,
             output: Output::zero(),
             sample: 0,
+            clock: Ahead::new(sample_time),
+            plant_clock: Ahead::new(step_time),
             noise: options.noise.then_some(process),
         }
     }
@@ -164,15 +182,10 @@ impl<T: Real> Runs<T> for Simulator<T> {
     #[inline(always)]
     fn control(&mut self) {
         let t = T::from_f64(self.time());
+        let clock = self.clock.at(self.sample, sample_time);
         self.output = self
             .controller
-            .step_at(
-                t,
-                &Clock::splat(&clock(T::Scalar::from_f64(self.time()))),
-                self.x1(),
-                self.x2(),
-                self.x3(),
-            );
+            .step_at(t, &clock, self.x1(), self.x2(), self.x3());
     }
 
     /// Platen's scheme: no state changes the diffusion, so that its correction is 0 and the scheme
@@ -185,10 +198,17 @@ impl<T: Real> Runs<T> for Simulator<T> {
             u_sat: self.output.u_sat,
         };
         for substep in 0..SUBSTEPS {
-            let t = self.time() + f64::from(substep) * SUBSTEP;
             let step = self.sample * u64::from(SUBSTEPS) + u64::from(substep);
+            let at = self.plant_clock.at(step, step_time);
             let dw = self.draw(step) * T::from_f64(SUBSTEP).sqrt();
-            self.x = sde::step(Scheme::EulerMaruyama, &plant, t, &self.x, SUBSTEP, &dw);
+            self.x = sde::step(
+                Scheme::EulerMaruyama,
+                &plant,
+                [&at; 3],
+                &self.x,
+                SUBSTEP,
+                &dw,
+            );
         }
         self.sample += 1;
     }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: c38b419ac5fede07ba7e1187604ee3e7fd5d13f62db669956004e61716a7e032
+// SHA-256 of the text below: 829fcbf2936283ccdef781e842fb58b87297922c2a1c67c619f0979f89ea9e34
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // plant: 131 additions, 196 multiplications, 2 divisions, 0 square roots, 12 elementary functions, 0 comparisons and selections
 
@@ -10,6 +10,7 @@
 
 use super::params::Params;
 use super::polynomials;
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
@@ -51,28 +52,32 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
+    type Instant = Clock<T>;
     #[inline(always)]
-    fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        T::outlined(Drift { plant: self, t, x })
+    fn drift(&self, at: &Self::Instant, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+        T::outlined(Drift { plant: self, clock: at, x })
     }
 
     #[inline(always)]
-    fn diffusion(&self, _t: f64, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
+    fn diffusion(
+        &self,
+        _at: &Self::Instant,
+        _x: &Vector<T, STATES>,
+    ) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
 }
 /// Drift, with the noise that is held between samples.
 struct Drift<'a, T> {
     plant: &'a Plant<T>,
-    t: f64,
+    clock: &'a Clock<T>,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Drift<'_, T> {
     type Output = Vector<T, STATES>;
     #[inline(always)]
     fn run(self) -> Vector<T, STATES> {
-        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
-        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.prepared, &clock);
+        let rate = dynamics(*self.x, self.plant.u_sat, &self.plant.prepared, self.clock);
         rate.drift + diffuse(&rate.diffusion, &self.plant.xi)
     }
 }
@@ -155,12 +160,16 @@ pub struct Clock<T> {
     pub d1: Vector<T, 3>,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            d1: Vector::splat_lanes(clock.d1),
+            d1: self.d1.in_every_lane(lane),
         }
     }
 }

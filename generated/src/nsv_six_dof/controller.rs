@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 7998b16d3fd593ca8175f998b7c3cfbd3c5f46687b037ca4f21c50eac9eace64
+// SHA-256 of the text below: 705bdc12c229ec829f5c2f3eaf4951dbf7fea097fcab490a83c31630b0f4b85b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 87 additions, 132 multiplications, 7 divisions, 0 square roots, 12 elementary functions, 43 comparisons and selections
 // control: 547 additions, 828 multiplications, 12 divisions, 4 square roots, 18 elementary functions, 58 comparisons and selections
@@ -12,6 +12,7 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -625,17 +626,21 @@ pub struct Clock<T> {
     pub E2_free_1: T,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            y_r: Vector::splat_lanes(clock.y_r),
-            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
-            k2: T::splat(clock.k2),
-            k1: T::splat(clock.k1),
-            E1_free_1: T::splat(clock.E1_free_1),
-            E2_free_1: T::splat(clock.E2_free_1),
+            y_r: self.y_r.in_every_lane(lane),
+            y_r_dot: self.y_r_dot.in_every_lane(lane),
+            k2: self.k2.in_every_lane(lane),
+            k1: self.k1.in_every_lane(lane),
+            E1_free_1: self.E1_free_1.in_every_lane(lane),
+            E2_free_1: self.E2_free_1.in_every_lane(lane),
         }
     }
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 5e57c9254be0141bf1fbb8f4296f5d2245f4d71cf1a7fb5d62e633e280d46206
+// SHA-256 of the text below: 32dfd018e196a27cd9fbebfba56073744cc575afbdb5d9dbc90f40709ce6b06d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // plant: 350 additions, 507 multiplications, 10 divisions, 1 square roots, 20 elementary functions, 47 comparisons and selections
 
@@ -10,6 +10,7 @@
 
 use super::params::Params;
 use super::polynomials;
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
@@ -59,32 +60,36 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
+    type Instant = Clock<T>;
     #[inline(always)]
-    fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        T::outlined(Drift { plant: self, t, x })
+    fn drift(&self, at: &Self::Instant, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+        T::outlined(Drift { plant: self, clock: at, x })
     }
 
     #[inline(always)]
-    fn diffusion(&self, _t: f64, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
+    fn diffusion(
+        &self,
+        _at: &Self::Instant,
+        _x: &Vector<T, STATES>,
+    ) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
 }
 /// Drift, with the noise that is held between samples.
 struct Drift<'a, T> {
     plant: &'a Plant<T>,
-    t: f64,
+    clock: &'a Clock<T>,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Drift<'_, T> {
     type Output = Vector<T, STATES>;
     #[inline(always)]
     fn run(self) -> Vector<T, STATES> {
-        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
         let rate = dynamics(
             *self.x,
             self.plant.u_sat,
             &self.plant.params,
-            &clock,
+            self.clock,
             &self.plant.prepared,
         );
         rate.drift + diffuse(&rate.diffusion, &self.plant.xi)
@@ -165,15 +170,19 @@ pub struct Clock<T> {
     pub drift_2: Vector<T, 1>,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            d1: Vector::splat_lanes(clock.d1),
-            speed_aim: T::splat(clock.speed_aim),
-            drift_1: Vector::splat_lanes(clock.drift_1),
-            drift_2: Vector::splat_lanes(clock.drift_2),
+            d1: self.d1.in_every_lane(lane),
+            speed_aim: self.speed_aim.in_every_lane(lane),
+            drift_1: self.drift_1.in_every_lane(lane),
+            drift_2: self.drift_2.in_every_lane(lane),
         }
     }
 }

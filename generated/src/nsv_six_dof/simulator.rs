@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 632c69f6613547a9063a67c9e720a70ece40c69c999347f04077c9bc857478f1
+// SHA-256 of the text below: 258deddc0ec26e1abc9c8f5ccfc0ccd8f16db6cf8d778edff43dae57943477f4
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `nsv_six_dof`: closed loop of controller and plant.
@@ -7,10 +7,11 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State, clock};
+use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
 use super::params::Params;
 use super::plant;
 use super::plant::{INITIAL_STATE, NOISE_CHANNELS, Plant, STATES};
+use nsv_runtime::ahead::{Ahead, Stages};
 use nsv_runtime::closed_loop::{ClosedLoop, Options, Runs};
 use nsv_runtime::linear::Vector;
 use nsv_runtime::noise::Noise;
@@ -27,6 +28,19 @@ pub const SUBSTEPS: u32 = 1;
 /// Length of a plant step, s.
 pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;
 
+/// Time of a sample, s.
+#[inline(always)]
+fn sample_time(sample: u64) -> f64 {
+    sample as f64 * SAMPLE_TIME
+}
+
+/// Time of a step of the plant, s.
+#[inline(always)]
+fn step_time(step: u64) -> f64 {
+    let (sample, substep) = (step / u64::from(SUBSTEPS), step % u64::from(SUBSTEPS));
+    sample_time(sample) + substep as f64 * SUBSTEP
+}
+
 /// Runs of controller and plant, one in each lane.
 #[derive(Clone, Debug)]
 pub struct Simulator<T: Real = f64> {
@@ -37,6 +51,8 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
+    clock: Ahead<Clock<T>>,
+    plant_clock: Stages<plant::Clock<T>>,
     noise: Option<Noise<T>>,
 }
 
@@ -44,7 +60,7 @@ impl<T: Real> Simulator<T> {
     /// Time of the sample, s.
     #[inline(always)]
     pub fn time(&self) -> f64 {
-        self.sample as f64 * SAMPLE_TIME
+        sample_time(self.sample)
     }
 
     /// The plant's parameters in this run.
@@ -168,6 +184,8 @@ impl<T: Real> Runs<T> for Simulator<T> {
             state,
             output: Output::zero(),
             sample: 0,
+            clock: Ahead::new(sample_time),
+            plant_clock: Stages::new(step_time, SUBSTEP),
             noise: options.noise.then_some(process),
         }
     }
@@ -180,14 +198,8 @@ impl<T: Real> Runs<T> for Simulator<T> {
     #[inline(always)]
     fn control(&mut self) {
         let t = T::from_f64(self.time());
-        self.output = self
-            .controller
-            .step_at(
-                t,
-                &Clock::splat(&clock(T::Scalar::from_f64(self.time()))),
-                self.x1(),
-                self.x2(),
-            );
+        let clock = self.clock.at(self.sample, sample_time);
+        self.output = self.controller.step_at(t, &clock, self.x1(), self.x2());
     }
 
     #[inline(always)]
@@ -199,11 +211,12 @@ impl<T: Real> Runs<T> for Simulator<T> {
             xi: self.draw(self.sample),
         };
         for substep in 0..SUBSTEPS {
-            let t = self.time() + f64::from(substep) * SUBSTEP;
+            let step = self.sample * u64::from(SUBSTEPS) + u64::from(substep);
+            let at = self.plant_clock.at(step, step_time, SUBSTEP);
             self.x = sde::step(
                 Scheme::RungeKutta4,
                 &plant,
-                t,
+                at.each_ref(),
                 &self.x,
                 SUBSTEP,
                 &Vector([]),

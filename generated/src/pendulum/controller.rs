@@ -1,4 +1,4 @@
-// SHA-256 of the text below: c038fe57d91c9ac8d2399a4ef4964a1e89c40da6e8d5035c64371e35b36eacbc
+// SHA-256 of the text below: 940972b129ccfbae8a0054cdb7718078159a6c18e6154ec81594568ecd3deb6f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 5 additions, 18 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
 // control: 39 additions, 63 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 6 comparisons and selections
@@ -12,6 +12,7 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -423,15 +424,19 @@ pub struct Clock<T> {
     pub E1_free_1: T,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            y_r: Vector::splat_lanes(clock.y_r),
-            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
-            k1: T::splat(clock.k1),
-            E1_free_1: T::splat(clock.E1_free_1),
+            y_r: self.y_r.in_every_lane(lane),
+            y_r_dot: self.y_r_dot.in_every_lane(lane),
+            k1: self.k1.in_every_lane(lane),
+            E1_free_1: self.E1_free_1.in_every_lane(lane),
         }
     }
 }

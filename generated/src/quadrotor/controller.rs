@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 9d22cd6ca6a66b5ebb73485e6a99760d3ff645e6ff2c53971fbf360abf90ff90
+// SHA-256 of the text below: f12799e7b7a310126ef880a1baefa9ccac3ca07eeecce27ea183506a82d86e89
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 31 additions, 74 multiplications, 6 divisions, 0 square roots, 16 elementary functions, 3 comparisons and selections
 // control: 279 additions, 421 multiplications, 14 divisions, 3 square roots, 20 elementary functions, 13 comparisons and selections
@@ -12,6 +12,7 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -574,15 +575,19 @@ pub struct Clock<T> {
     pub E1_free_1: T,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            y_r: Vector::splat_lanes(clock.y_r),
-            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
-            k1: T::splat(clock.k1),
-            E1_free_1: T::splat(clock.E1_free_1),
+            y_r: self.y_r.in_every_lane(lane),
+            y_r_dot: self.y_r_dot.in_every_lane(lane),
+            k1: self.k1.in_every_lane(lane),
+            E1_free_1: self.E1_free_1.in_every_lane(lane),
         }
     }
 }

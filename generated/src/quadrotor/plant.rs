@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0fb3ff4b1283abee95ebebbfe8d008b55b5bab8b5ae810c632159791d60a403c
+// SHA-256 of the text below: ac15c4f15908c565f5554e5c7fea1296fd1f23f6fa2022d91212183625f0ba89
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // plant: 22 additions, 40 multiplications, 4 divisions, 0 square roots, 6 elementary functions, 0 comparisons and selections
 
@@ -50,19 +50,20 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
+    type Instant = ();
     const STATE_DEPENDENT: [bool; NOISE_CHANNELS] = [
         false, false, false, false, false, false, false, false,
     ];
 
     #[inline(always)]
-    fn drift(&self, _t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+    fn drift(&self, _at: &Self::Instant, x: &Vector<T, STATES>) -> Vector<T, STATES> {
         T::outlined(Drift { plant: self, x })
     }
 
     #[inline(always)]
     fn diffusion(
         &self,
-        _t: f64,
+        _at: &Self::Instant,
         x: &Vector<T, STATES>,
     ) -> Matrix<T, STATES, NOISE_CHANNELS> {
         T::outlined(Diffusion { plant: self, x })
@@ -71,7 +72,7 @@ impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
     #[inline(always)]
     fn drift_and_noise(
         &self,
-        _t: f64,
+        _at: &Self::Instant,
         x: &Vector<T, STATES>,
         dw: &Vector<T, NOISE_CHANNELS>,
     ) -> (Vector<T, STATES>, Vector<T, STATES>) {

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 8514e467387a1c965ed120264012ad358e3d775b83b1a4ee0dddda5fb17d3d6c
+// SHA-256 of the text below: 7995357f4acaafcfe123888eb832ddbddfd75bf699ee4af917b3c534b0baf573
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 27 additions, 65 multiplications, 3 divisions, 0 square roots, 10 elementary functions, 3 comparisons and selections
 // control: 240 additions, 316 multiplications, 7 divisions, 0 square roots, 27 elementary functions, 16 comparisons and selections
@@ -11,6 +11,7 @@
 
 use super::params::Params;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -498,15 +499,19 @@ pub struct Clock<T> {
     pub E1_free_1: T,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            y_r: Vector::splat_lanes(clock.y_r),
-            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
-            k1: T::splat(clock.k1),
-            E1_free_1: T::splat(clock.E1_free_1),
+            y_r: self.y_r.in_every_lane(lane),
+            y_r_dot: self.y_r_dot.in_every_lane(lane),
+            k1: self.k1.in_every_lane(lane),
+            E1_free_1: self.E1_free_1.in_every_lane(lane),
         }
     }
 }

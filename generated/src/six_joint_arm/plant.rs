@@ -1,4 +1,4 @@
-// SHA-256 of the text below: eb4b7842e58b28865ec34cb2a8ff9b042458018b6e31e258343600de409b148f
+// SHA-256 of the text below: 76887cf4fea15d3d4a4845122f9df4a50950c01c23cb976915ba4db74a61a95e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // plant: 77 additions, 139 multiplications, 1 divisions, 0 square roots, 23 elementary functions, 0 comparisons and selections
 
@@ -9,6 +9,7 @@
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
 use super::params::Params;
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
@@ -49,33 +50,37 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
+    type Instant = Clock<T>;
     #[inline(always)]
-    fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        T::outlined(Drift { plant: self, t, x })
+    fn drift(&self, at: &Self::Instant, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+        T::outlined(Drift { plant: self, clock: at, x })
     }
 
     #[inline(always)]
-    fn diffusion(&self, _t: f64, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
+    fn diffusion(
+        &self,
+        _at: &Self::Instant,
+        _x: &Vector<T, STATES>,
+    ) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
 }
 /// Drift.
 struct Drift<'a, T> {
     plant: &'a Plant<T>,
-    t: f64,
+    clock: &'a Clock<T>,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Drift<'_, T> {
     type Output = Vector<T, STATES>;
     #[inline(always)]
     fn run(self) -> Vector<T, STATES> {
-        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
         let rate = dynamics(
             *self.x,
             self.plant.u_sat,
             &self.plant.params,
             &self.plant.prepared,
-            &clock,
+            self.clock,
         );
         rate.drift
     }
@@ -171,12 +176,16 @@ pub struct Clock<T> {
     pub d2: Vector<T, 6>,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            d2: Vector::splat_lanes(clock.d2),
+            d2: self.d2.in_every_lane(lane),
         }
     }
 }

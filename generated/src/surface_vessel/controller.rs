@@ -1,4 +1,4 @@
-// SHA-256 of the text below: cd66b66442c3d04fd4f9e1bed7e21ab7d7b72c7fded7882b2050655d3fb8f39d
+// SHA-256 of the text below: 3e5ef9200d552a31c90d904f579462a85ad99520e01f0ac06ddbc7a270cfe440
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 40 additions, 63 multiplications, 5 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 271 additions, 385 multiplications, 11 divisions, 3 square roots, 11 elementary functions, 13 comparisons and selections
@@ -12,6 +12,7 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::FRAC_PI_2;
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -591,15 +592,19 @@ pub struct Clock<T> {
     pub E1_free_1: T,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            y_r: Vector::splat_lanes(clock.y_r),
-            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
-            k1: T::splat(clock.k1),
-            E1_free_1: T::splat(clock.E1_free_1),
+            y_r: self.y_r.in_every_lane(lane),
+            y_r_dot: self.y_r_dot.in_every_lane(lane),
+            k1: self.k1.in_every_lane(lane),
+            E1_free_1: self.E1_free_1.in_every_lane(lane),
         }
     }
 }

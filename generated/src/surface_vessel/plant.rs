@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 9de961e447c2556bf7a338a19e9f961df2f9878b5695292fb6e362476efdaa62
+// SHA-256 of the text below: 1402436b1ecf0a46f7dfec775a1803012ea007aa7b2f78e7cb27407ca7fd5d8d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // plant: 53 additions, 73 multiplications, 2 divisions, 0 square roots, 4 elementary functions, 0 comparisons and selections
 
@@ -9,6 +9,7 @@
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
 use super::params::Params;
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Part, Real};
 use nsv_runtime::sde::Sde;
@@ -48,50 +49,59 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, NOISE_CHANNELS> for Plant<T> {
+    type Instant = Clock<T>;
     const STATE_DEPENDENT: [bool; NOISE_CHANNELS] = [
         false, false, false, false, false, false,
     ];
 
     #[inline(always)]
-    fn drift(&self, t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
-        T::outlined(Drift { plant: self, t, x })
+    fn drift(&self, at: &Self::Instant, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+        T::outlined(Drift { plant: self, clock: at, x })
     }
 
     #[inline(always)]
     fn diffusion(
         &self,
-        t: f64,
+        at: &Self::Instant,
         x: &Vector<T, STATES>,
     ) -> Matrix<T, STATES, NOISE_CHANNELS> {
-        T::outlined(Diffusion { plant: self, t, x })
+        T::outlined(Diffusion {
+            plant: self,
+            clock: at,
+            x,
+        })
     }
 
     #[inline(always)]
     fn drift_and_noise(
         &self,
-        t: f64,
+        at: &Self::Instant,
         x: &Vector<T, STATES>,
         dw: &Vector<T, NOISE_CHANNELS>,
     ) -> (Vector<T, STATES>, Vector<T, STATES>) {
-        T::outlined(Rates { plant: self, t, x, dw })
+        T::outlined(Rates {
+            plant: self,
+            clock: at,
+            x,
+            dw,
+        })
     }
 }
 /// Drift.
 struct Drift<'a, T> {
     plant: &'a Plant<T>,
-    t: f64,
+    clock: &'a Clock<T>,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Drift<'_, T> {
     type Output = Vector<T, STATES>;
     #[inline(always)]
     fn run(self) -> Vector<T, STATES> {
-        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
         let rate = dynamics(
             *self.x,
             self.plant.u_sat,
             &self.plant.params,
-            &clock,
+            self.clock,
             &self.plant.prepared,
         );
         rate.drift
@@ -100,19 +110,18 @@ impl<T: Real> Part for Drift<'_, T> {
 /// Diffusion.
 struct Diffusion<'a, T> {
     plant: &'a Plant<T>,
-    t: f64,
+    clock: &'a Clock<T>,
     x: &'a Vector<T, STATES>,
 }
 impl<T: Real> Part for Diffusion<'_, T> {
     type Output = Matrix<T, STATES, NOISE_CHANNELS>;
     #[inline(always)]
     fn run(self) -> Matrix<T, STATES, NOISE_CHANNELS> {
-        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
         let rate = dynamics(
             *self.x,
             self.plant.u_sat,
             &self.plant.params,
-            &clock,
+            self.clock,
             &self.plant.prepared,
         );
         rate.diffusion
@@ -121,7 +130,7 @@ impl<T: Real> Part for Diffusion<'_, T> {
 /// Drift, and diffusion times noise.
 struct Rates<'a, T> {
     plant: &'a Plant<T>,
-    t: f64,
+    clock: &'a Clock<T>,
     x: &'a Vector<T, STATES>,
     dw: &'a Vector<T, NOISE_CHANNELS>,
 }
@@ -129,12 +138,11 @@ impl<T: Real> Part for Rates<'_, T> {
     type Output = (Vector<T, STATES>, Vector<T, STATES>);
     #[inline(always)]
     fn run(self) -> (Vector<T, STATES>, Vector<T, STATES>) {
-        let clock = Clock::splat(&clock(T::Scalar::from_f64(self.t)));
         let rate = dynamics(
             *self.x,
             self.plant.u_sat,
             &self.plant.params,
-            &clock,
+            self.clock,
             &self.plant.prepared,
         );
         (rate.drift, diffuse(&rate.diffusion, self.dw))
@@ -235,12 +243,16 @@ pub struct Clock<T> {
     pub d1: Vector<T, 3>,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            d1: Vector::splat_lanes(clock.d1),
+            d1: self.d1.in_every_lane(lane),
         }
     }
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 6b3bf4f44f70b004f3621f0ccfd5da55ce2b0dac8de8059c3d875ecad3782798
+// SHA-256 of the text below: eb98e6d9ecfafd6c5d6cd5db19d922c56732dec3cf3da044f2bd5f8fc881b89b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 11 additions, 27 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
 // control: 184 additions, 276 multiplications, 7 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
@@ -12,6 +12,7 @@
 use super::params::Params;
 use super::polynomials;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use nsv_runtime::ahead::OfTime;
 use nsv_runtime::linear::{Matrix, Vector};
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
@@ -468,17 +469,21 @@ pub struct Clock<T> {
     pub E2_free_1: T,
 }
 
-impl<T: Real> Clock<T> {
-    /// The same values in every lane.
+impl<T: Real> OfTime<T> for Clock<T> {
     #[inline(always)]
-    pub fn splat(clock: &Clock<T::Scalar>) -> Self {
+    fn at(t: T) -> Self {
+        clock(t)
+    }
+
+    #[inline(always)]
+    fn of_lane(&self, lane: usize) -> Self {
         Self {
-            y_r: Vector::splat_lanes(clock.y_r),
-            y_r_dot: Vector::splat_lanes(clock.y_r_dot),
-            k1: T::splat(clock.k1),
-            k2: T::splat(clock.k2),
-            E1_free_1: T::splat(clock.E1_free_1),
-            E2_free_1: T::splat(clock.E2_free_1),
+            y_r: self.y_r.in_every_lane(lane),
+            y_r_dot: self.y_r_dot.in_every_lane(lane),
+            k1: self.k1.in_every_lane(lane),
+            k2: self.k2.in_every_lane(lane),
+            E1_free_1: self.E1_free_1.in_every_lane(lane),
+            E2_free_1: self.E2_free_1.in_every_lane(lane),
         }
     }
 }

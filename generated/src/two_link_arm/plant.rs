@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 063458c88d280423a80e27dc092e90c512a4212c8464c6927d4c1a19e4b8f963
+// SHA-256 of the text below: 07ad135b85aa95db5dc8bfc14dd00997aa3dd6ca241a3ff992b8b7644adab01e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // plant: 20 additions, 33 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
@@ -35,13 +35,18 @@ pub struct Plant<T> {
 }
 
 impl<T: Real> Sde<T, STATES, 0> for Plant<T> {
+    type Instant = ();
     #[inline(always)]
-    fn drift(&self, _t: f64, x: &Vector<T, STATES>) -> Vector<T, STATES> {
+    fn drift(&self, _at: &Self::Instant, x: &Vector<T, STATES>) -> Vector<T, STATES> {
         T::outlined(Drift { plant: self, x })
     }
 
     #[inline(always)]
-    fn diffusion(&self, _t: f64, _x: &Vector<T, STATES>) -> Matrix<T, STATES, 0> {
+    fn diffusion(
+        &self,
+        _at: &Self::Instant,
+        _x: &Vector<T, STATES>,
+    ) -> Matrix<T, STATES, 0> {
         Matrix::zero()
     }
 }

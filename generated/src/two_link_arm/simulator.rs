@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 4b45519a9d769de0d96860977e32f808a556bfb13a0ff92497cb782248cc178d
+// SHA-256 of the text below: 3b5f12420fc355e14c55825436a7df0231745fde528435e56c2ba03a90db0b34
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `two_link_arm`: closed loop of controller and plant.
@@ -7,11 +7,12 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State, clock};
+use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
 use super::plant::{INITIAL_STATE, Plant, STATES};
+use nsv_runtime::ahead::Ahead;
 use nsv_runtime::closed_loop::{ClosedLoop, Options, Runs};
 use nsv_runtime::linear::Vector;
 use nsv_runtime::noise::Noise;
@@ -28,6 +29,12 @@ pub const SUBSTEPS: u32 = 4;
 /// Length of a plant step, s.
 pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;
 
+/// Time of a sample, s.
+#[inline(always)]
+fn sample_time(sample: u64) -> f64 {
+    sample as f64 * SAMPLE_TIME
+}
+
 /// Runs of controller and plant, one in each lane.
 #[derive(Clone, Debug)]
 pub struct Simulator<T: Real = f64> {
@@ -38,13 +45,14 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
+    clock: Ahead<Clock<T>>,
 }
 
 impl<T: Real> Simulator<T> {
     /// Time of the sample, s.
     #[inline(always)]
     pub fn time(&self) -> f64 {
-        self.sample as f64 * SAMPLE_TIME
+        sample_time(self.sample)
     }
 
     /// The plant's parameters in this run.
@@ -142,6 +150,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
             state,
             output: Output::zero(),
             sample: 0,
+            clock: Ahead::new(sample_time),
         }
     }
 
@@ -153,14 +162,8 @@ impl<T: Real> Runs<T> for Simulator<T> {
     #[inline(always)]
     fn control(&mut self) {
         let t = T::from_f64(self.time());
-        self.output = self
-            .controller
-            .step_at(
-                t,
-                &Clock::splat(&clock(T::Scalar::from_f64(self.time()))),
-                self.x1(),
-                self.x2(),
-            );
+        let clock = self.clock.at(self.sample, sample_time);
+        self.output = self.controller.step_at(t, &clock, self.x1(), self.x2());
     }
 
     #[inline(always)]
@@ -170,12 +173,11 @@ impl<T: Real> Runs<T> for Simulator<T> {
             prepared: self.prepared,
             u_sat: self.output.u_sat,
         };
-        for substep in 0..SUBSTEPS {
-            let t = self.time() + f64::from(substep) * SUBSTEP;
+        for _ in 0..SUBSTEPS {
             self.x = sde::step(
                 Scheme::RungeKutta4,
                 &plant,
-                t,
+                [&(); 3],
                 &self.x,
                 SUBSTEP,
                 &Vector([]),

@@ -69,6 +69,20 @@ pub trait Part {
     fn run(self) -> Self::Output;
 }
 
+/// Functions in arithmetic by [`Real::mul_add`]: they take fewer operations and are as near, but need an instruction to be fast.
+macro_rules! fused {
+    ($($method:ident: $function:ident),*; $($method2:ident: $function2:ident),*) => {
+        $(
+            #[doc = concat!("[`Real::", stringify!($function), "`], whose products are fused with sums.")]
+            fn $method(self) -> Self;
+        )*
+        $(
+            #[doc = concat!("[`Real::", stringify!($function2), "`], whose products are fused with sums.")]
+            fn $method2(self, other: Self) -> Self;
+        )*
+    };
+}
+
 /// Real numbers in floating point. Arithmetic is IEEE 754, rounded to nearest, and fused by [`Real::mul_add`] alone.
 pub trait Real:
     Copy
@@ -103,6 +117,8 @@ pub trait Real:
     fn from_lanes(value: impl FnMut(usize) -> f64) -> Self;
     /// The value of lane `i`, less than [`Real::LANES`].
     fn lane(self, i: usize) -> f64;
+    /// The value of lane `i`, modulo [`Real::LANES`], in every lane. By reference, since it is one load from memory.
+    fn in_every_lane(&self, i: usize) -> Self;
     /// `a` where the mask is true, else `b`; the arm not taken may be NaN.
     fn select(mask: Self::Mask, a: Self, b: Self) -> Self;
     /// The number with this representation.
@@ -198,6 +214,15 @@ pub trait Real:
     fn rayleigh(self) -> Self;
     /// Sine and cosine of pi x for |x| up to 1/2, to an absolute error of 2.5 epsilon.
     fn sin_cos_pi(self) -> (Self, Self);
+
+    fused! {
+        exp_fused: exp, ln_fused: ln, usual_sin_fused: usual_sin, usual_cos_fused: usual_cos, usual_tan_fused: usual_tan, sin_fused: sin,
+        cos_fused: cos, tan_fused: tan, asin_fused: asin, acos_fused: acos, atan_fused: atan, sinh_fused: sinh, cosh_fused: cosh,
+        tanh_fused: tanh, rayleigh_fused: rayleigh;
+        atan2_fused: atan2, pow_fused: pow
+    }
+    /// [`Real::sin_cos_pi`], whose products are fused with sums.
+    fn sin_cos_pi_fused(self) -> (Self, Self);
 
     /// 0.
     #[inline(always)]

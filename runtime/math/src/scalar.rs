@@ -104,29 +104,44 @@ bits!(u32);
 /// The elementary functions of a type with the constants of a precision.
 macro_rules! elementary {
     ($format:ident) => {
-        crate::scalar::elementary!($format: exp ln sin cos tan asin acos atan sinh cosh tanh rayleigh usual_sin usual_cos usual_tan; atan2 pow; sin_cos sin_cos_pi);
-    };
-    ($format:ident: $($function:ident)*; $($function2:ident)*; $($pair:ident)*) => {
-        $(
-            #[inline(always)]
-            fn $function(self) -> Self {
-                crate::elementary::$function::<crate::elementary::$format, Self>(self)
-            }
-        )*
-        $(
-            #[inline(always)]
-            fn $function2(self, other: Self) -> Self {
-                crate::elementary::$function2::<crate::elementary::$format, Self>(self, other)
-            }
-        )*
+        crate::scalar::elementary!(
+            crate::elementary::$format:
+            exp = exp, ln = ln, sin = sin, cos = cos, tan = tan, asin = asin, acos = acos, atan = atan, sinh = sinh, cosh = cosh,
+            tanh = tanh, rayleigh = rayleigh, usual_sin = usual_sin, usual_cos = usual_cos, usual_tan = usual_tan;
+            atan2 = atan2, pow = pow;
+            sin_cos = sin_cos, sin_cos_pi = sin_cos_pi
+        );
+        crate::scalar::elementary!(
+            crate::elementary::Fused<crate::elementary::$format>:
+            exp_fused = exp, ln_fused = ln, sin_fused = sin, cos_fused = cos, tan_fused = tan, asin_fused = asin, acos_fused = acos,
+            atan_fused = atan, sinh_fused = sinh, cosh_fused = cosh, tanh_fused = tanh, rayleigh_fused = rayleigh,
+            usual_sin_fused = usual_sin, usual_cos_fused = usual_cos, usual_tan_fused = usual_tan;
+            atan2_fused = atan2, pow_fused = pow;
+            sin_cos_pi_fused = sin_cos_pi
+        );
+
         #[inline(always)]
         fn is_large_angle(self) -> Self::Mask {
             crate::elementary::is_large_angle::<crate::elementary::$format, Self>(self)
         }
+    };
+    ($format:ty: $($method:ident = $function:ident),*; $($method2:ident = $function2:ident),*; $($pair:ident = $of:ident),*) => {
+        $(
+            #[inline(always)]
+            fn $method(self) -> Self {
+                crate::elementary::$function::<$format, Self>(self)
+            }
+        )*
+        $(
+            #[inline(always)]
+            fn $method2(self, other: Self) -> Self {
+                crate::elementary::$function2::<$format, Self>(self, other)
+            }
+        )*
         $(
             #[inline(always)]
             fn $pair(self) -> (Self, Self) {
-                crate::elementary::$pair::<crate::elementary::$format, Self>(self)
+                crate::elementary::$of::<$format, Self>(self)
             }
         )*
     };
@@ -168,6 +183,11 @@ macro_rules! scalar {
             #[inline(always)]
             fn lane(self, _: usize) -> f64 {
                 f64::from(self)
+            }
+
+            #[inline(always)]
+            fn in_every_lane(&self, _: usize) -> Self {
+                *self
             }
 
             #[inline(always)]

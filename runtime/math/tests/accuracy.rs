@@ -18,7 +18,11 @@ fn check<const N: usize>(name: &str, found: &Worst<N>) {
 }
 
 macro_rules! one_argument {
-    ($($function:ident: $single:ident $double:ident,)*) => {$(
+    ($($function:ident $fused:ident: $single:ident $double:ident,)*) => {$(
+        one_argument!($function, $single, $double);
+        one_argument!($fused, $single, $double);
+    )*};
+    ($function:ident, $single:ident, $double:ident) => {
         #[test]
         fn $function() {
             let (mut single, mut double) = (Worst::new(), Worst::new());
@@ -31,29 +35,33 @@ macro_rules! one_argument {
             check("single precision", &single);
             check("double precision", &double);
         }
-    )*};
+    };
 }
 
 one_argument! {
-    sin: sinf sin,
-    cos: cosf cos,
-    tan: tanf tan,
-    exp: expf exp,
-    ln: logf log,
-    sinh: sinhf sinh,
-    cosh: coshf cosh,
-    tanh: tanhf tanh,
-    asin: asinf asin,
-    acos: acosf acos,
-    atan: atanf atan,
+    sin sin_fused: sinf sin,
+    cos cos_fused: cosf cos,
+    tan tan_fused: tanf tan,
+    exp exp_fused: expf exp,
+    ln ln_fused: logf log,
+    sinh sinh_fused: sinhf sinh,
+    cosh cosh_fused: coshf cosh,
+    tanh tanh_fused: tanhf tanh,
+    asin asin_fused: asinf asin,
+    acos acos_fused: acosf acos,
+    atan atan_fused: atanf atan,
 }
 
 macro_rules! two_arguments {
-    ($($function:ident: $single:ident $double:ident,)*) => {$(
+    ($($function:ident $fused:ident: $single:ident $double:ident,)*) => {$(
+        two_arguments!($function, $single, $double);
+        two_arguments!($fused, $single, $double);
+    )*};
+    ($function:ident, $single:ident, $double:ident) => {
         #[test]
         fn $function() {
             let (mut single, mut double) = (Worst::new(), Worst::new());
-            for [x, y] in Arguments::of(0..SAMPLES).pairs(stringify!($function) == "pow") {
+            for [x, y] in Arguments::of(0..SAMPLES).pairs(stringify!($double) == "pow") {
                 double.double([x, y], [Real::$function(x, y), core_math::$double(x, y)]);
                 let (a, b) = (x as f32, y as f32);
                 let results = [Real::$function(a, b), core_math::$single(a, b)];
@@ -62,12 +70,12 @@ macro_rules! two_arguments {
             check("single precision", &single);
             check("double precision", &double);
         }
-    )*};
+    };
 }
 
 two_arguments! {
-    atan2: atan2f atan2,
-    pow: powf pow,
+    atan2 atan2_fused: atan2f atan2,
+    pow pow_fused: powf pow,
 }
 
 #[test]

@@ -22,6 +22,7 @@ fn rayleigh_is_within_two_epsilons() {
         let exact = (-2.0 * core_math::log(x)).sqrt();
         let bound = 2.0 * f64::EPSILON;
         check("double", x, x.rayleigh() / exact - 1.0, bound);
+        check("fused", x, x.rayleigh_fused() / exact - 1.0, bound);
         let narrow = x as f32;
         if narrow < 1.0 && narrow > f32::MIN_POSITIVE {
             let exact = (-2.0 * core_math::log(narrow.into())).sqrt();
@@ -46,6 +47,9 @@ fn sine_and_cosine_of_half_turns_are_within_two_and_a_half_epsilons() {
         let bound = 2.5 * f64::EPSILON;
         check("sine", x, sine - core_math::sinpi(x), bound);
         check("cosine", x, cosine - core_math::cospi(x), bound);
+        let (sine, cosine) = x.sin_cos_pi_fused();
+        check("fused sine", x, sine - core_math::sinpi(x), bound);
+        check("fused cosine", x, cosine - core_math::cospi(x), bound);
         let (sine, cosine) = (x as f32).sin_cos_pi();
         let (wide, bound) = (f64::from(x as f32), 2.5 * f64::from(f32::EPSILON));
         check("sine", x, f64::from(sine) - core_math::sinpi(wide), bound);

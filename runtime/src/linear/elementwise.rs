@@ -33,6 +33,14 @@ functions! {
     Cosh = cosh, long true;
     Tanh = tanh, long true;
     Sign = sign, long false;
+    ExpFused = exp_fused, long true;
+    LnFused = ln_fused, long true;
+    AsinFused = asin_fused, long true;
+    AcosFused = acos_fused, long true;
+    AtanFused = atan_fused, long true;
+    SinhFused = sinh_fused, long true;
+    CoshFused = cosh_fused, long true;
+    TanhFused = tanh_fused, long true;
 }
 
 /// Functions of an angle, by their methods: for any angle, and for one that is not large.
@@ -67,6 +75,9 @@ angular! {
     Sin = sin, usual_sin;
     Cos = cos, usual_cos;
     Tan = tan, usual_tan;
+    SinFused = sin_fused, usual_sin_fused;
+    CosFused = cos_fused, usual_cos_fused;
+    TanFused = tan_fused, usual_tan_fused;
 }
 
 /// An integer power.
@@ -104,6 +115,8 @@ functions2! {
     Max = |x, y| x.max(y);
     Atan2 = |x, y| x.atan2(y);
     Pow = |x, y| x.pow(y);
+    Atan2Fused = |x, y| x.atan2_fused(y);
+    PowFused = |x, y| x.pow_fused(y);
 }
 
 /// Functions of three numbers.
@@ -178,6 +191,28 @@ macro_rules! elementwise {
             tanh = Tanh;
             /// Sign of each entry.
             sign = Sign;
+            /// [`Self::exp`], whose products are fused with sums.
+            exp_fused = ExpFused;
+            /// [`Self::ln`], whose products are fused with sums.
+            ln_fused = LnFused;
+            /// [`Self::sin`], whose products are fused with sums.
+            sin_fused = SinFused;
+            /// [`Self::cos`], whose products are fused with sums.
+            cos_fused = CosFused;
+            /// [`Self::tan`], whose products are fused with sums.
+            tan_fused = TanFused;
+            /// [`Self::asin`], whose products are fused with sums.
+            asin_fused = AsinFused;
+            /// [`Self::acos`], whose products are fused with sums.
+            acos_fused = AcosFused;
+            /// [`Self::atan`], whose products are fused with sums.
+            atan_fused = AtanFused;
+            /// [`Self::sinh`], whose products are fused with sums.
+            sinh_fused = SinhFused;
+            /// [`Self::cosh`], whose products are fused with sums.
+            cosh_fused = CoshFused;
+            /// [`Self::tanh`], whose products are fused with sums.
+            tanh_fused = TanhFused;
             ;
             /// Elementwise product `a_i b_i`.
             hadamard = Mul;
@@ -191,6 +226,10 @@ macro_rules! elementwise {
             atan2 = Atan2;
             /// Elementwise power.
             pow = Pow;
+            /// [`Self::atan2`], whose products are fused with sums.
+            atan2_fused = Atan2Fused;
+            /// [`Self::pow`], whose products are fused with sums.
+            pow_fused = PowFused;
         }
 
         /// `a_i^n` by binary powering.

@@ -65,13 +65,13 @@ impl<T: Real, const R: usize, const C: usize> Matrix<T, R, C> {
         rows
     }
 
-    /// The same entries in every lane.
+    /// The entries of one lane in every lane, as [`Real::in_every_lane`].
     #[inline(always)]
-    pub fn splat_lanes(values: Matrix<T::Scalar, R, C>) -> Self {
+    pub fn in_every_lane(&self, lane: usize) -> Self {
         let mut matrix = Self::zero();
         let mut j = 0;
         while j < C {
-            matrix.0[j] = Vector::splat_lanes(values.0[j]);
+            matrix.0[j] = self.0[j].in_every_lane(lane);
             j += 1;
         }
         matrix

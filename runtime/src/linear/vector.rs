@@ -29,13 +29,13 @@ impl<T: Real, const N: usize> Vector<T, N> {
         vector
     }
 
-    /// The same entries in every lane.
+    /// The entries of one lane in every lane, as [`Real::in_every_lane`].
     #[inline(always)]
-    pub fn splat_lanes(values: Vector<T::Scalar, N>) -> Self {
+    pub fn in_every_lane(&self, lane: usize) -> Self {
         let mut vector = Self::zero();
         let mut i = 0;
         while i < N {
-            vector.0[i] = T::splat(values.0[i]);
+            vector.0[i] = self.0[i].in_every_lane(lane);
             i += 1;
         }
         vector

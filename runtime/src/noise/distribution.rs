@@ -38,16 +38,23 @@ fn half_turns<T: Real>(bits: T::Bits) -> T {
 }
 
 /// A pair of standard normal numbers by Box and Muller: `±sqrt(-2 ln u) cos(pi h)` and `sqrt(-2 ln u) sin(pi h)` with u of the first bits, h
-/// between -1/2 and 1/2 and the sign of the second.
+/// between -1/2 and 1/2 and the sign of the second; with products fused with sums if it is `FUSED`.
 #[derive(Clone, Copy)]
-pub(super) struct BoxMuller;
+pub(super) struct BoxMuller<const FUSED: bool>;
 
-impl EachPair for BoxMuller {
+impl<const FUSED: bool> EachPair for BoxMuller<FUSED> {
     /// Of representations, results are numbers.
     #[inline(always)]
     fn of<T: Real>(self, first: T, second: T) -> [T; 2] {
-        let radius = open_unit::<T>(first.to_bits()).rayleigh();
-        let (sine, cosine) = half_turns::<T>(second.to_bits()).sin_cos_pi();
+        let (u, h) = (
+            open_unit::<T>(first.to_bits()),
+            half_turns::<T>(second.to_bits()),
+        );
+        let (radius, (sine, cosine)) = if FUSED {
+            (u.rayleigh_fused(), h.sin_cos_pi_fused())
+        } else {
+            (u.rayleigh(), h.sin_cos_pi())
+        };
         let sign = second.to_bits().and(T::from_f64(-0.0).to_bits());
         let signed = (radius * cosine).to_bits().xor(sign);
         [T::from_bits(signed), radius * sine]

@@ -108,7 +108,7 @@ impl<T: Real> Noise<T> {
         let (pair, pairs) = (channel / 2, Self::PAIRS as u32);
         let block = self.words(self.purpose as u32 + NORMAL, step, pair / pairs);
         let [first, second] = Self::bits_of_pair(&[block], (pair % pairs) as usize);
-        BoxMuller.of(first, second)[channel as usize % 2]
+        BoxMuller::<false>.of(first, second)[channel as usize % 2]
     }
 
     /// Standard normal between its quantiles of the probabilities `low` and `high`.
@@ -121,6 +121,17 @@ impl<T: Real> Noise<T> {
     /// [`Noise::normal`] of the channels 0 to N - 1.
     #[inline(always)]
     pub fn normals<const N: usize>(&self, step: u64) -> Vector<T, N> {
+        self.all_normals::<false, N>(step)
+    }
+
+    /// [`Noise::normals`], whose products are fused with sums.
+    #[inline(always)]
+    pub fn normals_fused<const N: usize>(&self, step: u64) -> Vector<T, N> {
+        self.all_normals::<true, N>(step)
+    }
+
+    #[inline(always)]
+    fn all_normals<const FUSED: bool, const N: usize>(&self, step: u64) -> Vector<T, N> {
         let mut blocks = [[T::Bits::splat(0); 4]; N];
         let mut cell = 0;
         while cell < N.div_ceil(2).div_ceil(Self::PAIRS) {
@@ -129,20 +140,22 @@ impl<T: Real> Noise<T> {
         }
         encrypt(&mut blocks, cell, &self.keys);
         if T::IS_SCALAR {
-            Self::packed_normals(&blocks)
+            Self::packed_normals::<FUSED, N>(&blocks)
         } else {
-            Self::normals_of_each(&blocks)
+            Self::normals_of_each::<FUSED, N>(&blocks)
         }
     }
 
     /// Pair after pair.
     #[inline(always)]
-    fn normals_of_each<const N: usize>(blocks: &[[T::Bits; 4]; N]) -> Vector<T, N> {
+    fn normals_of_each<const FUSED: bool, const N: usize>(
+        blocks: &[[T::Bits; 4]; N],
+    ) -> Vector<T, N> {
         let mut draws = Vector::zero();
         let mut channel = 0;
         while channel < N {
             let [first, second] = Self::bits_of_pair(blocks, channel / 2);
-            let [even, odd] = BoxMuller.of(first, second);
+            let [even, odd] = BoxMuller::<FUSED>.of(first, second);
             draws[channel] = even;
             if channel + 1 < N {
                 draws[channel + 1] = odd;
@@ -154,14 +167,16 @@ impl<T: Real> Noise<T> {
 
     /// Several pairs in a register.
     #[inline(always)]
-    fn packed_normals<const N: usize>(blocks: &[[T::Bits; 4]; N]) -> Vector<T, N> {
+    fn packed_normals<const FUSED: bool, const N: usize>(
+        blocks: &[[T::Bits; 4]; N],
+    ) -> Vector<T, N> {
         let (mut even, mut odd) = ([T::zero(); N], [T::zero(); N]);
         let mut pair = 0;
         while pair < N.div_ceil(2) {
             [even[pair], odd[pair]] = Self::bits_of_pair(blocks, pair);
             pair += 1;
         }
-        T::each_pair(BoxMuller, &mut even[..pair], &mut odd[..pair]);
+        T::each_pair(BoxMuller::<FUSED>, &mut even[..pair], &mut odd[..pair]);
         let mut draws = Vector::zero();
         let mut channel = 0;
         while channel < N {

@@ -56,13 +56,16 @@ class Functions:
         known = "prepare" in self.arguments
         return (f"{self.file}::Prepared<T>", self.call("prepare", params="params")) if known else (f"{ABSENT}<T>", ABSENT)
 
-    def clock(self, **values: str) -> str:
-        """Statement that computes what depends on time; the same in all lanes if neither parameters nor what they give can differ."""
-        if "clock" not in self.arguments:
-            return ""
-        if values.keys() >= set(self.arguments["clock"]):
-            return f"let clock = {self.file}::Clock::splat(&{self.call('clock', **values)});"
-        return f"let clock = {self.call('clock', t='T::from_f64(t)', params='params', prepared='prepared')};"
+    def clock(self) -> str:
+        """Statement that computes what depends on time."""
+        return f"let clock = {self.call('clock', t='t', params='params', prepared='prepared')};" if "clock" in self.arguments else ""
+
+    def ahead(self, common: set[str]) -> tuple[str, str, str]:
+        """Type and first value of what is computed for several steps at once, and the statement that gives it for one of them: the values
+        of a clock that needs nothing but `common`."""
+        if not set(self.arguments.get("clock", ["absent"])) <= common:
+            return f"{ABSENT}<T>", ABSENT, self.clock()
+        return f"Ahead<{self.file}::Clock<T>>", "Ahead::new(time)", "let clock = ahead.at(step, time);"
 
 
 def pieces(work: Workload, module: Path) -> dict[str, str]:
@@ -70,21 +73,23 @@ def pieces(work: Workload, module: Path) -> dict[str, str]:
     width = work.outputs["u_sat"][1][0]
     law, plant = Functions(module / "controller.rs"), Functions(module / "plant.rs")
     blocks = [f"Vector([{', '.join(f'x[{i * width + j}]' for j in range(width))}])" for i in range(work.blocks)]
-    values = {"t": "t", "state": "state", "params": "params", "prepared": "prepared", "clock": "&clock", "x": "x", "u_sat": "u_sat"}
+    values = {"state": "state", "params": "params", "prepared": "prepared", "clock": "&clock", "x": "x", "u_sat": "u_sat"}
     measured = {f"x{i + 1}": block for i, block in enumerate(blocks)}
     (law_prepared, prepare_law), (plant_prepared, prepare_plant) = law.prepared(), plant.prepared()
     # As in the emitted simulator: the controller's parameters are those of the design in every run.
-    scalar = {"t": "T::Scalar::from_f64(t)", "params": "&Params::design()"}
-    shared = "prepared" not in law.arguments.get("clock", ["prepared"])
-    sampled = [*["&clock"] * shared, *blocks]
+    law_ahead, new_law_ahead, sample_clock = law.ahead({"t", "params"})
+    plant_ahead, new_plant_ahead, rate_clock = plant.ahead({"t"})
+    shared = "ahead" in sample_clock
+    sampled = ["t", *["&clock"] * shared, *blocks]
     return {
         "law_prepared": law_prepared, "prepare_law": prepare_law, "plant_prepared": plant_prepared, "prepare_plant": prepare_plant,
-        "law_clock": f"let clock = {law.call('clock', **values)};" if "clock" in law.arguments else "",
-        "law": law.call("law" if "law" in law.arguments else "control", **values | measured),
-        "sample_clock": law.clock(**scalar) if shared else "",
-        "sample": f"step{'_at' if shared else ''}({', '.join(['T::from_f64(t)', *sampled])})",
-        "plant_clock": plant.clock(t=scalar["t"]),
-        "rate": plant.call("dynamics" if "dynamics" in plant.arguments else "plant", **values | {"t": "T::from_f64(t)"}),
+        "law_ahead": law_ahead, "new_law_ahead": new_law_ahead, "plant_ahead": plant_ahead, "new_plant_ahead": new_plant_ahead,
+        "law_clock": law.clock(),
+        "law": law.call("law" if "law" in law.arguments else "control", t="t", **values | measured),
+        "sample_clock": sample_clock if shared else "",
+        "sample": f"step{'_at' if shared else ''}({', '.join(sampled)})",
+        "plant_clock": plant.clock(), "rate_clock": rate_clock,
+        "rate": plant.call("dynamics" if "dynamics" in plant.arguments else "plant", t="t", **values),
     }  # fmt: skip
 
 
@@ -108,7 +113,7 @@ def source(work: Workload) -> dict[str, str]:
 def build(work: Workload, folder: Path, math: str) -> Built:
     """Emits the module and compiles the library for this processor."""
     compiler("generate", f"specs/{work.spec}.yaml", "--math", math, "--out", str(folder / "src"))
-    words = {"spec": work.spec} | source(work) | pieces(work, folder / "src" / work.spec)
+    words = {"spec": work.spec, "normals": "normals_fused" if math == "fast" else "normals"} | source(work) | pieces(work, folder / "src" / work.spec)
     sources = {path.stem: Template(path.read_text()).substitute(words) for path in CRATE.glob("*.in")}
     sources |= {path.name: path.read_text() for path in CRATE.glob("*.rs")}
     return Built(cargo(folder, MANIFEST.format(spec=work.spec.replace("_", "-"), root=ROOT), sources, "libnsv_bench.so"))

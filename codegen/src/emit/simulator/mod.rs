@@ -10,12 +10,14 @@ use quote::{ToTokens, format_ident, quote};
 use nsv_spec::model::{NoiseModel, Scheme};
 
 use crate::emit::comment::docs;
+use crate::emit::equation::Instant;
 use crate::emit::function::Function;
 use crate::emit::interface::Interface;
 use crate::emit::literal::float;
 use crate::emit::names::ident;
-use crate::emit::pieces::{Split, call_with};
+use crate::emit::pieces::Split;
 use crate::emit::plant::noise_channels;
+use crate::emit::source::mentions;
 use crate::emit::types::index;
 use crate::ir::Program;
 use crate::opt::dependence::uses;
@@ -44,6 +46,7 @@ impl Simulator<'_> {
     /// The items of the file.
     pub(crate) fn items(&self) -> Vec<TokenStream> {
         let mut items = self.constants();
+        items.extend(self.times());
         items.push(self.definition());
         items.push(self.methods());
         items.push(self.closed_loop());
@@ -74,8 +77,55 @@ impl Simulator<'_> {
         own.into_iter().chain(self.hardware().constants()).collect()
     }
 
+    /// Times by numbers.
+    fn times(&self) -> Vec<TokenStream> {
+        let sample = docs(&["Time of a sample, s."]);
+        let step = docs(&["Time of a step of the plant, s."]);
+        let mut times = vec![quote! {
+            #sample
+            #[inline(always)]
+            fn sample_time(sample: u64) -> f64 { sample as f64 * SAMPLE_TIME }
+        }];
+        if Instant::of(self.dynamics) != Instant::Nothing || self.hardware().acts() {
+            times.push(quote! {
+                #step
+                #[inline(always)]
+                fn step_time(step: u64) -> f64 {
+                    let (sample, substep) = (step / u64::from(SUBSTEPS), step % u64::from(SUBSTEPS));
+                    sample_time(sample) + substep as f64 * SUBSTEP
+                }
+            });
+        }
+        times
+    }
+
+    /// Fields for what all runs have in common, with their initial values.
+    fn clocks(&self) -> Vec<(TokenStream, TokenStream)> {
+        let law = self.law.shares_clock().then(|| {
+            (
+                quote!(clock: Ahead<Clock<T>>),
+                quote!(clock: Ahead::new(sample_time)),
+            )
+        });
+        let plant = (Instant::of(self.dynamics) == Instant::Clock).then(|| {
+            if self.scheme().0 == "RungeKutta4" {
+                (
+                    quote!(plant_clock: Stages<plant::Clock<T>>),
+                    quote!(plant_clock: Stages::new(step_time, SUBSTEP)),
+                )
+            } else {
+                (
+                    quote!(plant_clock: Ahead<plant::Clock<T>>),
+                    quote!(plant_clock: Ahead::new(step_time)),
+                )
+            }
+        });
+        law.into_iter().chain(plant).collect()
+    }
+
     fn definition(&self) -> TokenStream {
         let docs = docs(&["Runs of controller and plant, one in each lane."]);
+        let clocks = self.clocks().into_iter().map(|(field, _)| field);
         let noise = (self.channels() > 0).then(|| quote!(noise: Option<Noise<T>>,));
         let prepared = (self.dynamics.prepare()).map(|_| quote!(prepared: plant::Prepared<T>,));
         let hardware = self.hardware().fields();
@@ -90,6 +140,7 @@ impl Simulator<'_> {
                 state: State<T>,
                 output: Output<T>,
                 sample: u64,
+                #(#clocks,)*
                 #noise
                 #hardware
             }
@@ -126,6 +177,11 @@ impl Simulator<'_> {
             docs(&["The plant's state."]),
             docs(&["Output of the controller at the sample."]),
         );
+        let normals = ident(if self.plant.program.fused {
+            "normals_fused"
+        } else {
+            "normals"
+        });
         let draw = (self.channels() > 0).then(|| {
             let docs =
                 docs(&["Standard normal draws of all channels; zeros in a run without noise."]);
@@ -134,7 +190,7 @@ impl Simulator<'_> {
                 #[inline(always)]
                 fn draw(&self, step: u64) -> Vector<T, NOISE_CHANNELS> {
                     match &self.noise {
-                        Some(noise) => noise.normals(step),
+                        Some(noise) => noise.#normals(step),
                         None => Vector::zero(),
                     }
                 }
@@ -145,7 +201,7 @@ impl Simulator<'_> {
             impl<T: Real> Simulator<T> {
                 #time_docs
                 #[inline(always)]
-                pub fn time(&self) -> f64 { self.sample as f64 * SAMPLE_TIME }
+                pub fn time(&self) -> f64 { sample_time(self.sample) }
 
                 #params_docs
                 #[inline(always)]
@@ -221,20 +277,16 @@ impl Simulator<'_> {
             .map(|number| format_ident!("{letter}{number}"))
             .collect();
         let measure = senses.then(|| quote!(self.measure();));
-        // The controller's parameters are those of the design in every run, so that one clock serves all lanes.
-        let shared = self.law.clock().filter(|clock| {
-            let record = |name: &str| name.split('.').next() != Some("prepared");
-            clock.inputs.iter().all(|input| record(&input.name))
-        });
-        let step = match shared {
-            None => quote!(self.controller.step(t, #(self.#blocks()),*)),
-            Some(clock) => {
-                let call = call_with(clock, |argument| match argument {
-                    "t" => quote!(T::Scalar::from_f64(self.time())),
-                    _ => quote!(&Params::design()),
-                });
-                quote!(self.controller.step_at(t, &Clock::splat(&#call), #(self.#blocks()),*))
-            }
+        let (clock, step) = if self.law.shares_clock() {
+            (
+                quote!(let clock = self.clock.at(self.sample, sample_time);),
+                quote!(self.controller.step_at(t, &clock, #(self.#blocks()),*)),
+            )
+        } else {
+            (
+                quote!(),
+                quote!(self.controller.step(t, #(self.#blocks()),*)),
+            )
         };
         quote! {
             #[inline(always)]
@@ -246,6 +298,7 @@ impl Simulator<'_> {
             fn control(&mut self) {
                 let t = T::from_f64(self.time());
                 #measure
+                #clock
                 self.output = #step;
             }
         }
@@ -276,16 +329,40 @@ impl Simulator<'_> {
         let held = (noisy && self.interface.noise == NoiseModel::Sampled)
             .then(|| quote!(, xi: self.draw(self.sample)));
         let (draw, increment) = if noisy && self.interface.noise == NoiseModel::Wiener {
-            let draw = quote! {
-                let step = self.sample * u64::from(SUBSTEPS) + u64::from(substep);
-                let dw = self.draw(step) * T::from_f64(SUBSTEP).sqrt();
-            };
+            let draw = quote!(let dw = self.draw(step) * T::from_f64(SUBSTEP).sqrt(););
             (draw, quote!(&dw))
         } else {
             (TokenStream::new(), quote!(&Vector([])))
         };
         let prepared = (self.dynamics.prepare()).map(|_| quote!(prepared: self.prepared,));
-        if self.hardware().acts() {
+        let (at, stages) = match Instant::of(self.dynamics) {
+            Instant::Nothing => (None, quote!([&(); 3])),
+            Instant::Time => (
+                Some(quote!(sde::stages(step_time(step), SUBSTEP))),
+                quote!(at.each_ref()),
+            ),
+            Instant::Clock if scheme == "RungeKutta4" => (
+                Some(quote!(self.plant_clock.at(step, step_time, SUBSTEP))),
+                quote!(at.each_ref()),
+            ),
+            Instant::Clock => (
+                Some(quote!(self.plant_clock.at(step, step_time))),
+                quote!([&at; 3]),
+            ),
+        };
+        let at = at.map(|at| quote!(let at = #at;));
+        let step = quote! {
+            #at
+            #draw
+            self.x = sde::step(Scheme::#scheme, &plant, #stages, &self.x, SUBSTEP, #increment);
+        };
+        let acts = self.hardware().acts();
+        // Without a clock, noise of its own and actuators a step has no use for its number.
+        let numbered = acts || mentions(&quote!(#draw #at), "step");
+        let substep = if numbered { quote!(substep) } else { quote!(_) };
+        let number = numbered
+            .then(|| quote!(let step = self.sample * u64::from(SUBSTEPS) + u64::from(substep);));
+        if acts {
             let xi = held.map(|_| quote!(let xi = self.draw(self.sample);));
             let held = xi.as_ref().map(|_| quote!(, xi));
             return quote! {
@@ -294,10 +371,9 @@ impl Simulator<'_> {
                 fn advance(&mut self) {
                     #xi
                     for substep in 0..SUBSTEPS {
-                        let t = self.time() + f64::from(substep) * SUBSTEP;
-                        let plant = Plant { params: self.truth, #prepared u_sat: self.actuate(t) #held };
-                        #draw
-                        self.x = sde::step(Scheme::#scheme, &plant, t, &self.x, SUBSTEP, #increment);
+                        #number
+                        let plant = Plant { params: self.truth, #prepared u_sat: self.actuate(step_time(step)) #held };
+                        #step
                     }
                     self.sample += 1;
                 }
@@ -308,10 +384,9 @@ impl Simulator<'_> {
             #[inline(always)]
             fn advance(&mut self) {
                 let plant = Plant { params: self.truth, #prepared u_sat: self.output.u_sat #held };
-                for substep in 0..SUBSTEPS {
-                    let t = self.time() + f64::from(substep) * SUBSTEP;
-                    #draw
-                    self.x = sde::step(Scheme::#scheme, &plant, t, &self.x, SUBSTEP, #increment);
+                for #substep in 0..SUBSTEPS {
+                    #number
+                    #step
                 }
                 self.sample += 1;
             }
@@ -321,7 +396,7 @@ impl Simulator<'_> {
     fn telemetry(&self, columns: &[Column]) -> TokenStream {
         let values: Vec<&TokenStream> = columns.iter().map(|column| &column.value).collect();
         let body = quote!(#(#values),*);
-        let mentioned = |name: &str| crate::emit::source::mentions(&body, name);
+        let mentioned = |name: &str| mentions(&body, name);
         let blocks = self.blocks();
         let plant = mentioned("rate").then(|| {
             let (name, arguments) = (self.plant.name(), self.arguments(self.plant));

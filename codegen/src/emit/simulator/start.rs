@@ -28,7 +28,8 @@ impl Simulator<'_> {
         };
         let measured = self.segments_of(&from);
         let measured: Vec<TokenStream> = measured.collect();
-        let fields = quote!(#prepared controller, truth, x, state, output: Output::zero(), sample: 0, #noise #hardware_fields);
+        let clocks = self.clocks().into_iter().map(|(_, initial)| initial);
+        let fields = quote!(#prepared controller, truth, x, state, output: Output::zero(), sample: 0, #(#clocks,)* #noise #hardware_fields);
         let (controller, made) = if hardware.senses() {
             let start = quote! {
                 let controller = Controller::new(Params::design());

@@ -42,10 +42,12 @@ impl Tables {
         match *op {
             Op::Input(_) => panic!("invariant: inputs are given, not computed"),
             Op::Const(ref data) => out.copy_from_slice(data),
-            Op::Apply(function, a) => map(value(a), out, |x| scalar::function(function, x)),
+            Op::Apply(function, a) => map(value(a), out, |x| {
+                scalar::function(function, x, program.fused)
+            }),
             Op::PowInt(a, n) => map(value(a), out, |x| scalar::power(x, n)),
             Op::Kernel(function, a) => out[0] = kernel::kernel(function, first(a)),
-            Op::Binary(operator, a, b) => binary(operator, value(a), value(b), out),
+            Op::Binary(operator, a, b) => binary(operator, value(a), value(b), program.fused, out),
             Op::Compare(comparison, a, b) => {
                 out[0] = truth(scalar::comparison(comparison, first(a), first(b)))
             }
@@ -167,12 +169,12 @@ fn map(a: &[f64], out: &mut [f64], f: impl Fn(f64) -> f64) {
 }
 
 /// Elementwise; an operand of one entry is broadcast.
-fn binary(operator: Operator, a: &[f64], b: &[f64], out: &mut [f64]) {
+fn binary(operator: Operator, a: &[f64], b: &[f64], fused: bool, out: &mut [f64]) {
     for (i, entry) in out.iter_mut().enumerate() {
         let (x, y) = (
             a[if a.len() == 1 { 0 } else { i }],
             b[if b.len() == 1 { 0 } else { i }],
         );
-        *entry = scalar::operator(operator, x, y);
+        *entry = scalar::operator(operator, x, y, fused);
     }
 }

@@ -4,23 +4,34 @@ use nsv_math::real::Real;
 
 use crate::ir::{Comparison, Function, Operator};
 
-/// A function of one real.
-pub(super) fn function(function: Function, x: f64) -> f64 {
+/// A function of one real, in a fused program by fused arithmetic.
+pub(super) fn function(function: Function, x: f64, fused: bool) -> f64 {
     match function {
         Function::Neg => -x,
         Function::Abs => x.abs(),
         Function::Sign => sign(x),
         Function::Sqrt => Real::sqrt(x),
+        Function::Exp if fused => Real::exp_fused(x),
         Function::Exp => Real::exp(x),
+        Function::Ln if fused => Real::ln_fused(x),
         Function::Ln => Real::ln(x),
+        Function::Sin if fused => Real::sin_fused(x),
         Function::Sin => Real::sin(x),
+        Function::Cos if fused => Real::cos_fused(x),
         Function::Cos => Real::cos(x),
+        Function::Tan if fused => Real::tan_fused(x),
         Function::Tan => Real::tan(x),
+        Function::Asin if fused => Real::asin_fused(x),
         Function::Asin => Real::asin(x),
+        Function::Acos if fused => Real::acos_fused(x),
         Function::Acos => Real::acos(x),
+        Function::Atan if fused => Real::atan_fused(x),
         Function::Atan => Real::atan(x),
+        Function::Sinh if fused => Real::sinh_fused(x),
         Function::Sinh => Real::sinh(x),
+        Function::Cosh if fused => Real::cosh_fused(x),
         Function::Cosh => Real::cosh(x),
+        Function::Tanh if fused => Real::tanh_fused(x),
         Function::Tanh => Real::tanh(x),
     }
 }
@@ -37,12 +48,13 @@ fn sign(x: f64) -> f64 {
 }
 
 /// An operator. `min` and `max` give the second operand unless the first is strictly smaller or larger.
-pub(super) fn operator(operator: Operator, a: f64, b: f64) -> f64 {
+pub(super) fn operator(operator: Operator, a: f64, b: f64, fused: bool) -> f64 {
     match operator {
         Operator::Add => a + b,
         Operator::Sub => a - b,
         Operator::Mul => a * b,
         Operator::Div => a / b,
+        Operator::Pow if fused => Real::pow_fused(a, b),
         Operator::Pow => Real::pow(a, b),
         Operator::Min => {
             if a < b {
@@ -58,6 +70,7 @@ pub(super) fn operator(operator: Operator, a: f64, b: f64) -> f64 {
                 b
             }
         }
+        Operator::Atan2 if fused => Real::atan2_fused(a, b),
         Operator::Atan2 => Real::atan2(a, b),
     }
 }

@@ -26,18 +26,18 @@ impl<T: Real> Reduced<T> {
     #[inline(always)]
     pub(super) fn of_sum<F: Format>(x: T, rest: T) -> Self {
         let round = T::from_f64(F::ROUND);
-        let rounded = x * T::from_f64(core::f64::consts::LOG2_E) + round;
+        let rounded = F::mul_add(x, T::from_f64(core::f64::consts::LOG2_E), round);
         let k = rounded - round;
         let [high, low] = constants::<T, _>(F::LN_2);
-        let exact = x - k * high;
+        let exact = F::mul_add(k, -high, x);
         let product = k * low - rest;
         let r = exact - product;
         let z = r * r;
         Self {
             r,
             low: product - (exact - r),
-            even: z * polynomial(z, F::EVEN),
-            odd: r * z * polynomial(z, F::ODD),
+            even: z * polynomial::<F, T>(z, F::EVEN),
+            odd: r * z * polynomial::<F, T>(z, F::ODD),
             k,
             k_bits: rounded.to_bits().sub(round.to_bits()),
         }

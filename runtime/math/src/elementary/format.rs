@@ -1,4 +1,7 @@
-//! What distinguishes single from double precision: the layout of a number and the tables of constants.
+//! What distinguishes single from double precision: the layout of a number and the tables of constants; and products that are added to
+//! something from fused ones.
+
+use core::marker::PhantomData;
 
 use crate::real::{Bits, Real};
 
@@ -65,6 +68,61 @@ pub(crate) trait Format {
     const ASIN: &'static [f64];
     /// Magnitudes of the larger argument of atan2 between which no product overflows or loses digits.
     const ORDINARY: [f64; 2];
+
+    /// `a b + c`.
+    #[inline(always)]
+    fn mul_add<T: Real>(a: T, b: T, c: T) -> T {
+        a * b + c
+    }
+}
+
+/// The same precision with products that are not rounded before they are added.
+pub(crate) struct Fused<F>(PhantomData<F>);
+
+/// The constants of another precision.
+macro_rules! constants_of {
+    ($format:ident: $($name:ident: $type:ty,)*) => {
+        $(const $name: $type = $format::$name;)*
+    };
+}
+
+impl<F: Format> Format for Fused<F> {
+    constants_of! {
+        F:
+        FRACTION_BITS: u32,
+        BIAS: u64,
+        ROUND: f64,
+        FIRST_HALF: u64,
+        NORMAL: [f64; 2],
+        LARGEST_ANGLE: f64,
+        HALF_PI: &'static [f64],
+        SINE: &'static [f64],
+        COSINE: &'static [f64],
+        EXPONENTS: [f64; 2],
+        LN_2: [f64; 2],
+        EVEN: &'static [f64],
+        ODD: &'static [f64],
+        LARGEST_HYPERBOLIC: f64,
+        NEGLIGIBLE: f64,
+        LARGEST_TANH: f64,
+        ONE_TANH: f64,
+        LOGARITHM: &'static [f64],
+        LOGARITHM_OF_POWER: &'static [f64],
+        TWO_THIRDS: [f64; 2],
+        RAYLEIGH: &'static [f64],
+        SINE_PI: &'static [f64],
+        COSINE_PI: &'static [f64],
+        ANGLES: [[f64; 2]; 4],
+        PI: [f64; 2],
+        ATAN: &'static [f64],
+        ASIN: &'static [f64],
+        ORDINARY: [f64; 2],
+    }
+
+    #[inline(always)]
+    fn mul_add<T: Real>(a: T, b: T, c: T) -> T {
+        a.mul_add(b, c)
+    }
 }
 
 /// Constants in every lane. Not by `map`: what is not inlined is not compiled for the lanes' instructions.

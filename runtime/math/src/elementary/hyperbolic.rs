@@ -15,15 +15,16 @@ pub(crate) fn tanh<F: Format, T: Real>(x: T) -> T {
     let tail = reduced.tail();
     let head = reduced.r + tail;
     let scale = power_of_two::<F, T>(reduced.k_bits);
-    let growth = scale * head;
-    let e = scale + growth;
-    let rest = ((scale - e) + growth) + scale * ((reduced.r - head) + tail);
+    let e = F::mul_add(scale, head, scale);
+    let rest = F::mul_add(scale, head, scale - e);
+    let rest = F::mul_add(scale, (reduced.r - head) + tail, rest);
     let (numerator, denominator) = (e - T::one(), e + T::one());
     let denominator_rest = ((e - denominator) + T::one()) + rest;
     let q = numerator / denominator;
     let half = T::from_f64(0.5);
-    let correction = (rest - q * denominator_rest) * (half - half * q);
-    let value = T::select(twice.gt(T::from_f64(F::ONE_TANH)), T::one(), q + correction);
+    let correction = F::mul_add(q, -denominator_rest, rest);
+    let corrected = F::mul_add(correction, F::mul_add(-half, q, half), q);
+    let value = T::select(twice.gt(T::from_f64(F::ONE_TANH)), T::one(), corrected);
     with_sign(value, x)
 }
 

@@ -34,7 +34,7 @@ fn first_quadrant<F: Format, T: Real>(y: T, x: T) -> [T; 2] {
     let numerator = T::select(steep, -x, y - c * x);
     let q = numerator / T::select(steep, y, x + c * y);
     let z = q * q;
-    let tail = q * z * polynomial(z, F::ATAN);
+    let tail = q * z * polynomial::<F, T>(z, F::ATAN);
     [angle, q + (angle_rest + tail)]
 }
 
@@ -92,7 +92,7 @@ impl<T: Real> Arcsine<T> {
         let y = T::select(beyond, z.sqrt(), a);
         Self {
             y,
-            rest: y * z * polynomial(z, F::ASIN),
+            rest: y * z * polynomial::<F, T>(z, F::ASIN),
         }
     }
 }

@@ -34,7 +34,7 @@ fn of_normal<F: Format, T: Real>(x: T, less: T) -> T {
     let s = f / (T::from_f64(2.0) + f);
     let z = s * s;
     let half_square = T::from_f64(0.5) * f * f;
-    let rest = s * (half_square + z * polynomial(z, F::LOGARITHM)) + k * low;
+    let rest = s * (half_square + z * polynomial::<F, T>(z, F::LOGARITHM)) + k * low;
     k * high - ((half_square - rest) - f)
 }
 

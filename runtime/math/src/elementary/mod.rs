@@ -1,7 +1,7 @@
 //! Elementary functions.
 //!
 //! A function is one sequence of additions, products, at most one quotient and one root, comparisons and choices, which is the same for
-//! every argument; nothing is fused or reassociated, so it gives the same bits in a scalar and in every lane. Where the sides of a choice are
+//! every argument; nothing is reassociated, and nothing fused but in the form whose name ends so, so it gives the same bits in a scalar and in every lane. Where the sides of a choice are
 //! long (sin, cos, asin, acos) a scalar computes only the one that it takes. Only what a controller hardly meets leaves the sequence (angles beyond 1600 rad in single, 10^5 rad in double precision, logarithms of subnormal numbers, powers of negative
 //! ones): [`crate::rare`] replaces such lanes one by one. The text is written once for both precisions, whose constants are [`double`] and
 //! [`single`].
@@ -22,6 +22,7 @@ mod trigonometric;
 
 pub(crate) use double::Double;
 pub(crate) use exponential::exp;
+pub(crate) use format::Fused;
 pub(crate) use hyperbolic::{cosh, sinh, tanh};
 pub(crate) use inverse::{acos, asin, atan, atan2};
 pub(crate) use logarithm::ln;

@@ -10,12 +10,15 @@ use crate::real::Real;
 pub(crate) fn rayleigh<F: Format, T: Real>(x: T) -> T {
     let (k, m) = split::<F, T>(x);
     let s = (m - T::one()) / (m + T::one());
-    let of_m = s * polynomial(s * s, F::RAYLEIGH);
-    (of_m - k * T::from_f64(2.0 * core::f64::consts::LN_2)).sqrt()
+    let of_m = s * polynomial::<F, T>(s * s, F::RAYLEIGH);
+    F::mul_add(k, T::from_f64(-2.0 * core::f64::consts::LN_2), of_m).sqrt()
 }
 
 #[inline(always)]
 pub(crate) fn sin_cos_pi<F: Format, T: Real>(x: T) -> (T, T) {
     let z = x * x;
-    (x * polynomial(z, F::SINE_PI), polynomial(z, F::COSINE_PI))
+    (
+        x * polynomial::<F, T>(z, F::SINE_PI),
+        polynomial::<F, T>(z, F::COSINE_PI),
+    )
 }

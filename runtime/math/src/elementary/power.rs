@@ -29,7 +29,7 @@ fn logarithm<F: Format, T: Real>(x: T, less: T) -> [T; 2] {
 
     let u = s * s;
     let square = s_first * s_first;
-    let r = s_rest * (s_first + s) + u * u * polynomial(u, F::LOGARITHM_OF_POWER);
+    let r = s_rest * (s_first + s) + u * u * polynomial::<F, T>(u, F::LOGARITHM_OF_POWER);
     let three = T::from_f64(3.0);
     let sum = first_half::<F, T>((three + square) + r);
     let sum_rest = r - ((sum - three) - square);

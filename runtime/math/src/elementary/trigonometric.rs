@@ -24,17 +24,17 @@ impl<T: Real> Angle<T> {
     #[inline(always)]
     fn reduced<F: Format>(x: T) -> Self {
         let round = T::from_f64(F::ROUND);
-        let rounded = x * T::from_f64(core::f64::consts::FRAC_2_PI) + round;
+        let rounded = F::mul_add(x, T::from_f64(core::f64::consts::FRAC_2_PI), round);
         let k = rounded - round;
         let last = F::HALF_PI.len() - 1;
-        let mut r = x - k * T::from_f64(F::HALF_PI[0]);
+        let mut r = F::mul_add(k, T::from_f64(-F::HALF_PI[0]), x);
         // Subtracted, not added, so that the sine of -0 is -0.
         let mut rest = k * T::from_f64(F::HALF_PI[last]);
         let mut i = 1;
         while i < last {
-            let (before, part) = (r, k * T::from_f64(F::HALF_PI[i]));
-            r = before - part;
-            rest = rest - ((before - r) - part);
+            let (before, part) = (r, T::from_f64(-F::HALF_PI[i]));
+            r = F::mul_add(k, part, before);
+            rest = rest - F::mul_add(k, part, before - r);
             i += 1;
         }
         let sum = r;
@@ -50,14 +50,14 @@ impl<T: Real> Angle<T> {
     #[inline(always)]
     fn sine_tail<F: Format>(&self) -> T {
         let z = self.r * self.r;
-        self.low + self.r * z * polynomial(z, F::SINE)
+        F::mul_add(self.r * z, polynomial::<F, T>(z, F::SINE), self.low)
     }
 
     /// `r^2 / 2` and what is added to `1 - r^2 / 2` to make `cos(r - low)`.
     #[inline(always)]
     fn cosine_parts<F: Format>(&self) -> [T; 2] {
         let z = self.r * self.r;
-        let rest = z * z * polynomial(z, F::COSINE) + self.r * self.low;
+        let rest = F::mul_add(z * z, polynomial::<F, T>(z, F::COSINE), self.r * self.low);
         [z * T::from_f64(0.5), rest]
     }
 
@@ -130,13 +130,13 @@ impl<T: Real> Angle<T> {
         let correction = ((T::one() - head) - half_z) + cosine_rest;
         let c = head + correction;
         let dc = (head - c) + correction;
-        let product_tail = r * (c - T::one()) + r * dc;
+        let product_tail = F::mul_add(r, c - T::one(), r * dc);
         let odd = self.is_odd::<F>();
         let numerator = T::select(odd, c, sine_tail + product_tail);
         let quotient = -(numerator / T::select(odd, s, c));
         // 1/c to 2 %, which is enough for a correction of the last place.
-        let secant = T::one() + T::from_f64(1.25) * half_z;
-        let cotangent = quotient + quotient * ((dc + ds * quotient) * secant);
+        let secant = F::mul_add(T::from_f64(1.25), half_z, T::one());
+        let cotangent = F::mul_add(quotient, F::mul_add(ds, quotient, dc) * secant, quotient);
         T::select(odd, cotangent, r + quotient)
     }
 }

@@ -202,6 +202,11 @@ impl<S: Real<Mask = bool, Scalar = S>, const N: usize> Real for Array<S, N> {
     }
 
     #[inline(always)]
+    fn in_every_lane(&self, i: usize) -> Self {
+        Self::splat(self.0[i % N])
+    }
+
+    #[inline(always)]
     fn select(mask: Self::Mask, a: Self, b: Self) -> Self {
         Array(from_fn(|i| if mask.0[i] { a.0[i] } else { b.0[i] }))
     }
@@ -237,9 +242,11 @@ impl<S: Real<Mask = bool, Scalar = S>, const N: usize> Real for Array<S, N> {
     }
 
     entry_by_entry!(
-        abs, sqrt, exp, ln, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, rayleigh, usual_sin, usual_cos, usual_tan;
-        atan2, pow;
-        sin_cos, sin_cos_pi;
+        abs, sqrt, exp, ln, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, rayleigh, usual_sin, usual_cos, usual_tan,
+        exp_fused, ln_fused, sin_fused, cos_fused, tan_fused, asin_fused, acos_fused, atan_fused, sinh_fused, cosh_fused, tanh_fused,
+        rayleigh_fused, usual_sin_fused, usual_cos_fused, usual_tan_fused;
+        atan2, pow, atan2_fused, pow_fused;
+        sin_cos, sin_cos_pi, sin_cos_pi_fused;
         lt, le, gt, ge, eq, ne
     );
 }

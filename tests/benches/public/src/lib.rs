@@ -21,13 +21,15 @@ struct Brownian<T> {
 }
 
 impl<T: Real> Sde<T, 3, 3> for Brownian<T> {
+    type Instant = ();
+
     #[inline(always)]
-    fn drift(&self, _: f64, u: &Vector<T, 3>) -> Vector<T, 3> {
+    fn drift(&self, (): &(), u: &Vector<T, 3>) -> Vector<T, 3> {
         *u * self.growth
     }
 
     #[inline(always)]
-    fn diffusion(&self, _: f64, u: &Vector<T, 3>) -> Matrix<T, 3, 3> {
+    fn diffusion(&self, (): &(), u: &Vector<T, 3>) -> Matrix<T, 3, 3> {
         let mut diagonal = Matrix::zero();
         for i in 0..3 {
             diagonal[(i, i)] = u[i] * self.volatility;
@@ -36,12 +38,12 @@ impl<T: Real> Sde<T, 3, 3> for Brownian<T> {
     }
 
     #[inline(always)]
-    fn drift_and_noise(&self, t: f64, u: &Vector<T, 3>, dw: &Vector<T, 3>) -> (Vector<T, 3>, Vector<T, 3>) {
+    fn drift_and_noise(&self, at: &(), u: &Vector<T, 3>, dw: &Vector<T, 3>) -> (Vector<T, 3>, Vector<T, 3>) {
         let mut noise = *u * self.volatility;
         for i in 0..3 {
             noise[i] = noise[i] * dw[i];
         }
-        (self.drift(t, u), noise)
+        (self.drift(at, u), noise)
     }
 }
 
@@ -65,7 +67,7 @@ impl Kernel for BrownianRuns<'_> {
             let mut u = Vector::splat(real(0.1));
             for step in 0..STEPS {
                 let dw = noise.normals::<3>(step) * root;
-                u = sde::step(Scheme::EulerMaruyama, &motion, 0.0, &u, DT, &dw);
+                u = sde::step(Scheme::EulerMaruyama, &motion, [&(); 3], &u, DT, &dw);
             }
             store(&u, finals);
         }
@@ -77,14 +79,16 @@ struct Lorenz<T> {
 }
 
 impl<T: Real> Sde<T, 3, 0> for Lorenz<T> {
+    type Instant = ();
+
     #[inline(always)]
-    fn drift(&self, _: f64, u: &Vector<T, 3>) -> Vector<T, 3> {
+    fn drift(&self, (): &(), u: &Vector<T, 3>) -> Vector<T, 3> {
         let real = T::from_f64;
         Vector([real(10.0) * (u[1] - u[0]), u[0] * (self.rayleigh - u[2]) - u[1], u[0] * u[1] - real(8.0 / 3.0) * u[2]])
     }
 
     #[inline(always)]
-    fn diffusion(&self, _: f64, _u: &Vector<T, 3>) -> Matrix<T, 3, 0> {
+    fn diffusion(&self, (): &(), _u: &Vector<T, 3>) -> Matrix<T, 3, 0> {
         Matrix::zero()
     }
 }
@@ -105,7 +109,7 @@ impl Kernel for LorenzRuns<'_> {
             let rayleigh = T::from_lanes(|lane| 21.0 * ((group * T::LANES + lane) as f64 / last));
             let mut u = Vector::from_f64([1.0, 0.0, 0.0]);
             for _ in 0..STEPS {
-                u = sde::step(Scheme::RungeKutta4, &Lorenz { rayleigh }, 0.0, &u, STEP, &Vector([]));
+                u = sde::step(Scheme::RungeKutta4, &Lorenz { rayleigh }, [&(); 3], &u, STEP, &Vector([]));
             }
             store(&u, finals);
         }

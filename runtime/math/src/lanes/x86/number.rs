@@ -97,6 +97,12 @@ macro_rules! lanes {
             }
 
             #[inline(always)]
+            fn in_every_lane(&self, i: usize) -> Self {
+                let lanes: &[$element; $count] = unsafe { &*(&raw const self.0).cast() };
+                Self::splat(lanes[i % $count])
+            }
+
+            #[inline(always)]
             fn select(mask: $mask, a: Self, b: Self) -> Self {
                 Self(unsafe { $select(mask.0, a.0, b.0) })
             }
