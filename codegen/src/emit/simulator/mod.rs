@@ -1,5 +1,6 @@
 //! `simulator.rs`: controller and plant in closed loop, one run of a campaign.
 
+mod clocks;
 mod hardware;
 mod start;
 mod telemetry;
@@ -10,7 +11,6 @@ use quote::{ToTokens, format_ident, quote};
 use nsv_spec::model::{NoiseModel, Scheme};
 
 use crate::emit::comment::docs;
-use crate::emit::equation::Instant;
 use crate::emit::function::Function;
 use crate::emit::interface::Interface;
 use crate::emit::literal::float;
@@ -75,52 +75,6 @@ impl Simulator<'_> {
             quote!(#step_docs pub const SUBSTEP: f64 = SAMPLE_TIME / SUBSTEPS as f64;),
         ];
         own.into_iter().chain(self.hardware().constants()).collect()
-    }
-
-    /// Times by numbers.
-    fn times(&self) -> Vec<TokenStream> {
-        let sample = docs(&["Time of a sample, s."]);
-        let step = docs(&["Time of a step of the plant, s."]);
-        let mut times = vec![quote! {
-            #sample
-            #[inline(always)]
-            fn sample_time(sample: u64) -> f64 { sample as f64 * SAMPLE_TIME }
-        }];
-        if Instant::of(self.dynamics) != Instant::Nothing || self.hardware().acts() {
-            times.push(quote! {
-                #step
-                #[inline(always)]
-                fn step_time(step: u64) -> f64 {
-                    let (sample, substep) = (step / u64::from(SUBSTEPS), step % u64::from(SUBSTEPS));
-                    sample_time(sample) + substep as f64 * SUBSTEP
-                }
-            });
-        }
-        times
-    }
-
-    /// Fields for what all runs have in common, with their initial values.
-    fn clocks(&self) -> Vec<(TokenStream, TokenStream)> {
-        let law = self.law.shares_clock().then(|| {
-            (
-                quote!(clock: Ahead<Clock<T>>),
-                quote!(clock: Ahead::new(sample_time)),
-            )
-        });
-        let plant = (Instant::of(self.dynamics) == Instant::Clock).then(|| {
-            if self.scheme().0 == "RungeKutta4" {
-                (
-                    quote!(plant_clock: Stages<plant::Clock<T>>),
-                    quote!(plant_clock: Stages::new(step_time, SUBSTEP)),
-                )
-            } else {
-                (
-                    quote!(plant_clock: Ahead<plant::Clock<T>>),
-                    quote!(plant_clock: Ahead::new(step_time)),
-                )
-            }
-        });
-        law.into_iter().chain(plant).collect()
     }
 
     fn definition(&self) -> TokenStream {
@@ -335,22 +289,7 @@ impl Simulator<'_> {
             (TokenStream::new(), quote!(&Vector([])))
         };
         let prepared = (self.dynamics.prepare()).map(|_| quote!(prepared: self.prepared,));
-        let (at, stages) = match Instant::of(self.dynamics) {
-            Instant::Nothing => (None, quote!([&(); 3])),
-            Instant::Time => (
-                Some(quote!(sde::stages(step_time(step), SUBSTEP))),
-                quote!(at.each_ref()),
-            ),
-            Instant::Clock if scheme == "RungeKutta4" => (
-                Some(quote!(self.plant_clock.at(step, step_time, SUBSTEP))),
-                quote!(at.each_ref()),
-            ),
-            Instant::Clock => (
-                Some(quote!(self.plant_clock.at(step, step_time))),
-                quote!([&at; 3]),
-            ),
-        };
-        let at = at.map(|at| quote!(let at = #at;));
+        let (at, stages) = self.stages();
         let step = quote! {
             #at
             #draw
