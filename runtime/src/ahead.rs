@@ -6,7 +6,7 @@
 use crate::real::Real;
 use crate::sde::stages;
 
-/// Values that depend on time alone.
+/// Values that depend on time alone. Both functions are `#[inline(always)]` in every implementation, as all that computes in lanes.
 pub trait OfTime<T: Real>: Copy {
     /// The values at the time of each lane, s.
     fn at(t: T) -> Self;
@@ -91,9 +91,10 @@ impl<V> Stages<V> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Ahead, OfTime};
+    use super::{Ahead, OfTime, Stages};
     use crate::lanes::{Kernel, Width, run};
     use crate::real::Real;
+    use crate::sde::stages;
     use std::vec::Vec;
 
     #[derive(Clone, Copy)]
@@ -142,6 +143,48 @@ mod tests {
                 let expected = Real::sin(0.3 * step as f64).to_bits();
                 assert!(lanes.iter().all(|&lane| lane == expected), "{step}");
             }
+        }
+    }
+
+    /// The sines of the stages of steps, of the last lane.
+    struct StagesOf<'a>(&'a [u64]);
+
+    const DT: f64 = 0.07;
+
+    fn start(step: u64) -> f64 {
+        (step / 3) as f64 * 0.25 + (step % 3) as f64 * DT
+    }
+
+    impl Kernel for StagesOf<'_> {
+        type Output = Vec<[u64; 3]>;
+
+        #[inline(always)]
+        fn run<T: Real>(self) -> Vec<[u64; 3]> {
+            let mut clock = Stages::<Sine<T>>::new(start, DT);
+            let steps = self.0.iter();
+            steps
+                .map(|&step| {
+                    let at = clock.at(step, start, DT);
+                    at.map(|sine| sine.0.lane(T::LANES - 1).to_bits())
+                })
+                .collect()
+        }
+    }
+
+    #[test]
+    fn stages_are_those_of_the_step_in_every_width() {
+        let steps: Vec<u64> = (0..20).chain([5, 23]).collect();
+        let expected = steps.iter().map(|&step| {
+            let at = stages(start(step), DT);
+            at.map(|t| Real::sin(t).to_bits())
+        });
+        let expected: Vec<_> = expected.collect();
+        for width in Width::ALL {
+            let found = run(width, StagesOf(&steps));
+            assert!(
+                found.is_none() || found.as_ref() == Some(&expected),
+                "{width:?}"
+            );
         }
     }
 }

@@ -1,9 +1,9 @@
 //! Support library of nsv's generated code.
 //!
 //! The core is `no_std`, allocates nothing and does not panic: the numeric type [`real::Real`], small dense arrays ([`linear`]), the
-//! barrier's smooth functions ([`kernel`]), counter-based noise ([`noise`]), one-step integrators ([`sde`]), and the trait that a
-//! generated simulator implements ([`closed_loop`]). Generic code has no branch on data, only masks and selects, so that one text serves
-//! scalars and vector lanes.
+//! barrier's smooth functions ([`kernel`]), counter-based noise ([`noise`]), values of time alone ([`ahead`]), one-step integrators
+//! ([`sde`]), and the trait that a generated simulator implements ([`closed_loop`]). Generic code has no branch on data, only masks and
+//! selects, so that one text serves scalars and vector lanes.
 //!
 //! The order of floating-point operations of every function is part of its contract: the compiler's own evaluator implements the same
 //! definitions independently, and the two are compared bit for bit.

@@ -115,8 +115,18 @@ struct Angles;
 impl Text for Angles {
     fn results<T: Real>(inputs: &[T]) -> Vec<T> {
         let angles = Vector::<T, 3>(array::from_fn(|i| inputs[i]));
-        let results = [angles.sin(), angles.cos(), angles.tan()];
-        results.iter().flat_map(|vector| vector.0).collect()
+        let results = [
+            angles.sin(),
+            angles.cos(),
+            angles.tan(),
+            angles.sin_fused(),
+            angles.cos_fused(),
+            angles.tan_fused(),
+        ];
+        let alone = Vector([inputs[0]]);
+        let others = [alone.sin(), alone.cos_fused()];
+        let values = results.iter().flat_map(|vector| vector.0);
+        values.chain(others.map(|vector| vector[0])).collect()
     }
 }
 

@@ -111,8 +111,8 @@ def markdown(result: dict[str, Any]) -> str:
             "",
             "Millions of steps (controller and plant) per second of the process's own time. Each peer draws its own normal noise.",
             "Differences are those of runs without noise from the law in Python; with noise, means and deviations agree within chance.",
-            "nsv computes what depends on parameters alone once for a controller and once for a plant, and what depends on time alone once",
-            "for all lanes of a step, as its simulator does.",
+            "nsv computes what depends on parameters alone once for a controller and once for a plant, and what depends on time alone for as",
+            "many steps at once as there are lanes, as its simulator does.",
             "",
         ]
         for spec, found in result["ensemble"].items():

@@ -166,7 +166,7 @@ const IMPORTS: [(&str, &[&str]); 7] = [
             "nsv_runtime::sde::Scheme",
             "nsv_runtime::sensor::Draws",
             "nsv_runtime::sensor::Sensor",
-            "super::controller::Clock",
+            "super::controller",
             "super::controller::Controller",
             "super::controller::Output",
             "super::controller::SAMPLE_TIME",

@@ -7,7 +7,8 @@ use crate::emit::comment::{Comments, module_docs};
 use crate::emit::names::ident;
 
 /// Modules that emitted code calls by path; a variable may have the same name.
-const MODULES: [&str; 6] = [
+const MODULES: [&str; 7] = [
+    "controller",
     "kernel",
     "lyapunov",
     "plant",

@@ -217,7 +217,7 @@ pub struct Program {
     /// Name, a Rust identifier.
     pub name: String,
     /// Whether a product that an inner product, a product of matrices, a sum of squares or a family's scheme adds to a sum is not rounded;
-    /// of a matrix' squares those along a row.
+    /// of a matrix' squares those along a row. Elementary functions are then those of `nsv_math` whose name ends in `_fused`; kernels are not.
     pub fused: bool,
     /// Inputs.
     pub inputs: Vec<Input>,

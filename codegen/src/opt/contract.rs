@@ -1,4 +1,4 @@
-//! Products that are added to something are not rounded: one operation in place of two. The last pass, since the others look for sums and
+//! Products that are added to something are not rounded, in elementary functions neither: one operation in place of two. The last pass, since the others look for sums and
 //! products.
 
 use crate::ir::{Function, Op, Operator, Program, Shape, ValueId};

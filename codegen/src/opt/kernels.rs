@@ -6,7 +6,7 @@ use super::rewrite::{literal, rewrite};
 
 /// Expands them.
 pub(super) fn run(program: Program) -> Program {
-    // The functions of a fused program are fused, a kernel is not.
+    // The functions of a fused program are fused, a kernel is not: its bits would change. A law is expanded before it is fused.
     if program.fused {
         return program;
     }

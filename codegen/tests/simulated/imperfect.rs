@@ -79,7 +79,7 @@ fn further_states_follow_their_rates() {
 
 #[test]
 fn a_run_of_a_campaign_is_the_run_alone_and_ideal_without_noise_and_dispersion() {
-    check_campaign(NAME);
+    check_campaign(NAME, &[]);
     let rows = campaign(NAME, &["--no-noise", "--no-dispersion"]);
     assert!(rows["ratio"].iter().all(|ratio| *ratio == rows["ratio"][0]));
 }

@@ -140,5 +140,5 @@ fn a_plant_with_mixed_noise_flies_by_platens_scheme() {
 
 #[test]
 fn lanes_fly_platens_scheme_alike() {
-    check_campaign(NAME);
+    check_campaign(NAME, &[]);
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 3076b8204068288f3af308792191579bd1da7dc573f45a9e3bde4508481a2ec5
+// SHA-256 of the text below: 402e5d0cc29ccb3c219f7f5bc660afa958a257518f78e53508a1afc345c42a9d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `active_suspension`: closed loop of controller and plant.
@@ -7,7 +7,8 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
+use super::controller;
+use super::controller::{Controller, Output, SAMPLE_TIME, State};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -45,7 +46,7 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
-    clock: Ahead<Clock<T>>,
+    clock: Ahead<controller::Clock<T>>,
     noise: Option<Noise<T>>,
 }
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: cb04087d2cf34b4403de5162831de84d8bddcfe955d1b5603dc7da9d220f23ec
+// SHA-256 of the text below: 30c16a503783eff642a94b0d7ca6a8a68af22612a42b61e61735fb5f92a1cad0
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `chaotic_jerk`: closed loop of controller and plant.
@@ -7,7 +7,8 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
+use super::controller;
+use super::controller::{Controller, Output, SAMPLE_TIME, State};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -51,7 +52,7 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
-    clock: Ahead<Clock<T>>,
+    clock: Ahead<controller::Clock<T>>,
     plant_clock: Stages<plant::Clock<T>>,
 }
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0bcde1dff1dac028106c206c1f974df25f7b1e7e05a098fc53086eb46dcbb345
+// SHA-256 of the text below: f4cb42174695e71386afa48c772623f57a7b72b96f1f1cc93d2d79015b83aad4
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `flexible_joint`: closed loop of controller and plant.
@@ -7,7 +7,8 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
+use super::controller;
+use super::controller::{Controller, Output, SAMPLE_TIME, State};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -52,7 +53,7 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
-    clock: Ahead<Clock<T>>,
+    clock: Ahead<controller::Clock<T>>,
     plant_clock: Stages<plant::Clock<T>>,
 }
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 9bafad977f1fa75b96731fa28d583e4719744de49de09b5eb86458b9bfa885b2
+// SHA-256 of the text below: 3397d8ab8f14b2277743a202b5cdbf4d735435590d0a5dd5695a07f0589371bc
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `ghv_unstable`: closed loop of controller and plant.
@@ -7,7 +7,8 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
+use super::controller;
+use super::controller::{Controller, Output, SAMPLE_TIME, State};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -52,7 +53,7 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
-    clock: Ahead<Clock<T>>,
+    clock: Ahead<controller::Clock<T>>,
     plant_clock: Ahead<plant::Clock<T>>,
     noise: Option<Noise<T>>,
 }

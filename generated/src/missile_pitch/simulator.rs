@@ -1,4 +1,4 @@
-// SHA-256 of the text below: b5a4799da41959d5c7ef7d54ddc405beac9d4a19f1f4efa687957c3283e6ad85
+// SHA-256 of the text below: add57489a186db596f73ca6fb1fd6b72f3e061f55e8f03e7ff520385ecc1ee53
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `missile_pitch`: closed loop of controller and plant.
@@ -7,7 +7,8 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
+use super::controller;
+use super::controller::{Controller, Output, SAMPLE_TIME, State};
 use super::params::Params;
 use super::plant;
 use super::plant::{INITIAL_STATE, Plant, STATES};
@@ -76,7 +77,7 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
-    clock: Ahead<Clock<T>>,
+    clock: Ahead<controller::Clock<T>>,
     plant_clock: Stages<plant::Clock<T>>,
     position: Vector<T, 1>,
     u_act: Vector<T, 1>,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0914512ff2e1f820ab6389f5380580268c3e912a90561cd0b4d1a4a25937f280
+// SHA-256 of the text below: 0cbe82d2d7f5034a98fa2d8fe573e68d2222be61211c24d34acf83723024a660
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `motor_arm`: closed loop of controller and plant.
@@ -7,7 +7,8 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
+use super::controller;
+use super::controller::{Controller, Output, SAMPLE_TIME, State};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -52,7 +53,7 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
-    clock: Ahead<Clock<T>>,
+    clock: Ahead<controller::Clock<T>>,
     plant_clock: Ahead<plant::Clock<T>>,
     noise: Option<Noise<T>>,
 }

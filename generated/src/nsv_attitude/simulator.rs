@@ -1,4 +1,4 @@
-// SHA-256 of the text below: d4dbdc5b06c25ecb1418c4d224d677ce1387de627fa6f7649c2cf3826fd4e570
+// SHA-256 of the text below: d63324b04c4f6945f8532f3f5b7ecc4aa94709ae6e2825b74e73afcb1443d614
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `nsv_attitude`: closed loop of controller and plant.
@@ -7,7 +7,8 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
+use super::controller;
+use super::controller::{Controller, Output, SAMPLE_TIME, State};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -52,7 +53,7 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
-    clock: Ahead<Clock<T>>,
+    clock: Ahead<controller::Clock<T>>,
     plant_clock: Stages<plant::Clock<T>>,
     noise: Option<Noise<T>>,
 }

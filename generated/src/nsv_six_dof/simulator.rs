@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 258deddc0ec26e1abc9c8f5ccfc0ccd8f16db6cf8d778edff43dae57943477f4
+// SHA-256 of the text below: 92c1a51b423334c6606150d2928fd0bc95dc23ca216af36d31373c0b374f6c35
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `nsv_six_dof`: closed loop of controller and plant.
@@ -7,7 +7,8 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
+use super::controller;
+use super::controller::{Controller, Output, SAMPLE_TIME, State};
 use super::params::Params;
 use super::plant;
 use super::plant::{INITIAL_STATE, NOISE_CHANNELS, Plant, STATES};
@@ -51,7 +52,7 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
-    clock: Ahead<Clock<T>>,
+    clock: Ahead<controller::Clock<T>>,
     plant_clock: Stages<plant::Clock<T>>,
     noise: Option<Noise<T>>,
 }

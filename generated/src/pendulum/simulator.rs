@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 32ff820b8d2934e044564a92ad60c3cbf2a784db39adc3a5bac2d7bafc6de0d5
+// SHA-256 of the text below: f562e6f5069bebea8f32a7f74dab7a8fd16d9761c64eef26d86d45481aeaeb5c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `pendulum`: closed loop of controller and plant.
@@ -7,7 +7,8 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
+use super::controller;
+use super::controller::{Controller, Output, SAMPLE_TIME, State};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -52,7 +53,7 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
-    clock: Ahead<Clock<T>>,
+    clock: Ahead<controller::Clock<T>>,
     plant_clock: Stages<plant::Clock<T>>,
 }
 

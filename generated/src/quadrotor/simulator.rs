@@ -1,4 +1,4 @@
-// SHA-256 of the text below: cfcf231850fe2beadc926bc3b11eff3872f6878f6bf2a0516bddfa9d7d679cb6
+// SHA-256 of the text below: 4c644d3f64260a9eb540908c3fbeea16a2c1de2aaeeb195f6daeb7416fde421c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `quadrotor`: closed loop of controller and plant.
@@ -7,7 +7,8 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
+use super::controller;
+use super::controller::{Controller, Output, SAMPLE_TIME, State};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -45,7 +46,7 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
-    clock: Ahead<Clock<T>>,
+    clock: Ahead<controller::Clock<T>>,
     noise: Option<Noise<T>>,
 }
 

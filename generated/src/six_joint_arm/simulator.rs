@@ -1,4 +1,4 @@
-// SHA-256 of the text below: b3e6cc9dba28d7a8c70e9ab9355beeb3a989971603bfa3a132b47e9d0669da24
+// SHA-256 of the text below: 853957aeb20a07c2db6a2c299a627900a86370375b17618375c12ad5837bdfae
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `six_joint_arm`: closed loop of controller and plant.
@@ -7,7 +7,8 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
+use super::controller;
+use super::controller::{Controller, Output, SAMPLE_TIME, State};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -52,7 +53,7 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
-    clock: Ahead<Clock<T>>,
+    clock: Ahead<controller::Clock<T>>,
     plant_clock: Stages<plant::Clock<T>>,
 }
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 963485fa2bb0b407c8897e230098e94008fbdba4f2427f81c933c7a3cdd25059
+// SHA-256 of the text below: 68d9bb327c849bf4c5dab51d5bda0acbd9eb194e4d1bcbaddd40f08168d05095
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `surface_vessel`: closed loop of controller and plant.
@@ -7,7 +7,8 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
+use super::controller;
+use super::controller::{Controller, Output, SAMPLE_TIME, State};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -52,7 +53,7 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
-    clock: Ahead<Clock<T>>,
+    clock: Ahead<controller::Clock<T>>,
     plant_clock: Ahead<plant::Clock<T>>,
     noise: Option<Noise<T>>,
 }

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 3b5f12420fc355e14c55825436a7df0231745fde528435e56c2ba03a90db0b34
+// SHA-256 of the text below: 34d064ab4b3ddeeb98e92f7054178c300bb0b6b973e1974b6e50b29bff16f7c7
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `two_link_arm`: closed loop of controller and plant.
@@ -7,7 +7,8 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
+use super::controller;
+use super::controller::{Controller, Output, SAMPLE_TIME, State};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -45,7 +46,7 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
-    clock: Ahead<Clock<T>>,
+    clock: Ahead<controller::Clock<T>>,
 }
 
 impl<T: Real> Simulator<T> {

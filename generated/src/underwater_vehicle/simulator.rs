@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 5c5a98a05712a869f32da68cf149ab5c12c2ab701d0f716320fe3e90475fe72d
+// SHA-256 of the text below: 6b300e8f2711914353f64cee7b03e25d8be1ef37041672a55e75a7aae20f8882
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `underwater_vehicle`: closed loop of controller and plant.
@@ -7,7 +7,8 @@
 #![allow(clippy::approx_constant, reason = "numbers are as specified")]
 #![allow(clippy::eq_op, reason = "x - x is not 0 for every x")]
 
-use super::controller::{Clock, Controller, Output, SAMPLE_TIME, State};
+use super::controller;
+use super::controller::{Controller, Output, SAMPLE_TIME, State};
 use super::lyapunov;
 use super::params::Params;
 use super::plant;
@@ -52,7 +53,7 @@ pub struct Simulator<T: Real = f64> {
     state: State<T>,
     output: Output<T>,
     sample: u64,
-    clock: Ahead<Clock<T>>,
+    clock: Ahead<controller::Clock<T>>,
     plant_clock: Ahead<plant::Clock<T>>,
     noise: Option<Noise<T>>,
 }

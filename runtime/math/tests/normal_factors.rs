@@ -28,6 +28,8 @@ fn rayleigh_is_within_two_epsilons() {
             let exact = (-2.0 * core_math::log(narrow.into())).sqrt();
             let error = f64::from(narrow.rayleigh()) / exact - 1.0;
             check("single", x, error, 2.0 * f64::from(f32::EPSILON));
+            let error = f64::from(narrow.rayleigh_fused()) / exact - 1.0;
+            check("single, fused", x, error, 2.0 * f64::from(f32::EPSILON));
         }
     }
 }
@@ -55,5 +57,9 @@ fn sine_and_cosine_of_half_turns_are_within_two_and_a_half_epsilons() {
         check("sine", x, f64::from(sine) - core_math::sinpi(wide), bound);
         let error = f64::from(cosine) - core_math::cospi(wide);
         check("cosine", x, error, bound);
+        let (sine, cosine) = (x as f32).sin_cos_pi_fused();
+        check("fused", x, f64::from(sine) - core_math::sinpi(wide), bound);
+        let error = f64::from(cosine) - core_math::cospi(wide);
+        check("fused", x, error, bound);
     }
 }

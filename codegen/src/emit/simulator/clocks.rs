@@ -36,7 +36,7 @@ impl Simulator<'_> {
     pub(super) fn clocks(&self) -> Vec<(TokenStream, TokenStream)> {
         let law = self.law.shares_clock().then(|| {
             (
-                quote!(clock: Ahead<Clock<T>>),
+                quote!(clock: Ahead<controller::Clock<T>>),
                 quote!(clock: Ahead::new(sample_time)),
             )
         });

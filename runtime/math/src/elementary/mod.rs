@@ -1,7 +1,8 @@
 //! Elementary functions.
 //!
 //! A function is one sequence of additions, products, at most one quotient and one root, comparisons and choices, which is the same for
-//! every argument; nothing is reassociated, and nothing fused but in the form whose name ends so, so it gives the same bits in a scalar and in every lane. Where the sides of a choice are
+//! every argument; nothing is reassociated, so it gives the same bits in a scalar and in every lane. Products are fused with the sums they
+//! are added to in the precision [`Fused`], of which the functions that end in `_fused` are, and nowhere else. Where the sides of a choice are
 //! long (sin, cos, asin, acos) a scalar computes only the one that it takes. Only what a controller hardly meets leaves the sequence (angles beyond 1600 rad in single, 10^5 rad in double precision, logarithms of subnormal numbers, powers of negative
 //! ones): [`crate::rare`] replaces such lanes one by one. The text is written once for both precisions, whose constants are [`double`] and
 //! [`single`].
