@@ -12,17 +12,6 @@ fn a_law_without_functions_of_time_flies_a_plant_with_some() {
 }
 
 #[test]
-fn a_plant_takes_the_time_itself() {
-    let drifting = "plant.blocks.only.disturbance.bounded=[t/(1 s)/(1 s)]";
-    check_campaign(NAME, &["--set", drifting]);
-}
-
-#[test]
-fn a_clock_of_dispersed_parameters_differs_from_run_to_run() {
-    let settings = [
-        "parameters={rate: {value: 2, dispersion: {uniform: [1, 3]}}}",
-        "plant.blocks.only.disturbance.bounded=[0.4*sin(rate*t/(1 s))/(1 s)]",
-        "controller.blocks.only.constraint=exp(-rate*t/(1 s)) + 0.3",
-    ];
-    check_campaign(NAME, &settings.map(|setting| ["--set", setting]).concat());
+fn a_plant_whose_clock_has_dispersed_parameters_takes_the_time_itself() {
+    check_campaign("dispersed_clock", &[]);
 }
