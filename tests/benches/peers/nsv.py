@@ -2,8 +2,8 @@
 
 `step` advances a closed loop in place by the functions of the law and of the plant, with their own types. What depends on parameters alone
 is computed once, when an input is packed, as `Controller::new` does; what depends on time in every step. Ensembles call the sampled
-controller in the runtime's lanes, with a clock for all of them. What packs the flat arrays of the workload into the emitted types is made
-here from the names in the compiler's text form, and is not timed.
+controller in the runtime's lanes, with values of time for as many steps at once as there are lanes. What packs the flat arrays of the
+workload into the emitted types is made here from the names in the compiler's text form, and is not timed.
 """
 
 import re
