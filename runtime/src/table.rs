@@ -46,34 +46,67 @@ impl<const P: usize> Axis<P> {
         self.breaks.len() + P - 2
     }
 
-    /// As many inner breaks as are not above x: the search halves what is left without a branch on the data.
+    /// In each lane as many inner breaks as are not above x: the search halves what is left without a branch on the data.
     #[inline(always)]
-    fn interval(&self, x: f64) -> usize {
-        let mut first = 1;
+    fn intervals<T: Real>(&self, x: T) -> OfLanes<usize> {
+        let mut intervals = [0; MOST_LANES];
         let mut left = self.breaks.len().saturating_sub(2);
         while left > 0 {
-            let half = left.div_ceil(2);
-            let middle = self
-                .breaks
-                .get(first + half - 1)
-                .copied()
-                .unwrap_or(f64::NAN);
-            first += if middle <= x { half } else { 0 };
-            left -= half;
+            let half = left - left / 2;
+            intervals = of_lanes::<T, _>(0, |lane| {
+                let middle = self.breaks.get(intervals[lane] + half).copied();
+                let is_above = middle.unwrap_or(f64::NAN) <= x.lane(lane);
+                intervals[lane] + if is_above { half } else { 0 }
+            });
+            left /= 2;
         }
-        first - 1
+        intervals
     }
 
-    /// The coefficient of s^m in the derivative of a spline on an interval, `order` times, before s^(m - order).
+    /// In each lane the start of the interval.
     #[inline(always)]
-    fn power(&self, interval: usize, spline: usize, m: usize, order: usize) -> f64 {
-        let mut factor = 1.0;
-        for k in m + 1 - order..=m {
-            factor *= k as f64;
-        }
-        let weights = self.weights.get(interval);
-        weights.map_or(f64::NAN, |splines| splines[spline][m] * factor)
+    fn starts<T: Real>(&self, intervals: &OfLanes<usize>) -> T {
+        let start = |lane: usize| self.breaks.get(intervals[lane]).copied();
+        T::from_lanes(|lane| start(lane).unwrap_or(f64::NAN))
     }
+
+    /// The splines that are not zero on the interval, `order` times differentiated, at s from its start.
+    #[inline(always)]
+    fn values<T: Real>(&self, intervals: &OfLanes<usize>, s: T, order: usize) -> [T; P] {
+        let none = &const { [[f64::NAN; P]; P] };
+        let splines = of_lanes::<T, _>(none, |lane| {
+            self.weights.get(intervals[lane]).unwrap_or(none)
+        });
+        let mut values = [T::zero(); P];
+        let mut spline = 0;
+        while spline < P {
+            let power = |m: usize| {
+                let factor = factor(m, order);
+                T::from_lanes(|lane| splines[lane][spline][m] * factor)
+            };
+            let mut sum = power(P - 1);
+            let mut m = P - 1;
+            while m > order {
+                m -= 1;
+                sum = sum * s + power(m);
+            }
+            values[spline] = sum;
+            spline += 1;
+        }
+        values
+    }
+}
+
+/// What differentiating `order` times makes of s^m, before s^(m - order).
+#[inline(always)]
+fn factor(m: usize, order: usize) -> f64 {
+    let mut product = 1.0;
+    let mut k = m + 1 - order;
+    while k <= m {
+        product *= k as f64;
+        k += 1;
+    }
+    product
 }
 
 impl<const D: usize, const P: usize> Table<D, P> {
@@ -83,32 +116,24 @@ impl<const D: usize, const P: usize> Table<D, P> {
         let mut first = [0; MOST_LANES];
         let mut rows = [[T::zero(); P]; D];
         let mut inside = T::Mask::splat(true);
-        for (j, axis) in self.axes.iter().enumerate() {
-            let (x, order) = (arguments[j], orders[j]);
+        let mut j = 0;
+        while j < D {
+            let (axis, x, order) = (&self.axes[j], arguments[j], orders[j]);
             let [low, high] = axis.ends().map(T::from_f64);
             let (below, above) = (x.lt(low), x.gt(high));
             inside = inside.and(x.ge(low)).and(x.le(high));
-            let mut intervals = [0; MOST_LANES];
-            for (lane, interval) in intervals.iter_mut().enumerate().take(T::LANES) {
-                *interval = axis.interval(x.lane(lane));
-                first[lane] = first[lane] * axis.count() + *interval;
-            }
+            let intervals = axis.intervals(x);
+            first = of_lanes::<T, _>(0, |lane| first[lane] * axis.count() + intervals[lane]);
             let held = T::select(below, low, T::select(above, high, x));
-            let start = |lane: usize| axis.breaks.get(intervals[lane]).copied();
-            let s = held - T::from_lanes(|lane| start(lane).unwrap_or(f64::NAN));
-            for (spline, weight) in rows[j].iter_mut().enumerate() {
-                let power = |m| T::from_lanes(|lane| axis.power(intervals[lane], spline, m, order));
-                let mut sum = power(P - 1);
-                for m in (order..P - 1).rev() {
-                    sum = sum * s + power(m);
+            rows[j] = axis.values(&intervals, held - axis.starts(&intervals), order);
+            if order > 0 {
+                let mut spline = 0;
+                while spline < P {
+                    rows[j][spline] = T::select(below.or(above), T::zero(), rows[j][spline]);
+                    spline += 1;
                 }
-                let flat = order > 0;
-                *weight = if flat {
-                    T::select(below.or(above), T::zero(), sum)
-                } else {
-                    sum
-                };
             }
+            j += 1;
         }
         let value = self.sum(&first, &rows);
         if self.held {
@@ -120,21 +145,25 @@ impl<const D: usize, const P: usize> Table<D, P> {
 
     /// The sum of the coefficients from `first` on in each lane, under the products of the rows' weights.
     #[inline(always)]
-    fn sum<T: Real>(&self, first: &[usize; MOST_LANES], rows: &[[T; P]; D]) -> T {
+    fn sum<T: Real>(&self, first: &OfLanes<usize>, rows: &[[T; P]; D]) -> T {
         let mut sums = [T::zero(); MOST_SUMS];
         let mut left = P.pow(D as u32 - 1);
-        for (number, sum) in sums.iter_mut().enumerate().take(left) {
+        let mut number = 0;
+        while number < left {
             let (mut rest, mut offset, mut stride) = (number, 0, self.axes[D - 1].count());
             for axis in self.axes[..D - 1].iter().rev() {
                 offset += rest % P * stride;
                 stride *= axis.count();
                 rest /= P;
             }
-            let coefficient = |k: usize| {
-                let at = |lane: usize| self.coefficients.get(first[lane] + offset + k).copied();
-                T::from_lanes(|lane| at(lane).unwrap_or(f64::NAN))
-            };
-            *sum = combine(&rows[D - 1], coefficient);
+            let none = &const { [f64::NAN; P] };
+            let coefficients = of_lanes::<T, _>(none, |lane| {
+                let rest = self.coefficients.get(first[lane] + offset..);
+                rest.and_then(|rest| rest.first_chunk()).unwrap_or(none)
+            });
+            let coefficient = |k: usize| T::from_lanes(|lane| coefficients[lane][k]);
+            sums[number] = combine(&rows[D - 1], coefficient);
+            number += 1;
         }
         for row in rows[..D - 1].iter().rev() {
             left /= P;
@@ -144,6 +173,21 @@ impl<const D: usize, const P: usize> Table<D, P> {
         }
         sums[0]
     }
+}
+
+/// What each lane has, in the first places.
+type OfLanes<R> = [R; MOST_LANES];
+
+/// What each lane has; the places beyond are filled up.
+#[inline(always)]
+fn of_lanes<T: Real, R: Copy>(beyond: R, of: impl Fn(usize) -> R) -> OfLanes<R> {
+    let mut all = [beyond; MOST_LANES];
+    let mut lane = 0;
+    while lane < T::LANES {
+        all[lane] = of(lane);
+        lane += 1;
+    }
+    all
 }
 
 /// `weights[0] terms(0) + weights[1] terms(1) + ..`, from the left.
@@ -205,9 +249,9 @@ mod tests {
             for twice in -2..2 * count as i32 + 2 {
                 let x = f64::from(twice) / 2.0;
                 let inner = (1..count - 1).filter(|&at| f64::from(at) <= x).count();
-                assert_eq!(axis.interval(x), inner, "{x} of {count}");
+                assert_eq!(axis.intervals(x)[0], inner, "{x} of {count}");
             }
-            assert_eq!(axis.interval(f64::NAN), 0);
+            assert_eq!(axis.intervals(f64::NAN)[0], 0);
         }
     }
 }
