@@ -1,6 +1,7 @@
 //! What happens to a state on its way to the controller: bias, noise, rounding, lost samples.
 
 use crate::hardware::to_multiple;
+use crate::noise::Noise;
 use crate::real::Real;
 
 /// A sensor; what it lacks is 0.
@@ -31,6 +32,24 @@ impl<T: Real> Draws<T> {
             normal: T::zero(),
             uniform: T::one(),
         }
+    }
+
+    /// Those of all sensors, none without errors: for sensor i channel i of the noise.
+    #[inline(always)]
+    pub fn of_all<const N: usize>(errors: &Option<Noise<T>>, sample: u64) -> [Self; N] {
+        let mut draws = [Self::none(); N];
+        if let Some(errors) = errors {
+            let normals = errors.normals::<N>(sample);
+            let mut i = 0;
+            while i < N {
+                draws[i] = Self {
+                    normal: normals[i],
+                    uniform: errors.uniform(sample, i as u32),
+                };
+                i += 1;
+            }
+        }
+        draws
     }
 }
 

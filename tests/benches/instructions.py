@@ -1,5 +1,8 @@
 """Guards the emitted code against regressions by its number of instructions, which does not depend on the load of the machine.
 
+Also fails if an intrinsic of the lanes is a function of its own in that program. Then some part of a computation was not inlined where its
+instructions are enabled, such as a closure with two calls, and every operation in it is a call.
+
 Run: `python3 tests/benches/instructions.py` (a minute; needs cargo and valgrind). It fails if a sample of some closed loop has more
 instructions than the committed baseline by more than three percent. After a change that is meant: `.. instructions.py --bless`.
 
@@ -34,6 +37,14 @@ def build() -> Path:
     options = ["--quiet", "--release", "--config", "build.rustflags=[]", "--target-dir", TARGET]
     subprocess.run(["cargo", "build", *options], cwd=CRATE, check=True)
     return TARGET / "release/nsv-instructions"
+
+
+def not_inlined(program: Path) -> list[str]:
+    """Intrinsics of numbers in lanes that are functions."""
+    if shutil.which("nm") is None:
+        print("not checked whether everything in lanes is inlined: nm is not installed (apt-get install binutils)")
+        return []
+    return sorted(set(re.findall(r"core_arch\S*::(_mm\w+)", output("nm", "--demangle", program).stdout)))
 
 
 def executed(program: Path, module: str, lanes: int, samples: int) -> int:
@@ -79,7 +90,11 @@ def main() -> int:
     if shutil.which("valgrind") is None:
         print("skipped: valgrind is not installed (apt-get install valgrind)")
         return 0
-    found = counts(build())
+    program = build()
+    if outside := not_inlined(program):
+        print("functions instead of instructions:", ", ".join(outside))
+        return 1
+    found = counts(program)
     bad = regressions(baseline["instructions"], found)
     if bless:
         BASELINE.write_text(json.dumps({"rustc": rustc, "instructions": found}, indent=1) + "\n")

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: add57489a186db596f73ca6fb1fd6b72f3e061f55e8f03e7ff520385ecc1ee53
+// SHA-256 of the text below: 4cf425f356a2990568d6bf097fa6448c278b5bff2274f75ef2d6817155f14ad2
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `missile_pitch`: closed loop of controller and plant.
@@ -147,18 +147,10 @@ impl<T: Real> Simulator<T> {
     /// What the sensors make of the state at the sample.
     #[inline(always)]
     fn measure(&mut self) {
-        let draws = |channel| match &self.errors {
-            Some(errors) => {
-                Draws {
-                    normal: errors.normal(self.sample, channel),
-                    uniform: errors.uniform(self.sample, channel),
-                }
-            }
-            None => Draws::none(),
-        };
+        let draws = Draws::of_all::<2>(&self.errors, self.sample);
         self.y = Vector([
-            SENSORS[0].measure(self.x[0], self.bias[0], draws(0), self.y[0]),
-            SENSORS[1].measure(self.x[1], self.bias[1], draws(1), self.y[1]),
+            SENSORS[0].measure(self.x[0], self.bias[0], draws[0], self.y[0]),
+            SENSORS[1].measure(self.x[1], self.bias[1], draws[1], self.y[1]),
         ]);
     }
 }

@@ -41,7 +41,6 @@ fn rotate<T: Real, const C: usize>(s: &mut [[T; C]; C], v: &mut [[T; C]; C], p: 
     let tangent = T::select(s_pq.eq(T::zero()), T::zero(), signed);
     let cosine = T::one() / (tangent * tangent + T::one()).sqrt();
     let sine = tangent * cosine;
-    let turn = |x: T, y: T| (cosine * x - sine * y, sine * x + cosine * y);
 
     let shift = tangent * s_pq;
     s[p][p] = s[p][p] - shift;
@@ -50,14 +49,20 @@ fn rotate<T: Real, const C: usize>(s: &mut [[T; C]; C], v: &mut [[T; C]; C], p: 
     s[q][p] = T::zero();
     for k in 0..C {
         if k != p && k != q {
-            (s[k][p], s[k][q]) = turn(s[k][p], s[k][q]);
+            (s[k][p], s[k][q]) = turned([cosine, sine], s[k][p], s[k][q]);
             s[p][k] = s[k][p];
             s[q][k] = s[k][q];
         }
     }
     for k in 0..C {
-        (v[k][p], v[k][q]) = turn(v[k][p], v[k][q]);
+        (v[k][p], v[k][q]) = turned([cosine, sine], v[k][p], v[k][q]);
     }
+}
+
+/// A point of the plane after a rotation.
+#[inline(always)]
+fn turned<T: Real>([cosine, sine]: [T; 2], x: T, y: T) -> (T, T) {
+    (cosine * x - sine * y, sine * x + cosine * y)
 }
 
 /// The column of `V` of the first largest diagonal entry of `S`.

@@ -22,19 +22,22 @@ pub(super) fn normal_quantile<T: Real>(p: T) -> T {
     T::select(inside, central, T::select(finite, signed, ends))
 }
 
-/// Quotient of two polynomials, coefficients from the constant on.
+/// Quotient of two polynomials.
 #[inline(always)]
 fn ratio<T: Real>([above, below]: &[[f64; 8]; 2], r: T) -> T {
-    let polynomial = |coefficients: &[f64; 8]| {
-        let mut sum = T::from_f64(coefficients[7]);
-        let mut power = 7;
-        while power > 0 {
-            power -= 1;
-            sum = sum * r + T::from_f64(coefficients[power]);
-        }
-        sum
-    };
-    polynomial(above) / polynomial(below)
+    polynomial(above, r) / polynomial(below, r)
+}
+
+/// A polynomial by Horner's scheme, coefficients from the constant on.
+#[inline(always)]
+fn polynomial<T: Real>(coefficients: &[f64; 8], r: T) -> T {
+    let mut sum = T::from_f64(coefficients[7]);
+    let mut power = 7;
+    while power > 0 {
+        power -= 1;
+        sum = sum * r + T::from_f64(coefficients[power]);
+    }
+    sum
 }
 
 const CENTRAL: [[f64; 8]; 2] = [

@@ -308,23 +308,18 @@ impl<'a> Hardware<'a> {
                 quote!(self.x[#at])
             })
             .collect();
-        for (place, (at, sensor)) in self.sensors().into_iter().enumerate() {
+        for (place, (at, _)) in self.sensors().into_iter().enumerate() {
             let (place, state) = (index(place), index(at));
-            let draws = if sensor.noise > 0.0 || sensor.dropout > 0.0 {
-                quote!(draws(#place))
-            } else {
-                quote!(Draws::none())
+            let draws = match self.draws() {
+                true => quote!(draws[#place]),
+                false => quote!(Draws::none()),
             };
             entries[at] = quote!(SENSORS[#place].measure(self.x[#state], self.bias[#place], #draws, self.y[#state]));
         }
-        let draws = self.draws().then(|| {
-            quote! {
-                let draws = |channel| match &self.errors {
-                    Some(errors) => Draws { normal: errors.normal(self.sample, channel), uniform: errors.uniform(self.sample, channel) },
-                    None => Draws::none(),
-                };
-            }
-        });
+        let count = index(self.sensors().len());
+        let draws = self
+            .draws()
+            .then(|| quote!(let draws = Draws::of_all::<#count>(&self.errors, self.sample);));
         let docs = docs(&["What the sensors make of the state at the sample."]);
         quote! {
             #docs

@@ -28,7 +28,8 @@ impl<L: ClosedLoop> Kernel for Loop<L> {
             seed: 1,
             run: 0,
             noise: true,
-            dispersion: false,
+            // Unknown to the compiler, so that the program has all parts of a run.
+            dispersion: black_box(false),
         });
         for _ in 0..self.samples {
             runs.control();
