@@ -2,9 +2,12 @@
 //!
 //! On each axis the knots are the breaks, those at the ends repeated, so that on interval i only the splines i to i + degree are not
 //! zero, and there they are polynomials of s = x - break_i ([`weights`]). A value is the sum of the coefficients under their splines'
-//! products. Linear tables break at every point and their coefficients are the values. Cubic ones do not break at the second and the
-//! last but one point of an axis (not-a-knot): they have two continuous derivatives, and a table of a cubic polynomial gives it back,
-//! at the ends too, where a natural spline would bend it straight.
+//! products; along the last axis they are summed first, into one polynomial for each interval ([`Interpolant::curves`]). Linear tables
+//! break at every point and their coefficients are the values. Cubic ones do not break at the second and the last but one point of an
+//! axis (not-a-knot): they have two continuous derivatives, and a table of a cubic polynomial gives it back, at the ends too, where a
+//! natural spline would bend it straight.
+
+use std::array::from_fn;
 
 /// What a table is between its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -84,7 +87,7 @@ impl Interpolant {
     /// a derivative 0, or the whole is NaN.
     pub fn value(&self, arguments: &[f64], orders: &[u32]) -> f64 {
         let mut inside = true;
-        let mut rows: Vec<(usize, [f64; 4])> = Vec::new();
+        let mut places = Vec::new();
         for ((breaks, &x), &order) in self.breaks.iter().zip(arguments).zip(orders) {
             let (low, high) = (breaks[0], breaks[breaks.len() - 1]);
             let outside = x < low || x > high;
@@ -97,29 +100,65 @@ impl Interpolant {
             } else {
                 x
             };
-            let weights = weights(breaks, self.degree, interval);
-            let s = held - breaks[interval];
-            let row = weights.map(|powers| match outside && order > 0 {
-                true => 0.0,
-                false => derivative(&powers, self.degree.number(), order, s),
+            places.push(Place {
+                interval,
+                s: held - breaks[interval],
+                order: order as usize,
+                flat: outside && order > 0,
             });
-            rows.push((interval, row));
         }
         if !inside && self.extrapolation == Extrapolation::Error {
             return f64::NAN;
         }
-        self.sum(&rows, 0, 0)
+        self.sum(&places, 0, 0)
     }
 
-    /// Sum over the splines of an axis and those behind it, from the first spline to the last; `at` is the place of the first.
-    fn sum(&self, rows: &[(usize, [f64; 4])], axis: usize, at: usize) -> f64 {
-        let Some((interval, weights)) = rows.get(axis) else {
-            return self.coefficients[at];
-        };
-        let count = self.breaks[axis].len() - 1 + self.degree.number();
-        let term = |k: usize| weights[k] * self.sum(rows, axis + 1, at * count + interval + k);
-        (1..=self.degree.number()).fold(term(0), |sum, k| sum + term(k))
+    /// All curves: for each combination of splines of the other axes, the later axis fastest, one for each interval of the last.
+    pub fn curves(&self) -> impl Iterator<Item = [f64; 4]> + '_ {
+        let intervals = self.breaks[self.breaks.len() - 1].len() - 1;
+        let leading = self.coefficients.len() / (intervals + self.degree.number());
+        (0..leading * intervals).map(move |at| self.curve(at / intervals, at % intervals))
     }
+
+    /// The polynomial along the last axis on one of its intervals, by powers of s from the lowest, for a combination of splines of the other
+    /// axes; only the first degree + 1 powers are used.
+    fn curve(&self, leading: usize, interval: usize) -> [f64; 4] {
+        let (breaks, degree) = (&self.breaks[self.breaks.len() - 1], self.degree.number());
+        let first = leading * (breaks.len() - 1 + degree) + interval;
+        let splines = weights(breaks, self.degree, interval);
+        from_fn(|m| {
+            let term = |k: usize| splines[k][m] * self.coefficients[first + k];
+            (1..=degree).fold(term(0), |sum, k| sum + term(k))
+        })
+    }
+
+    /// Sum over the splines of an axis and those behind it, from the first spline to the last, or the curve along the last axis; `leading`
+    /// is the combination of splines of the axes before.
+    fn sum(&self, places: &[Place], axis: usize, leading: usize) -> f64 {
+        let (degree, place) = (self.degree.number(), &places[axis]);
+        let along = |powers: &[f64; 4]| match place.flat {
+            true => 0.0,
+            false => derivative(powers, degree, place.order, place.s),
+        };
+        if axis + 1 == places.len() {
+            return along(&self.curve(leading, place.interval));
+        }
+        let splines = weights(&self.breaks[axis], self.degree, place.interval);
+        let first = leading * (self.breaks[axis].len() - 1 + degree) + place.interval;
+        let term = |k: usize| along(&splines[k]) * self.sum(places, axis + 1, first + k);
+        (1..=degree).fold(term(0), |sum, k| sum + term(k))
+    }
+}
+
+/// Where an argument lies on its axis.
+struct Place {
+    interval: usize,
+    /// From the start of the interval.
+    s: f64,
+    /// How often to differentiate.
+    order: usize,
+    /// Whether derivatives are 0 there.
+    flat: bool,
 }
 
 /// The interval of x: as many inner breaks as are not above it.
@@ -129,8 +168,7 @@ fn interval(breaks: &[f64], x: f64) -> usize {
 }
 
 /// Derivative of the sum of `powers[m] s^m`, by Horner's scheme.
-fn derivative(powers: &[f64; 4], degree: usize, order: u32, s: f64) -> f64 {
-    let order = order as usize;
+fn derivative(powers: &[f64; 4], degree: usize, order: usize, s: f64) -> f64 {
     let factor = |m: usize| (m + 1 - order..=m).map(|k| k as f64).product::<f64>();
     let leading = powers[degree] * factor(degree);
     let lower = (order..degree).rev();

@@ -1,22 +1,22 @@
-//! Lookup tables: tensor products of B-splines of degree 1 or 3.
+//! Lookup tables: piecewise polynomials of degree 1 or 3 along the last axis, whose coefficients are splines of the other axes.
 //!
-//! On interval i of an axis only the splines i to i + degree are not zero, polynomials of `s = x - break_i`. The value is the sum of the
-//! coefficients under the products of the axes' splines, summed along the last axis first, each sum from the left.
+//! On interval i of an axis only the B-splines i to i + degree are not zero, polynomials of `s = x - break_i`. The value is the sum of the
+//! curves along the last axis under the products of the other axes' splines, summed along the later axes first, each sum from the left.
 
 use crate::real::{Mask, Real};
 
 /// More lanes than any type has.
 const MOST_LANES: usize = 16;
-/// Most sums along the last axis: 4 x 4 for cubic splines of three arguments.
-const MOST_SUMS: usize = 16;
+/// Most curves of a value: 4 x 4 for cubic splines of three arguments.
+const MOST_CURVES: usize = 16;
 
-/// One axis, for splines of `P` coefficients.
+/// One axis, for polynomials of `P` coefficients.
 #[derive(Clone, Copy, Debug)]
 pub struct Axis<const P: usize> {
     /// Where the polynomials change, increasing; at least two.
     pub breaks: &'static [f64],
-    /// For each interval its splines, each by powers of s from the lowest.
-    pub weights: &'static [[[f64; P]; P]],
+    /// For each interval its splines, each by powers of s from the lowest; none on the last axis.
+    pub splines: &'static [[[f64; P]; P]],
 }
 
 /// A function of `D` arguments, 1 to 3.
@@ -24,8 +24,9 @@ pub struct Axis<const P: usize> {
 pub struct Table<const D: usize, const P: usize> {
     /// The axes.
     pub axes: [Axis<P>; D],
-    /// Coefficients, the last axis fastest: as many on each axis as it has intervals, and `P - 1` more.
-    pub coefficients: &'static [f64],
+    /// Polynomials along the last axis by powers of s: for each spline of the first axis, there are `P - 1` more than intervals, for each of
+    /// the second, and so on, one for each interval of the last axis.
+    pub curves: &'static [[f64; P]],
     /// Outside an axis: whether the value is that at the nearer end, and derivatives by that axis 0; or all is NaN.
     pub held: bool,
 }
@@ -40,73 +41,61 @@ impl<const P: usize> Axis<P> {
         }
     }
 
-    /// How many coefficients lie along the axis.
+    /// How many intervals it has.
     #[inline(always)]
-    fn count(&self) -> usize {
-        self.breaks.len() + P - 2
+    fn intervals(&self) -> usize {
+        self.breaks.len().saturating_sub(1)
     }
 
     /// In each lane as many inner breaks as are not above x: the search halves what is left without a branch on the data.
     #[inline(always)]
-    fn intervals<T: Real>(&self, x: T) -> OfLanes<usize> {
-        let mut intervals = [0; MOST_LANES];
+    fn interval<T: Real>(&self, x: T) -> OfLanes<usize> {
+        let mut interval = [0; MOST_LANES];
         let mut left = self.breaks.len().saturating_sub(2);
         while left > 0 {
             let half = left - left / 2;
-            intervals = of_lanes::<T, _>(0, |lane| {
-                let middle = self.breaks.get(intervals[lane] + half).copied();
+            interval = of_lanes::<T, _>(0, |lane| {
+                let middle = self.breaks.get(interval[lane] + half).copied();
                 let is_above = middle.unwrap_or(f64::NAN) <= x.lane(lane);
-                intervals[lane] + if is_above { half } else { 0 }
+                interval[lane] + if is_above { half } else { 0 }
             });
             left /= 2;
         }
-        intervals
+        interval
     }
 
-    /// In each lane the start of the interval.
+    /// Where arguments lie, for the derivative of an order by them.
     #[inline(always)]
-    fn starts<T: Real>(&self, intervals: &OfLanes<usize>) -> T {
-        let start = |lane: usize| self.breaks.get(intervals[lane]).copied();
-        T::from_lanes(|lane| start(lane).unwrap_or(f64::NAN))
+    fn place<T: Real>(&self, x: T, order: usize) -> Place<T> {
+        let [low, high] = self.ends().map(T::from_f64);
+        let (below, above) = (x.lt(low), x.gt(high));
+        let interval = self.interval(x);
+        let start = |lane: usize| self.breaks.get(interval[lane]).copied();
+        let start = T::from_lanes(|lane| start(lane).unwrap_or(f64::NAN));
+        Place {
+            interval,
+            s: T::select(below, low, T::select(above, high, x)) - start,
+            order,
+            inside: x.ge(low).and(x.le(high)),
+            outside: below.or(above),
+        }
     }
 
-    /// The splines that are not zero on the interval, `order` times differentiated, at s from its start.
+    /// Values of the splines that are not zero there.
     #[inline(always)]
-    fn values<T: Real>(&self, intervals: &OfLanes<usize>, s: T, order: usize) -> [T; P] {
+    fn weights<T: Real>(&self, place: &Place<T>) -> [T; P] {
         let none = &const { [[f64::NAN; P]; P] };
         let splines = of_lanes::<T, _>(none, |lane| {
-            self.weights.get(intervals[lane]).unwrap_or(none)
+            self.splines.get(place.interval[lane]).unwrap_or(none)
         });
-        let mut values = [T::zero(); P];
-        let mut spline = 0;
-        while spline < P {
-            let power = |m: usize| {
-                let factor = factor(m, order);
-                T::from_lanes(|lane| splines[lane][spline][m] * factor)
-            };
-            let mut sum = power(P - 1);
-            let mut m = P - 1;
-            while m > order {
-                m -= 1;
-                sum = sum * s + power(m);
-            }
-            values[spline] = sum;
-            spline += 1;
+        let mut weights = [T::zero(); P];
+        let mut k = 0;
+        while k < P {
+            weights[k] = place.value(&of_lanes::<T, _>(&none[0], |lane| &splines[lane][k]));
+            k += 1;
         }
-        values
+        weights
     }
-}
-
-/// What differentiating `order` times makes of s^m, before s^(m - order).
-#[inline(always)]
-fn factor(m: usize, order: usize) -> f64 {
-    let mut product = 1.0;
-    let mut k = m + 1 - order;
-    while k <= m {
-        product *= k as f64;
-        k += 1;
-    }
-    product
 }
 
 impl<const D: usize, const P: usize> Table<D, P> {
@@ -114,65 +103,124 @@ impl<const D: usize, const P: usize> Table<D, P> {
     #[inline(always)]
     pub fn value<T: Real>(&self, orders: [usize; D], arguments: [T; D]) -> T {
         let mut first = [0; MOST_LANES];
-        let mut rows = [[T::zero(); P]; D];
+        let mut weights = [[T::zero(); P]; D];
         let mut inside = T::Mask::splat(true);
         let mut j = 0;
-        while j < D {
-            let (axis, x, order) = (&self.axes[j], arguments[j], orders[j]);
-            let [low, high] = axis.ends().map(T::from_f64);
-            let (below, above) = (x.lt(low), x.gt(high));
-            inside = inside.and(x.ge(low)).and(x.le(high));
-            let intervals = axis.intervals(x);
-            first = of_lanes::<T, _>(0, |lane| first[lane] * axis.count() + intervals[lane]);
-            let held = T::select(below, low, T::select(above, high, x));
-            rows[j] = axis.values(&intervals, held - axis.starts(&intervals), order);
-            if order > 0 {
-                let mut spline = 0;
-                while spline < P {
-                    rows[j][spline] = T::select(below.or(above), T::zero(), rows[j][spline]);
-                    spline += 1;
-                }
-            }
+        while j + 1 < D {
+            let place = self.axes[j].place(arguments[j], orders[j]);
+            first = place.after(&first, self.axes[j].intervals() + P - 1);
+            weights[j] = self.axes[j].weights(&place);
+            inside = inside.and(place.inside);
             j += 1;
         }
-        let value = self.sum(&first, &rows);
+        let place = self.axes[j].place(arguments[j], orders[j]);
+        first = place.after(&first, self.axes[j].intervals());
+        let value = sum(self.curves(&first, &place), &weights);
         if self.held {
-            value
-        } else {
-            T::select(inside, value, T::from_f64(f64::NAN))
+            return value;
         }
+        T::select(inside.and(place.inside), value, T::from_f64(f64::NAN))
     }
 
-    /// The sum of the coefficients from `first` on in each lane, under the products of the rows' weights.
+    /// Values of the curves that share an interval of the last axis, from the first one on.
     #[inline(always)]
-    fn sum<T: Real>(&self, first: &OfLanes<usize>, rows: &[[T; P]; D]) -> T {
-        let mut sums = [T::zero(); MOST_SUMS];
-        let mut left = P.pow(D as u32 - 1);
+    fn curves<T: Real>(&self, first: &OfLanes<usize>, place: &Place<T>) -> [T; MOST_CURVES] {
+        let none = &const { [f64::NAN; P] };
+        let mut curves = [T::zero(); MOST_CURVES];
         let mut number = 0;
-        while number < left {
-            let (mut rest, mut offset, mut stride) = (number, 0, self.axes[D - 1].count());
-            for axis in self.axes[..D - 1].iter().rev() {
-                offset += rest % P * stride;
-                stride *= axis.count();
-                rest /= P;
-            }
-            let none = &const { [f64::NAN; P] };
-            let coefficients = of_lanes::<T, _>(none, |lane| {
-                let rest = self.coefficients.get(first[lane] + offset..);
-                rest.and_then(|rest| rest.first_chunk()).unwrap_or(none)
-            });
-            let coefficient = |k: usize| T::from_lanes(|lane| coefficients[lane][k]);
-            sums[number] = combine(&rows[D - 1], coefficient);
+        while number < P.pow(D as u32 - 1) {
+            let offset = self.offset(number);
+            curves[number] = place.value(&of_lanes::<T, _>(none, |lane| {
+                self.curves.get(first[lane] + offset).unwrap_or(none)
+            }));
             number += 1;
         }
-        for row in rows[..D - 1].iter().rev() {
-            left /= P;
-            for number in 0..left {
-                sums[number] = combine(row, |k| sums[number * P + k]);
-            }
-        }
-        sums[0]
+        curves
     }
+
+    /// How far a curve is from the first one: the splines of a later axis count faster.
+    #[inline(always)]
+    fn offset(&self, number: usize) -> usize {
+        let (mut rest, mut offset, mut stride) = (number, 0, self.axes[D - 1].intervals());
+        let mut j = D - 1;
+        while j > 0 {
+            j -= 1;
+            offset += rest % P * stride;
+            stride *= self.axes[j].intervals() + P - 1;
+            rest /= P;
+        }
+        offset
+    }
+}
+
+/// Where arguments lie on an axis.
+struct Place<T: Real> {
+    interval: OfLanes<usize>,
+    /// From the start of the interval.
+    s: T,
+    /// How often to differentiate.
+    order: usize,
+    /// Between the ends, so that the table is defined.
+    inside: T::Mask,
+    /// Beyond an end, where derivatives are 0.
+    outside: T::Mask,
+}
+
+impl<T: Real> Place<T> {
+    /// The interval's number among those of this axis for each of a number `before` of the axes before, this axis faster.
+    #[inline(always)]
+    fn after(&self, before: &OfLanes<usize>, count: usize) -> OfLanes<usize> {
+        of_lanes::<T, _>(0, |lane| before[lane] * count + self.interval[lane])
+    }
+
+    /// The value there of a polynomial, or of its derivative, by Horner's scheme; `powers` are those of each lane.
+    #[inline(always)]
+    fn value<const P: usize>(&self, powers: &OfLanes<&[f64; P]>) -> T {
+        let mut sum = T::zero();
+        let mut m = P;
+        while m > self.order {
+            m -= 1;
+            let (mut factor, mut k) = (1.0, m + 1 - self.order);
+            while k <= m {
+                factor *= k as f64;
+                k += 1;
+            }
+            let power = T::from_lanes(|lane| powers[lane][m] * factor);
+            sum = if m == P - 1 {
+                power
+            } else {
+                sum * self.s + power
+            };
+        }
+        if self.order == 0 {
+            return sum;
+        }
+        T::select(self.outside, T::zero(), sum)
+    }
+}
+
+/// The sum of the curves under the products of the weights, of all axes but the last.
+#[inline(always)]
+fn sum<T: Real, const D: usize, const P: usize>(
+    mut curves: [T; MOST_CURVES],
+    weights: &[[T; P]; D],
+) -> T {
+    let mut j = D - 1;
+    while j > 0 {
+        j -= 1;
+        let mut number = 0;
+        while number < P.pow(j as u32) {
+            let mut sum = weights[j][0] * curves[number * P];
+            let mut k = 1;
+            while k < P {
+                sum = sum + weights[j][k] * curves[number * P + k];
+                k += 1;
+            }
+            curves[number] = sum;
+            number += 1;
+        }
+    }
+    curves[0]
 }
 
 /// What each lane has, in the first places.
@@ -190,27 +238,28 @@ fn of_lanes<T: Real, R: Copy>(beyond: R, of: impl Fn(usize) -> R) -> OfLanes<R> 
     all
 }
 
-/// `weights[0] terms(0) + weights[1] terms(1) + ..`, from the left.
-#[inline(always)]
-fn combine<T: Real, const P: usize>(weights: &[T; P], terms: impl Fn(usize) -> T) -> T {
-    let mut sum = weights[0] * terms(0);
-    for (k, &weight) in weights.iter().enumerate().skip(1) {
-        sum = sum + weight * terms(k);
-    }
-    sum
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     const LINE: Axis<2> = Axis {
         breaks: &[0.0, 1.0, 3.0],
-        weights: &[[[1.0, -1.0], [0.0, 1.0]], [[1.0, -0.5], [0.0, 0.5]]],
+        splines: &[[[1.0, -1.0], [0.0, 1.0]], [[1.0, -0.5], [0.0, 0.5]]],
+    };
+    const LAST: Axis<2> = Axis {
+        splines: &[],
+        ..LINE
     };
     const PLANE: Table<2, 2> = Table {
-        axes: [LINE, LINE],
-        coefficients: &[0.0, 1.0, 3.0, 10.0, 11.0, 13.0, 30.0, 31.0, 33.0],
+        axes: [LINE, LAST],
+        curves: &[
+            [0.0, 1.0],
+            [1.0, 1.0],
+            [10.0, 1.0],
+            [11.0, 1.0],
+            [30.0, 1.0],
+            [31.0, 1.0],
+        ],
         held: true,
     };
 
@@ -244,14 +293,14 @@ mod tests {
             let breaks: std::vec::Vec<f64> = (0..count).map(f64::from).collect();
             let axis = Axis::<2> {
                 breaks: breaks.leak(),
-                weights: &[],
+                splines: &[],
             };
             for twice in -2..2 * count as i32 + 2 {
                 let x = f64::from(twice) / 2.0;
                 let inner = (1..count - 1).filter(|&at| f64::from(at) <= x).count();
-                assert_eq!(axis.intervals(x)[0], inner, "{x} of {count}");
+                assert_eq!(axis.interval(x)[0], inner, "{x} of {count}");
             }
-            assert_eq!(axis.intervals(f64::NAN)[0], 0);
+            assert_eq!(axis.interval(f64::NAN)[0], 0);
         }
     }
 }

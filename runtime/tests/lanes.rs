@@ -257,7 +257,7 @@ struct Tables;
 
 const LINE: Axis<2> = Axis {
     breaks: &[-2.0, 0.5, 1.0, 3.0],
-    weights: &[
+    splines: &[
         [[1.0, -0.4], [0.0, 0.4]],
         [[1.0, -2.0], [0.0, 2.0]],
         [[1.0, -0.5], [0.0, 0.5]],
@@ -265,7 +265,7 @@ const LINE: Axis<2> = Axis {
 };
 const CURVE: Axis<4> = Axis {
     breaks: &[-3.0, 0.0, 4.0],
-    weights: &[
+    splines: &[
         [
             [1.0, -1.1, 0.3, -0.05],
             [0.1, 1.3, -0.6, 0.08],
@@ -285,15 +285,16 @@ impl Text for Tables {
     fn results<T: Real>(inputs: &[T]) -> Vec<T> {
         let line = Table {
             axes: [LINE],
-            coefficients: &[0.3, -1.7, 2.5, 0.1],
+            curves: &[[0.3, -2.0], [-1.7, 4.2], [2.5, -1.2]],
             held: true,
         };
-        let coefficients: &'static [f64; 125] = Box::leak(Box::new(array::from_fn(|at| {
-            (at * 37 % 101) as f64 / 7.0 - 6.0
+        let power = |at: usize| (at * 37 % 101) as f64 / 7.0 - 6.0;
+        let curves: &'static [[f64; 4]; 50] = Box::leak(Box::new(array::from_fn(|at| {
+            array::from_fn(|m| power(4 * at + m))
         })));
         let cube = Table {
             axes: [CURVE; 3],
-            coefficients,
+            curves,
             held: false,
         };
         let [x, y, z] = [inputs[0], inputs[1], inputs[2]];

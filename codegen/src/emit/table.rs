@@ -101,19 +101,17 @@ fn suffix(orders: &[u32]) -> String {
 
 fn numbers(data: &TableData, name: &Ident, sources: &[(String, String)]) -> TokenStream {
     let interpolant = &data.interpolant;
-    let splines = interpolant.degree.number() + 1;
-    let axes = interpolant.breaks.iter().map(|breaks| {
-        let intervals = (0..breaks.len() - 1).map(|i| {
-            let weights = weights(breaks, interpolant.degree, i);
-            let splines = weights[..splines]
-                .iter()
-                .map(|powers| literal::row(&powers[..splines]));
-            quote!([#(#splines),*])
+    let size = interpolant.degree.number() + 1;
+    let last = interpolant.breaks.len() - 1;
+    let axes = interpolant.breaks.iter().enumerate().map(|(axis, breaks)| {
+        let intervals = (0..breaks.len() - 1).filter(|_| axis < last).map(|i| {
+            let splines = weights(breaks, interpolant.degree, i);
+            rows(splines.into_iter().take(size), size)
         });
         let breaks = literal::row(breaks);
-        quote!(Axis { breaks: &#breaks, weights: &[#(#intervals),*] })
+        quote!(Axis { breaks: &#breaks, splines: &[#(#intervals),*] })
     });
-    let coefficients = literal::row(&interpolant.coefficients);
+    let curves = rows(interpolant.curves(), size);
     let held = interpolant.extrapolation == Extrapolation::Clamp;
     let source = sources.iter().find(|(known, _)| *known == data.name);
     let source = source.filter(|(_, source)| !source.is_empty());
@@ -133,18 +131,24 @@ fn numbers(data: &TableData, name: &Ident, sources: &[(String, String)]) -> Toke
         code(&data.name),
         list(&data.arguments)
     )]);
-    let (dimensions, splines) = (
+    let (dimensions, size) = (
         Literal::usize_unsuffixed(data.arguments.len()),
-        Literal::usize_unsuffixed(splines),
+        Literal::usize_unsuffixed(size),
     );
     quote! {
         #docs
-        static #name: Table<#dimensions, #splines> = Table {
+        static #name: Table<#dimensions, #size> = Table {
             axes: [#(#axes),*],
-            coefficients: &#coefficients,
+            curves: &#curves,
             held: #held,
         };
     }
+}
+
+/// Polynomials by their first `size` powers.
+fn rows(polynomials: impl Iterator<Item = [f64; 4]>, size: usize) -> TokenStream {
+    let rows = polynomials.map(|powers| literal::row(&powers[..size]));
+    quote!([#(#rows),*])
 }
 
 fn function(data: &TableData, numbers: &Ident, orders: &[u32], name: &Ident) -> TokenStream {
