@@ -8,8 +8,10 @@ use nsv_runtime::real::Real;
 pub struct Point<'a, T> {
     /// Time.
     pub t: T,
-    /// State of the plant: measured states of all blocks, then exosystems.
+    /// State of the plant: measured states of all blocks, further states of a flown plant, exosystems.
     pub x: &'a [T],
+    /// States of the exosystems.
+    pub exosystems: &'a [T],
     /// States of the controller.
     pub state: &'a [T],
     /// Parameters: of the controller's design, or of the plant for `plant`.
@@ -270,8 +272,10 @@ macro_rules! module {
                 #[inline(always)]
                 fn evaluate<T: Real>(point: Point<'_, T>, results: &mut Sink<'_, T>) {
                     let mut x = point.x;
+                    #[allow(unused_mut, unused_variables, reason = "not every plant has exosystems")]
+                    let mut w = point.exosystems;
                     $(let $x = Flat::take(&mut x);)*
-                    $(let $w = Flat::take(&mut x);)*
+                    $(let $w = Flat::take(&mut w);)*
                     let (state, design, plant) = (state(point.state), params(point.params), params(point.plant));
                     let LyapunovOutputs { V, LV } = lyapunov::lyapunov(point.t, $($x,)* $($w,)* &state, &design, &plant);
                     V.put(results);

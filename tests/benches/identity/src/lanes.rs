@@ -96,6 +96,7 @@ impl Layout {
         Point {
             t: point[0],
             x: part(&self.x),
+            exosystems: part(&self.exosystems),
             state: part(&self.state),
             params: part(&self.params),
             plant: part(&self.plant),

@@ -24,8 +24,10 @@ pub fn compiled(name: &str) -> (Model, Programs) {
 
 /// Where the inputs of all functions stand in a point: time, plant state, controller states, parameters of design and plant, control.
 pub struct Layout {
-    /// Plant state.
+    /// Plant state: measured states of all blocks, further states of a flown plant, exosystems.
     pub x: Range<usize>,
+    /// States of the exosystems.
+    pub exosystems: Range<usize>,
     /// Controller states.
     pub state: Range<usize>,
     /// Parameters of the controller's design, and of the plant for its own function.
@@ -56,13 +58,14 @@ impl Layout {
         for (prefix, range) in [("params", &params), ("plant", &plant)] {
             inputs.extend(M::PARAMS.iter().zip(range.clone()).map(|(name, at)| (format!("{prefix}.{name}"), at..at + 1)));
         }
-        let mut exosystems = x.start + model.blocks.len() * channels;
-        for input in programs.lyapunov.inputs.iter().filter(|input| input.name.starts_with('w')) {
-            inputs.push((input.name.clone(), exosystems..exosystems + size(input.shape)));
-            exosystems += size(input.shape);
+        let waves = programs.lyapunov.inputs.iter().filter(|input| input.name.starts_with('w'));
+        let exosystems = x.end - waves.clone().map(|input| size(input.shape)).sum::<usize>()..x.end;
+        let mut start = exosystems.start;
+        for input in waves {
+            inputs.push((input.name.clone(), start..start + size(input.shape)));
+            start += size(input.shape);
         }
-        assert!(exosystems == x.end, "exosystems fill the plant's state");
-        Layout { x, state, params, plant, u_sat, inputs }
+        Layout { x, exosystems, state, params, plant, u_sat, inputs }
     }
 
     /// Number of entries of a point.
