@@ -1,6 +1,7 @@
 """All measurements: each peer in several fresh processes, in shuffled order, on one core, after its results were found equal."""
 
 import argparse
+import ctypes
 import json
 import os
 import platform
@@ -176,6 +177,14 @@ def lanes() -> int:
     return 8 if "avx512dq" in flags else 4 if "avx2" in flags else 2
 
 
+def peak(library: Path) -> str:
+    """The most arithmetic of each width that this processor does, by the loop of measure.c."""
+    code = ctypes.CDLL(str(library))
+    code.peak.restype = ctypes.c_double
+    widths = [width for width in (2, 4, 8) if width <= lanes()]
+    return ", ".join(f"{code.peak(width):.2f} in {64 * width} bits" for width in widths)
+
+
 def version(*command: str) -> str:
     """First line of what a tool says of itself."""
     try:
@@ -184,7 +193,7 @@ def version(*command: str) -> str:
         return "not installed"
 
 
-def origin() -> dict[str, str]:
+def origin(loop: Path) -> dict[str, str]:
     """What the figures depend on, and the command that gives them."""
     model = [line.partition(": ")[2] for line in Path("/proc/cpuinfo").read_text().splitlines() if line.startswith("model name")]
     tools = {tool: version(tool, "--version") for tool in ("rustc", "gcc", "g++", "clang")}
@@ -195,6 +204,7 @@ def origin() -> dict[str, str]:
         "revision": version("git", "-C", str(ROOT), "describe", "--always", "--dirty"),
         "processor": model[0],
         "cores": f"{os.cpu_count()}; {os.getloadavg()[0]:.1f} processes ran in the minute before the measurements",
+        "sums and products a cycle": peak(loop),
         "system": f"{platform.system()} {platform.release()}",
         **tools,
         "Python": ", ".join([platform.python_version(), *sorted(packages)]),
@@ -203,11 +213,11 @@ def origin() -> dict[str, str]:
 
 def run(chosen: argparse.Namespace) -> None:
     """Measures and reports."""
-    compiled(BUILD / "loop", (HERE / "measure.c").read_text(), "step.c", ["gcc", "-O2"])
+    loop = compiled(BUILD / "loop", (HERE / "measure.c").read_text(), "step.c", ["gcc", "-O2"])
     compiled(BUILD / "ensemble", (HERE / "ensemble.c").read_text(), "step.c", ["gcc", "-O3", "-march=native"])
     laws = {"step", "ensemble"} & set(chosen.stages)
     subjects = {spec: prepared(spec, chosen.peers) for spec in chosen.specs if laws}
-    result: dict[str, Any] = {"origin": origin()}
+    result: dict[str, Any] = {"origin": origin(loop)}
     if "step" in chosen.stages:
         result["step"] = {spec: steps(subject, chosen.processes) for spec, subject in subjects.items()}
     if "ensemble" in chosen.stages:

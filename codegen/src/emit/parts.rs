@@ -90,11 +90,19 @@ impl Whole<'_> {
                     let value = quote!(#name);
                     Given { name, ty, value }
                 }));
-            let results = lifetimes.across(end);
-            let results = results.filter(|variable| lifetimes.set[variable] >= start);
+            let computed = (start..end).flat_map(|step| self.computed(step, &replaced));
+            let results: BTreeSet<Variable> = computed
+                .flat_map(|id| self.set_by(id))
+                .filter(|variable| {
+                    lifetimes
+                        .last
+                        .get(variable)
+                        .is_some_and(|&last| last >= end)
+                })
+                .collect();
             let (given, results) = (
                 given.collect::<Vec<_>>(),
-                results.map(|variable| self.variable(variable)),
+                results.into_iter().map(|variable| self.variable(variable)),
             );
             let number = parts.len() + 1;
             parts.push(self.part(
@@ -332,13 +340,6 @@ impl Lifetimes {
         std::iter::once(first)
             .chain(others)
             .min_by_key(|&to| (self.numbers[to], Reverse(to)))
-    }
-
-    /// The variables that are set before a step and used from there on.
-    fn across(&self, step: usize) -> impl Iterator<Item = Variable> {
-        let used = self.last.iter().filter(move |(_, last)| **last >= step);
-        used.map(|(variable, _)| *variable)
-            .filter(move |variable| self.set[variable] < step)
     }
 }
 

@@ -1,5 +1,7 @@
 //! From items to the text of a file: imports by use, prettyplease, comments, blank lines, header.
 
+use std::collections::HashSet;
+
 use proc_macro2::{Delimiter, Spacing, TokenStream, TokenTree};
 use quote::quote;
 
@@ -37,10 +39,8 @@ pub(crate) struct Source<'a> {
 impl Source<'_> {
     /// The text.
     pub(crate) fn text(self, comments: &Comments) -> String {
-        let items = &self.items;
-        let code = quote!(#(#items)*);
         let docs = module_docs(self.docs);
-        let imports = imports(self.imports, &code);
+        let imports = imports(self.imports, &Uses::of(&self.items));
         let mut text = String::new();
         for line in self.header {
             text.push_str(&format!("// {line}\n"));
@@ -52,8 +52,7 @@ impl Source<'_> {
         let allow = allowances(self.allow);
         text.push_str(&formatted(quote!(#(#allow)*)));
         let imports = formatted(quote!(#(#imports)*));
-        for part in std::iter::once(imports).chain(items.iter().map(|item| formatted(item.clone())))
-        {
+        for part in std::iter::once(imports).chain(self.items.into_iter().map(formatted)) {
             if !part.is_empty() {
                 text.push('\n');
                 text.push_str(&part);
@@ -72,27 +71,49 @@ pub(crate) fn mentions(tokens: &TokenStream, name: &str) -> bool {
     })
 }
 
-/// Whether `tokens` contain `name::`, alone or in a path.
-fn mentions_path(tokens: &TokenStream, name: &str) -> bool {
-    has_pair(tokens, &|first, second| {
-        matches!(first, TokenTree::Ident(ident) if ident == name)
-            && matches!(second, TokenTree::Punct(punct) if punct.as_char() == ':' && punct.spacing() == Spacing::Joint)
-    })
+/// The identifiers of some code.
+#[derive(Default)]
+struct Uses {
+    names: HashSet<String>,
+    /// Those before `::`.
+    paths: HashSet<String>,
+    /// Those before `(`.
+    calls: HashSet<String>,
 }
 
-/// Whether `tokens` contain `name(`.
-fn calls(tokens: &TokenStream, name: &str) -> bool {
-    has_pair(tokens, &|first, second| {
-        matches!(first, TokenTree::Ident(ident) if ident == name)
-            && matches!(second, TokenTree::Group(group) if group.delimiter() == Delimiter::Parenthesis)
-    })
-}
+impl Uses {
+    fn of(items: &[TokenStream]) -> Self {
+        let mut uses = Self::default();
+        for item in items {
+            uses.add(item);
+        }
+        uses
+    }
 
-/// Whether some token and the one behind it satisfy `found`.
-fn has_pair(tokens: &TokenStream, found: &impl Fn(&TokenTree, &TokenTree) -> bool) -> bool {
-    let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
-    let inside = |token: &TokenTree| matches!(token, TokenTree::Group(group) if has_pair(&group.stream(), found));
-    tokens.windows(2).any(|pair| found(&pair[0], &pair[1])) || tokens.iter().any(inside)
+    fn add(&mut self, tokens: &TokenStream) {
+        let mut before = None;
+        for token in tokens.clone() {
+            match &token {
+                TokenTree::Punct(punct)
+                    if punct.as_char() == ':' && punct.spacing() == Spacing::Joint =>
+                {
+                    self.paths.extend(before.take());
+                }
+                TokenTree::Group(group) => {
+                    if group.delimiter() == Delimiter::Parenthesis {
+                        self.calls.extend(before.take());
+                    }
+                    self.add(&group.stream());
+                }
+                _ => {}
+            }
+            before = match token {
+                TokenTree::Ident(ident) => Some(ident.to_string()),
+                _ => None,
+            };
+            self.names.extend(before.clone());
+        }
+    }
 }
 
 /// What a function body needs in front: the short name of literals.
@@ -113,7 +134,7 @@ fn allowances(lints: &[(&str, &str)]) -> Vec<TokenStream> {
 }
 
 /// `use` items for the paths whose last segment is mentioned; paths that differ only in it share one item.
-fn imports(paths: &[&str], code: &TokenStream) -> Vec<TokenStream> {
+fn imports(paths: &[&str], uses: &Uses) -> Vec<TokenStream> {
     let mut grouped: Vec<(&str, Vec<&str>)> = Vec::new();
     let mut paths = paths.to_vec();
     paths.sort_by_key(|path| (!path.starts_with("super"), *path)); // as rustfmt has them
@@ -123,10 +144,13 @@ fn imports(paths: &[&str], code: &TokenStream) -> Vec<TokenStream> {
             .expect("invariant: an import is a path");
         let needed = match name {
             "Mask" => {
-                mentions_path(code, name) || MASK_METHODS.iter().any(|method| calls(code, method))
+                uses.paths.contains(name)
+                    || MASK_METHODS
+                        .iter()
+                        .any(|method| uses.calls.contains(*method))
             }
-            name if MODULES.contains(&name) => mentions_path(code, name),
-            name => mentions(code, name),
+            name if MODULES.contains(&name) => uses.paths.contains(name),
+            name => uses.names.contains(name),
         };
         if !needed {
             continue;
@@ -157,10 +181,8 @@ fn segment(name: &str) -> TokenStream {
 }
 
 fn formatted(tokens: TokenStream) -> String {
-    let file = syn::parse2::<syn::File>(tokens.clone());
-    let file = file
-        .unwrap_or_else(|error| panic!("invariant: emitted items are Rust: {error} in {tokens}"));
-    prettyplease::unparse(&file)
+    let file = syn::parse2::<syn::File>(tokens);
+    prettyplease::unparse(&file.expect("invariant: emitted items are Rust"))
 }
 
 /// Puts blank lines between the members of an `impl`.

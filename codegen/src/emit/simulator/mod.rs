@@ -282,11 +282,11 @@ impl Simulator<'_> {
         let noisy = self.channels() > 0;
         let held = (noisy && self.interface.noise == NoiseModel::Sampled)
             .then(|| quote!(, xi: self.draw(self.sample)));
-        let (draw, increment) = if noisy && self.interface.noise == NoiseModel::Wiener {
-            let draw = quote!(let dw = self.draw(step) * T::from_f64(SUBSTEP).sqrt(););
-            (draw, quote!(&dw))
-        } else {
-            (TokenStream::new(), quote!(&Vector([])))
+        let draw = (noisy && self.interface.noise == NoiseModel::Wiener)
+            .then(|| quote!(let dw = self.draw(step) * T::from_f64(SUBSTEP).sqrt();));
+        let increment = match draw {
+            Some(_) => quote!(&dw),
+            None => quote!(&Vector([])),
         };
         let prepared = (self.dynamics.prepare()).map(|_| quote!(prepared: self.prepared,));
         let (at, stages) = self.stages();
@@ -296,8 +296,8 @@ impl Simulator<'_> {
             self.x = sde::step(Scheme::#scheme, &plant, #stages, &self.x, SUBSTEP, #increment);
         };
         let acts = self.hardware().acts();
-        // Without a clock, noise of its own and actuators a step has no use for its number.
-        let numbered = acts || mentions(&quote!(#draw #at), "step");
+        // What a step has its number for.
+        let numbered = acts || draw.is_some() || at.is_some();
         let substep = if numbered { quote!(substep) } else { quote!(_) };
         let number = numbered
             .then(|| quote!(let step = self.sample * u64::from(SUBSTEPS) + u64::from(substep);));
