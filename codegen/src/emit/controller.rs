@@ -103,7 +103,9 @@ impl Controller<'_> {
         let about = "One sample of the control law: control and the signals on the way; the states become those of the next sample.";
         let blocks = (1..).zip(&self.interface.blocks);
         let gains = blocks.flat_map(|(i, block): (usize, _)| {
-            let (name, gains) = (code(&block.name), code(&block.gains));
+            let name = code(&block.name);
+            let gains: Vec<String> = block.gains.iter().map(|gain| code(gain)).collect();
+            let gains = gains.join(", ");
             let line =
                 format!("Gains of block {i}, {name}, which are numbers in the formulas: {gains}.");
             [String::new(), line]

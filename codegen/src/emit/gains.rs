@@ -1,9 +1,9 @@
 //! The gains of a block in words, for the rustdoc of the law: in its formulas they are numbers, folded with each other.
 
-use nsv_spec::model::{Block, Disturbance, Matrix, PhiFloor};
+use nsv_spec::model::{Block, Disturbance, Exosystem, Matrix, PhiFloor};
 
-/// What a law of `order` blocks uses of the gains of block `i`, with the symbols of its equations: `K = 1.5, kbar = 2, ..`.
-pub(crate) fn gains(i: usize, order: usize, block: &Block) -> String {
+/// What a law of `order` blocks uses of the gains of block `i`, with the symbols of its equations: `K = 1.5`, `kbar = 2`, ..
+pub(crate) fn gains(i: usize, order: usize, block: &Block) -> Vec<String> {
     let mut list = vec![
         format!("K = {}", diagonal(&block.k)),
         format!("kbar = {}", number(block.kbar)),
@@ -15,6 +15,11 @@ pub(crate) fn gains(i: usize, order: usize, block: &Block) -> String {
     if let Some(observer) = &block.observer {
         list.push(format!("S = {}", matrix(observer)));
     }
+    if let Disturbance::Exosystem(channels) = &block.disturbance {
+        list.push(format!("M = {}", blocks(channels, |channel| &channel.m)));
+        list.push(format!("N = {}", blocks(channels, |channel| &channel.n)));
+        list.push(format!("L = {}", blocks(channels, |channel| &channel.l)));
+    }
     if !matches!(block.disturbance, Disturbance::None) {
         list.push(format!("eta_1 = {}", number(block.eta_1)));
     }
@@ -24,12 +29,14 @@ pub(crate) fn gains(i: usize, order: usize, block: &Block) -> String {
     }
     if let Some(network) = &block.network {
         let (gamma, lambda) = (number(network.gamma), number(network.lambda));
-        list.push(format!("Gamma = {gamma}, lambda = {lambda}"));
+        list.push(format!("Gamma = {gamma}"));
+        list.push(format!("lambda = {lambda}"));
         list.push(format!("iota = {}", diagonal(&network.iota)));
     }
     if let Some(bound) = &block.error_bound {
         let (rate, b) = (number(bound.rate), diagonal(&bound.b));
-        list.push(format!("iota_0 = {rate}, b = {b}"));
+        list.push(format!("iota_0 = {rate}"));
+        list.push(format!("b = {b}"));
     }
     if let Some(bound) = &block.noise_bound {
         if block.observer.is_some() {
@@ -47,7 +54,7 @@ pub(crate) fn gains(i: usize, order: usize, block: &Block) -> String {
             list.push(format!("phi_min = {}", number(floor)));
         }
     }
-    list.join(", ")
+    list
 }
 
 /// A number as short as it can be read back.
@@ -65,9 +72,24 @@ fn diagonal(values: &[f64]) -> String {
     }
 }
 
+/// A matrix with a block for each channel.
+fn blocks(channels: &[Exosystem], of: impl Fn(&Exosystem) -> &Matrix) -> String {
+    let blocks: Vec<String> = channels.iter().map(|channel| matrix(of(channel))).collect();
+    match blocks.as_slice() {
+        [block] => block.clone(),
+        [block, others @ ..] if others.iter().all(|other| other == block) => {
+            format!("{block} in each channel")
+        }
+        _ => format!("diag({})", blocks.join(", ")),
+    }
+}
+
 /// A matrix, as its diagonal where there is nothing else.
 fn matrix(matrix: &Matrix) -> String {
     let Matrix { rows, cols, data } = matrix;
+    if data.is_empty() {
+        return "0".to_owned();
+    }
     let on_diagonal = |at: &usize| at / cols == at % cols;
     let other = (0..data.len()).filter(|at| !on_diagonal(at));
     if rows == cols && other.into_iter().all(|at| data[at] == 0.0) {
@@ -100,5 +122,6 @@ mod tests {
         assert_eq!(matrix(&of(2, &[20.0, 0.0, 0.0, 1e-9])), "diag(20, 1e-9)");
         assert_eq!(matrix(&of(2, &[1.0, 0.5, 0.0, 1.0])), "(1 0.5; 0 1)");
         assert_eq!(matrix(&of(2, &[1.0, 2.5])), "(1; 2.5)");
+        assert_eq!(matrix(&of(2, &[])), "0");
     }
 }

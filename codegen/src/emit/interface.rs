@@ -69,7 +69,7 @@ pub(crate) struct Block {
     /// Initial states of its exosystems, one after another.
     pub(crate) exosystem: Vec<f64>,
     /// Its gains, in words.
-    pub(crate) gains: String,
+    pub(crate) gains: Vec<String>,
 }
 
 /// A state channel.

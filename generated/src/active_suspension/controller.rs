@@ -1,4 +1,4 @@
-// SHA-256 of the text below: fdc9da16fe9ecc111f5cb3819d9f9d89e310e4f74067d63ac2ffc1271f608ced
+// SHA-256 of the text below: 2fa737e85908b26c7d50f05df3718f63b2883204d5898adea1e48c88e3cb5e64
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 22 additions, 47 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
 // control: 94 additions, 145 multiplications, 7 divisions, 2 square roots, 8 elementary functions, 9 comparisons and selections
@@ -656,15 +656,16 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `height`, which are numbers in the formulas: `K = 8, kbar = 4, C = 20, Fl = 0.005
-/// s, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `height`, which are numbers in the formulas: `K = 8`, `kbar = 4`, `C = 20`,
+/// `Fl = 0.005 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 40, kbar = 10, C = 50, Fl = 0.001
-/// s, S = (2; -0.18; 14), eta_1 = 1, eta_2 = 0.1, eta_3 = 1, Gamma = 1, lambda = 0.1, iota = 1,
-/// iota_0 = 0.1, b = 0.1`.
+/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 40`, `kbar = 10`, `C = 50`,
+/// `Fl = 0.001 s`, `S = (2; -0.18; 14)`, `M = (-0.5 0 0; 0 0 1; 0 -3167 -5.6)`, `N = (0.02 0; 0 0; 0 0.4)`,
+/// `L = (53.3 53.3 3.33)`, `eta_1 = 1`, `eta_2 = 0.1`, `eta_3 = 1`, `Gamma = 1`, `lambda = 0.1`,
+/// `iota = 1`, `iota_0 = 0.1`, `b = 0.1`.
 ///
-/// Gains of block 3, `actuator`, which are numbers in the formulas: `K = 200, kbar = 50, C = 100,
-/// taubar = 1, lambda_sigma = 0.1, varsigma = 0.1, kappa_phi = 0.5, iota_phi = 0.02`.
+/// Gains of block 3, `actuator`, which are numbers in the formulas: `K = 200`, `kbar = 50`, `C = 100`,
+/// `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 0.1`, `kappa_phi = 0.5`, `iota_phi = 0.02`.
 ///
 /// Operations: 92 additions, 131 multiplications, 4 divisions, 2 square roots, 4 elementary
 /// functions, 9 comparisons and selections.
@@ -931,15 +932,16 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `height`, which are numbers in the formulas: `K = 8, kbar = 4, C = 20, Fl = 0.005
-/// s, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `height`, which are numbers in the formulas: `K = 8`, `kbar = 4`, `C = 20`,
+/// `Fl = 0.005 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 40, kbar = 10, C = 50, Fl = 0.001
-/// s, S = (2; -0.18; 14), eta_1 = 1, eta_2 = 0.1, eta_3 = 1, Gamma = 1, lambda = 0.1, iota = 1,
-/// iota_0 = 0.1, b = 0.1`.
+/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 40`, `kbar = 10`, `C = 50`,
+/// `Fl = 0.001 s`, `S = (2; -0.18; 14)`, `M = (-0.5 0 0; 0 0 1; 0 -3167 -5.6)`, `N = (0.02 0; 0 0; 0 0.4)`,
+/// `L = (53.3 53.3 3.33)`, `eta_1 = 1`, `eta_2 = 0.1`, `eta_3 = 1`, `Gamma = 1`, `lambda = 0.1`,
+/// `iota = 1`, `iota_0 = 0.1`, `b = 0.1`.
 ///
-/// Gains of block 3, `actuator`, which are numbers in the formulas: `K = 200, kbar = 50, C = 100,
-/// taubar = 1, lambda_sigma = 0.1, varsigma = 0.1, kappa_phi = 0.5, iota_phi = 0.02`.
+/// Gains of block 3, `actuator`, which are numbers in the formulas: `K = 200`, `kbar = 50`, `C = 100`,
+/// `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 0.1`, `kappa_phi = 0.5`, `iota_phi = 0.02`.
 ///
 /// Operations: 94 additions, 145 multiplications, 7 divisions, 2 square roots, 8 elementary
 /// functions, 9 comparisons and selections.

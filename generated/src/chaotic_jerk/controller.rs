@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 7be4b72c72db8ae4c402f212c51087757e2d1ca7ce6ed4908d1d9547886ed906
+// SHA-256 of the text below: 310244121858c740d626162f42b364bbad62cc1c20dc46158e2ca058269e3cc3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 0 additions, 1 multiplications, 0 divisions, 0 square roots, 0 elementary functions, 0 comparisons and selections
 // control: 98 additions, 120 multiplications, 0 divisions, 0 square roots, 3 elementary functions, 2 comparisons and selections
@@ -467,14 +467,14 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `position`, which are numbers in the formulas: `K = 4, kbar = 1, C = 10,
-/// eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `position`, which are numbers in the formulas: `K = 4`, `kbar = 1`, `C = 10`,
+/// `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 4, kbar = 1, C = 10,
-/// eta_2 = 1, eta_3 = 1`.
+/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 4`, `kbar = 1`, `C = 10`,
+/// `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 3, `acceleration`, which are numbers in the formulas: `K = 4, kbar = 1, C = 20,
-/// S = 10, eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1`.
+/// Gains of block 3, `acceleration`, which are numbers in the formulas: `K = 4`, `kbar = 1`, `C = 20`,
+/// `S = 10`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`.
 ///
 /// Operations: 82 additions, 93 multiplications, 0 divisions, 0 square roots, 0 elementary
 /// functions, 2 comparisons and selections.
@@ -693,14 +693,14 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `position`, which are numbers in the formulas: `K = 4, kbar = 1, C = 10,
-/// eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `position`, which are numbers in the formulas: `K = 4`, `kbar = 1`, `C = 10`,
+/// `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 4, kbar = 1, C = 10,
-/// eta_2 = 1, eta_3 = 1`.
+/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 4`, `kbar = 1`, `C = 10`,
+/// `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 3, `acceleration`, which are numbers in the formulas: `K = 4, kbar = 1, C = 20,
-/// S = 10, eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1`.
+/// Gains of block 3, `acceleration`, which are numbers in the formulas: `K = 4`, `kbar = 1`, `C = 20`,
+/// `S = 10`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`.
 ///
 /// Operations: 98 additions, 120 multiplications, 0 divisions, 0 square roots, 3 elementary
 /// functions, 2 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 5d168d71c43da2c22afc9ddd725a6e69febd204c64c35397ce4f8110e9e205c3
+// SHA-256 of the text below: 45ea491a81e523d08e869476664792f7c63f25c6e8f031b488592090c9aceedf
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 21 additions, 54 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 83 additions, 120 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
@@ -733,17 +733,19 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `link_angle`, which are numbers in the formulas: `K = 4, kbar = 4, C = 20,
-/// Fl = 0.01 s, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `link_angle`, which are numbers in the formulas: `K = 4`, `kbar = 4`, `C = 20`,
+/// `Fl = 0.01 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `link_rate`, which are numbers in the formulas: `K = 10, kbar = 16, C = 50,
-/// Fl = 0.002 s, S = 40, eta_1 = 1, eta_2 = 0.0001, eta_3 = 100, Gamma = 1, lambda = 0.1, iota = 1`.
+/// Gains of block 2, `link_rate`, which are numbers in the formulas: `K = 10`, `kbar = 16`, `C = 50`,
+/// `Fl = 0.002 s`, `S = 40`, `eta_1 = 1`, `eta_2 = 0.0001`, `eta_3 = 100`, `Gamma = 1`, `lambda = 0.1`,
+/// `iota = 1`.
 ///
-/// Gains of block 3, `motor_angle`, which are numbers in the formulas: `K = 40, kbar = 45, C = 100,
-/// Fl = 0.001 s, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 3, `motor_angle`, which are numbers in the formulas: `K = 40`, `kbar = 45`,
+/// `C = 100`, `Fl = 0.001 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 4, `motor_rate`, which are numbers in the formulas: `K = 100, kbar = 120, C = 200,
-/// S = (40; 20; 60), eta_1 = 1`.
+/// Gains of block 4, `motor_rate`, which are numbers in the formulas: `K = 100`, `kbar = 120`,
+/// `C = 200`, `S = (40; 20; 60)`, `M = (0 0 0; 0 0 20; 0 -20 0)`, `N = 0`, `L = (1 1 0)`,
+/// `eta_1 = 1`.
 ///
 /// Operations: 80 additions, 103 multiplications, 2 divisions, 0 square roots, 3 elementary
 /// functions, 6 comparisons and selections.
@@ -1014,17 +1016,19 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `link_angle`, which are numbers in the formulas: `K = 4, kbar = 4, C = 20,
-/// Fl = 0.01 s, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `link_angle`, which are numbers in the formulas: `K = 4`, `kbar = 4`, `C = 20`,
+/// `Fl = 0.01 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `link_rate`, which are numbers in the formulas: `K = 10, kbar = 16, C = 50,
-/// Fl = 0.002 s, S = 40, eta_1 = 1, eta_2 = 0.0001, eta_3 = 100, Gamma = 1, lambda = 0.1, iota = 1`.
+/// Gains of block 2, `link_rate`, which are numbers in the formulas: `K = 10`, `kbar = 16`, `C = 50`,
+/// `Fl = 0.002 s`, `S = 40`, `eta_1 = 1`, `eta_2 = 0.0001`, `eta_3 = 100`, `Gamma = 1`, `lambda = 0.1`,
+/// `iota = 1`.
 ///
-/// Gains of block 3, `motor_angle`, which are numbers in the formulas: `K = 40, kbar = 45, C = 100,
-/// Fl = 0.001 s, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 3, `motor_angle`, which are numbers in the formulas: `K = 40`, `kbar = 45`,
+/// `C = 100`, `Fl = 0.001 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 4, `motor_rate`, which are numbers in the formulas: `K = 100, kbar = 120, C = 200,
-/// S = (40; 20; 60), eta_1 = 1`.
+/// Gains of block 4, `motor_rate`, which are numbers in the formulas: `K = 100`, `kbar = 120`,
+/// `C = 200`, `S = (40; 20; 60)`, `M = (0 0 0; 0 0 20; 0 -20 0)`, `N = 0`, `L = (1 1 0)`,
+/// `eta_1 = 1`.
 ///
 /// Operations: 83 additions, 120 multiplications, 4 divisions, 0 square roots, 7 elementary
 /// functions, 6 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 7d57a9db006f71bf5916408dd6dd42d3231ddc6de67baee1cfc11edb95d787e3
+// SHA-256 of the text below: 82b5ab2aaa5369640889d27d485658aa453839c59c17dd0bf82c61310685dd25
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 59 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary functions, 3 comparisons and selections
 // control: 564 additions, 850 multiplications, 12 divisions, 4 square roots, 26 elementary functions, 18 comparisons and selections
@@ -683,13 +683,15 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5, kbar = 2, C = 20,
-/// Fl = 0.05 s, S = 10, eta_1 = 1, eta_2 = 1, eta_3 = 1, Gamma = 1, lambda = 0.1, iota = 0.1`.
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5`, `kbar = 2`, `C = 20`,
+/// `Fl = 0.05 s`, `S = 10`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`, `Gamma = 1`, `lambda = 0.1`,
+/// `iota = 0.1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2, kbar = 2, C = 50, S =
-/// (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4), eta_1 = 0.1, Gamma = 1, lambda = 0.1,
-/// iota = 0.1, iota_0 = 0.1, b = 2, eta_noise = 0.1, taubar = 1, lambda_sigma = 0.1, varsigma = 1,
-/// kappa_phi = 2, iota_phi = 0.01`.
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2`, `kbar = 2`, `C = 50`,
+/// `S = (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4)`, `M = (-0.3 3; -3 -0.3) in each
+/// channel`, `N = 0.05 in each channel`, `L = diag((0 2), (2 0), (1 1))`, `eta_1 = 0.1`, `Gamma = 1`,
+/// `lambda = 0.1`, `iota = 0.1`, `iota_0 = 0.1`, `b = 2`, `eta_noise = 0.1`, `taubar = 1`,
+/// `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 2`, `iota_phi = 0.01`.
 ///
 /// Operations: 560 additions, 817 multiplications, 10 divisions, 4 square roots, 17 elementary
 /// functions, 18 comparisons and selections.
@@ -1117,13 +1119,15 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5, kbar = 2, C = 20,
-/// Fl = 0.05 s, S = 10, eta_1 = 1, eta_2 = 1, eta_3 = 1, Gamma = 1, lambda = 0.1, iota = 0.1`.
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5`, `kbar = 2`, `C = 20`,
+/// `Fl = 0.05 s`, `S = 10`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`, `Gamma = 1`, `lambda = 0.1`,
+/// `iota = 0.1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2, kbar = 2, C = 50, S =
-/// (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4), eta_1 = 0.1, Gamma = 1, lambda = 0.1,
-/// iota = 0.1, iota_0 = 0.1, b = 2, eta_noise = 0.1, taubar = 1, lambda_sigma = 0.1, varsigma = 1,
-/// kappa_phi = 2, iota_phi = 0.01`.
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2`, `kbar = 2`, `C = 50`,
+/// `S = (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4)`, `M = (-0.3 3; -3 -0.3) in each
+/// channel`, `N = 0.05 in each channel`, `L = diag((0 2), (2 0), (1 1))`, `eta_1 = 0.1`, `Gamma = 1`,
+/// `lambda = 0.1`, `iota = 0.1`, `iota_0 = 0.1`, `b = 2`, `eta_noise = 0.1`, `taubar = 1`,
+/// `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 2`, `iota_phi = 0.01`.
 ///
 /// Operations: 564 additions, 850 multiplications, 12 divisions, 4 square roots, 26 elementary
 /// functions, 18 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 550945aa37e1b765824e8ad2c7fb0e14028421ba18a74f084952b3cee6a5682a
+// SHA-256 of the text below: 623ec58ee02b1d5f039679e2c631113203500bacb5fe6475ede8262b01cf98fe
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 67 additions, 99 multiplications, 3 divisions, 0 square roots, 4 elementary functions, 31 comparisons and selections
 // control: 146 additions, 191 multiplications, 4 divisions, 0 square roots, 4 elementary functions, 38 comparisons and selections
@@ -599,11 +599,11 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `incidence`, which are numbers in the formulas: `K = 8, kbar = 8, C = 20,
-/// Fl = 0.02 s, S = 10, eta_1 = 1, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `incidence`, which are numbers in the formulas: `K = 8`, `kbar = 8`, `C = 20`,
+/// `Fl = 0.02 s`, `S = 10`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `rate`, which are numbers in the formulas: `K = 20, kbar = 20, C = 50, S = 30,
-/// eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1`.
+/// Gains of block 2, `rate`, which are numbers in the formulas: `K = 20`, `kbar = 20`, `C = 50`,
+/// `S = 30`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`.
 ///
 /// Operations: 126 additions, 147 multiplications, 2 divisions, 0 square roots, 3 elementary
 /// functions, 14 comparisons and selections.
@@ -768,11 +768,11 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `incidence`, which are numbers in the formulas: `K = 8, kbar = 8, C = 20,
-/// Fl = 0.02 s, S = 10, eta_1 = 1, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `incidence`, which are numbers in the formulas: `K = 8`, `kbar = 8`, `C = 20`,
+/// `Fl = 0.02 s`, `S = 10`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `rate`, which are numbers in the formulas: `K = 20, kbar = 20, C = 50, S = 30,
-/// eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1`.
+/// Gains of block 2, `rate`, which are numbers in the formulas: `K = 20`, `kbar = 20`, `C = 50`,
+/// `S = 30`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`.
 ///
 /// Operations: 146 additions, 191 multiplications, 4 divisions, 0 square roots, 4 elementary
 /// functions, 38 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 18a4ce6e1bafa484ea3cbf3f517f122f836725dc8c2b4f3acfccdb41df76d83b
+// SHA-256 of the text below: 72d54e7b329a328fb2d70127ec6c26166a8259ebea19059ef95e6bced5420573
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 23 additions, 59 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 78 additions, 127 multiplications, 7 divisions, 3 square roots, 9 elementary functions, 9 comparisons and selections
@@ -728,16 +728,16 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `position`, which are numbers in the formulas: `K = 6, kbar = 1.72, C = 20,
-/// Fl = 0.02 s, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `position`, which are numbers in the formulas: `K = 6`, `kbar = 1.72`, `C = 20`,
+/// `Fl = 0.02 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 20, kbar = 20, C = 50, Fl = 0.005
-/// s, S = 10, eta_1 = 1, eta_2 = 0.1, eta_3 = 2, Gamma = 1, lambda = 0.1, iota = 1, iota_0 = 0.1,
-/// b = 1, eta_noise = 0.1, taubar = 1, lambda_sigma = 0.1, varsigma = 1, kappa_phi = 0.5,
-/// iota_phi = 0.2`.
+/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 20`, `kbar = 20`, `C = 50`,
+/// `Fl = 0.005 s`, `S = 10`, `M = -2`, `N = 0.5`, `L = 1`, `eta_1 = 1`, `eta_2 = 0.1`, `eta_3 = 2`,
+/// `Gamma = 1`, `lambda = 0.1`, `iota = 1`, `iota_0 = 0.1`, `b = 1`, `eta_noise = 0.1`, `taubar = 1`,
+/// `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 0.5`, `iota_phi = 0.2`.
 ///
-/// Gains of block 3, `current`, which are numbers in the formulas: `K = 100, kbar = 100, C = 100,
-/// S = 50, eta_1 = 1`.
+/// Gains of block 3, `current`, which are numbers in the formulas: `K = 100`, `kbar = 100`, `C = 100`,
+/// `S = 50`, `eta_1 = 1`.
 ///
 /// Operations: 70 additions, 93 multiplications, 4 divisions, 2 square roots, 5 elementary
 /// functions, 9 comparisons and selections.
@@ -982,16 +982,16 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `position`, which are numbers in the formulas: `K = 6, kbar = 1.72, C = 20,
-/// Fl = 0.02 s, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `position`, which are numbers in the formulas: `K = 6`, `kbar = 1.72`, `C = 20`,
+/// `Fl = 0.02 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 20, kbar = 20, C = 50, Fl = 0.005
-/// s, S = 10, eta_1 = 1, eta_2 = 0.1, eta_3 = 2, Gamma = 1, lambda = 0.1, iota = 1, iota_0 = 0.1,
-/// b = 1, eta_noise = 0.1, taubar = 1, lambda_sigma = 0.1, varsigma = 1, kappa_phi = 0.5,
-/// iota_phi = 0.2`.
+/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 20`, `kbar = 20`, `C = 50`,
+/// `Fl = 0.005 s`, `S = 10`, `M = -2`, `N = 0.5`, `L = 1`, `eta_1 = 1`, `eta_2 = 0.1`, `eta_3 = 2`,
+/// `Gamma = 1`, `lambda = 0.1`, `iota = 1`, `iota_0 = 0.1`, `b = 1`, `eta_noise = 0.1`, `taubar = 1`,
+/// `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 0.5`, `iota_phi = 0.2`.
 ///
-/// Gains of block 3, `current`, which are numbers in the formulas: `K = 100, kbar = 100, C = 100,
-/// S = 50, eta_1 = 1`.
+/// Gains of block 3, `current`, which are numbers in the formulas: `K = 100`, `kbar = 100`, `C = 100`,
+/// `S = 50`, `eta_1 = 1`.
 ///
 /// Operations: 78 additions, 127 multiplications, 7 divisions, 3 square roots, 9 elementary
 /// functions, 9 comparisons and selections.

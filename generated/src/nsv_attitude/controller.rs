@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 06feeb711cc8de4be81771f179a6235c16da3b4e4595c2f4d0e8bb9e20f1359c
+// SHA-256 of the text below: a82bdac4808a4ebdd49fba3bf7cdbd94ae8f6a19b2ead617c91f8ad5e3e19fb3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 60 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary functions, 6 comparisons and selections
 // control: 520 additions, 795 multiplications, 12 divisions, 4 square roots, 26 elementary functions, 21 comparisons and selections
@@ -693,13 +693,15 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5, kbar = 2, C = 20,
-/// Fl = 0.1 s, S = 10, eta_1 = 1, eta_2 = 1, eta_3 = 1, Gamma = 1, lambda = 0.1, iota = 0.1`.
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5`, `kbar = 2`, `C = 20`,
+/// `Fl = 0.1 s`, `S = 10`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`, `Gamma = 1`, `lambda = 0.1`,
+/// `iota = 0.1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2, kbar = 2, C = 50, S =
-/// (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4), eta_1 = 0.1, Gamma = 1, lambda = 0.1,
-/// iota = 0.1, iota_0 = 0.1, b = 2, eta_noise = 0.1, taubar = 1, lambda_sigma = 0.1, varsigma = 1,
-/// kappa_phi = 2, iota_phi = 0.01`.
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2`, `kbar = 2`, `C = 50`,
+/// `S = (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4)`, `M = (0 3; -3 0) in each channel`,
+/// `N = 1 in each channel`, `L = diag((0 2), (3 0), (1 1))`, `eta_1 = 0.1`, `Gamma = 1`,
+/// `lambda = 0.1`, `iota = 0.1`, `iota_0 = 0.1`, `b = 2`, `eta_noise = 0.1`, `taubar = 1`,
+/// `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 2`, `iota_phi = 0.01`.
 ///
 /// Operations: 515 additions, 764 multiplications, 10 divisions, 4 square roots, 17 elementary
 /// functions, 18 comparisons and selections.
@@ -1107,13 +1109,15 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5, kbar = 2, C = 20,
-/// Fl = 0.1 s, S = 10, eta_1 = 1, eta_2 = 1, eta_3 = 1, Gamma = 1, lambda = 0.1, iota = 0.1`.
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5`, `kbar = 2`, `C = 20`,
+/// `Fl = 0.1 s`, `S = 10`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`, `Gamma = 1`, `lambda = 0.1`,
+/// `iota = 0.1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2, kbar = 2, C = 50, S =
-/// (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4), eta_1 = 0.1, Gamma = 1, lambda = 0.1,
-/// iota = 0.1, iota_0 = 0.1, b = 2, eta_noise = 0.1, taubar = 1, lambda_sigma = 0.1, varsigma = 1,
-/// kappa_phi = 2, iota_phi = 0.01`.
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2`, `kbar = 2`, `C = 50`,
+/// `S = (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4)`, `M = (0 3; -3 0) in each channel`,
+/// `N = 1 in each channel`, `L = diag((0 2), (3 0), (1 1))`, `eta_1 = 0.1`, `Gamma = 1`,
+/// `lambda = 0.1`, `iota = 0.1`, `iota_0 = 0.1`, `b = 2`, `eta_noise = 0.1`, `taubar = 1`,
+/// `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 2`, `iota_phi = 0.01`.
 ///
 /// Operations: 520 additions, 795 multiplications, 12 divisions, 4 square roots, 26 elementary
 /// functions, 21 comparisons and selections.

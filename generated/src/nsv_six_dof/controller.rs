@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 705bdc12c229ec829f5c2f3eaf4951dbf7fea097fcab490a83c31630b0f4b85b
+// SHA-256 of the text below: fc285ce8ae935d3d45d8163dc79600f569572c32ff428df562665781e53a136b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 87 additions, 132 multiplications, 7 divisions, 0 square roots, 12 elementary functions, 43 comparisons and selections
 // control: 547 additions, 828 multiplications, 12 divisions, 4 square roots, 18 elementary functions, 58 comparisons and selections
@@ -765,13 +765,15 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5, kbar = 2, C = 20,
-/// Fl = 0.1 s, S = 10, eta_1 = 1, eta_2 = 1, eta_3 = 1, Gamma = 1, lambda = 0.1, iota = 0.1`.
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5`, `kbar = 2`, `C = 20`,
+/// `Fl = 0.1 s`, `S = 10`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`, `Gamma = 1`, `lambda = 0.1`,
+/// `iota = 0.1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2, kbar = 2, C = 50, S =
-/// (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4), eta_1 = 0.1, Gamma = 1, lambda = 0.1,
-/// iota = 0.1, iota_0 = 0.1, b = 2, eta_noise = 0.1, taubar = 1, lambda_sigma = 0.1, varsigma = 1,
-/// kappa_phi = 2, iota_phi = 0.01`.
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2`, `kbar = 2`, `C = 50`,
+/// `S = (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4)`, `M = (0 3; -3 0) in each channel`,
+/// `N = 0.5 in each channel`, `L = diag((0 2), (3 0), (1 1))`, `eta_1 = 0.1`, `Gamma = 1`,
+/// `lambda = 0.1`, `iota = 0.1`, `iota_0 = 0.1`, `b = 2`, `eta_noise = 0.1`, `taubar = 1`,
+/// `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 2`, `iota_phi = 0.01`.
 ///
 /// Operations: 515 additions, 764 multiplications, 10 divisions, 4 square roots, 17 elementary
 /// functions, 18 comparisons and selections.
@@ -1179,13 +1181,15 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5, kbar = 2, C = 20,
-/// Fl = 0.1 s, S = 10, eta_1 = 1, eta_2 = 1, eta_3 = 1, Gamma = 1, lambda = 0.1, iota = 0.1`.
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5`, `kbar = 2`, `C = 20`,
+/// `Fl = 0.1 s`, `S = 10`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`, `Gamma = 1`, `lambda = 0.1`,
+/// `iota = 0.1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2, kbar = 2, C = 50, S =
-/// (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4), eta_1 = 0.1, Gamma = 1, lambda = 0.1,
-/// iota = 0.1, iota_0 = 0.1, b = 2, eta_noise = 0.1, taubar = 1, lambda_sigma = 0.1, varsigma = 1,
-/// kappa_phi = 2, iota_phi = 0.01`.
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2`, `kbar = 2`, `C = 50`,
+/// `S = (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4)`, `M = (0 3; -3 0) in each channel`,
+/// `N = 0.5 in each channel`, `L = diag((0 2), (3 0), (1 1))`, `eta_1 = 0.1`, `Gamma = 1`,
+/// `lambda = 0.1`, `iota = 0.1`, `iota_0 = 0.1`, `b = 2`, `eta_noise = 0.1`, `taubar = 1`,
+/// `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 2`, `iota_phi = 0.01`.
 ///
 /// Operations: 547 additions, 828 multiplications, 12 divisions, 4 square roots, 18 elementary
 /// functions, 58 comparisons and selections.

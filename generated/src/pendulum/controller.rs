@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 940972b129ccfbae8a0054cdb7718078159a6c18e6154ec81594568ecd3deb6f
+// SHA-256 of the text below: 2de00cc4fb8fc35aa7783d20961990b313586a1c95105312309f91cc1b7c6358
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 5 additions, 18 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
 // control: 39 additions, 63 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 6 comparisons and selections
@@ -493,11 +493,11 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `position`, which are numbers in the formulas: `K = 4, kbar = 4, C = 20,
-/// Fl = 0.02 s, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `position`, which are numbers in the formulas: `K = 4`, `kbar = 4`, `C = 20`,
+/// `Fl = 0.02 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 10, kbar = 10, C = 50, S = 20,
-/// eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1`.
+/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 10`, `kbar = 10`, `C = 50`,
+/// `S = 20`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`.
 ///
 /// Operations: 38 additions, 56 multiplications, 2 divisions, 0 square roots, 3 elementary
 /// functions, 6 comparisons and selections.
@@ -647,11 +647,11 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `position`, which are numbers in the formulas: `K = 4, kbar = 4, C = 20,
-/// Fl = 0.02 s, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `position`, which are numbers in the formulas: `K = 4`, `kbar = 4`, `C = 20`,
+/// `Fl = 0.02 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 10, kbar = 10, C = 50, S = 20,
-/// eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1`.
+/// Gains of block 2, `speed`, which are numbers in the formulas: `K = 10`, `kbar = 10`, `C = 50`,
+/// `S = 20`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`.
 ///
 /// Operations: 39 additions, 63 multiplications, 5 divisions, 0 square roots, 6 elementary
 /// functions, 6 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: f12799e7b7a310126ef880a1baefa9ccac3ca07eeecce27ea183506a82d86e89
+// SHA-256 of the text below: 440f2a9dd632b8c87d8245428f38a5b4ef7e1fd9d4ceba198b27995e13a2a0b1
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 31 additions, 74 multiplications, 6 divisions, 0 square roots, 16 elementary functions, 3 comparisons and selections
 // control: 279 additions, 421 multiplications, 14 divisions, 3 square roots, 20 elementary functions, 13 comparisons and selections
@@ -660,13 +660,15 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 6, kbar = 2, C = 20,
-/// Fl = 0.01 s, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 6`, `kbar = 2`, `C = 20`,
+/// `Fl = 0.01 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 20, kbar = 10, C = 50, S =
-/// (14.6 0 0; 23 0 0; 14 0 0; 0 14.6 0; 0 23 0; 0 14 0; 0 0 8; 0 0 -1), eta_1 = 1, Gamma = 1,
-/// lambda = 0.1, iota = 1, iota_0 = 0.1, b = 1, eta_noise = 0.01, taubar = 1, lambda_sigma = 0.1,
-/// varsigma = 1, kappa_phi = 0.5, iota_phi = 0.2`.
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 20`, `kbar = 10`, `C = 50`,
+/// `S = (14.6 0 0; 23 0 0; 14 0 0; 0 14.6 0; 0 23 0; 0 14 0; 0 0 8; 0 0 -1)`, `M = diag((-0.2 12 0; -12 -0.2 0; 0 0 -1),
+/// (-0.2 12 0; -12 -0.2 0; 0 0 -1), diag(0, -3))`, `N = diag((1 0; 0 0; 0 2), (1 0; 0 0; 0 2),
+/// (0; 0.5))`, `L = diag((1 0 1), (1 0 1), (1 1))`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`,
+/// `iota = 1`, `iota_0 = 0.1`, `b = 1`, `eta_noise = 0.01`, `taubar = 1`, `lambda_sigma = 0.1`,
+/// `varsigma = 1`, `kappa_phi = 0.5`, `iota_phi = 0.2`.
 ///
 /// Operations: 260 additions, 361 multiplications, 7 divisions, 2 square roots, 12 elementary
 /// functions, 13 comparisons and selections.
@@ -953,13 +955,15 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 6, kbar = 2, C = 20,
-/// Fl = 0.01 s, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 6`, `kbar = 2`, `C = 20`,
+/// `Fl = 0.01 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 20, kbar = 10, C = 50, S =
-/// (14.6 0 0; 23 0 0; 14 0 0; 0 14.6 0; 0 23 0; 0 14 0; 0 0 8; 0 0 -1), eta_1 = 1, Gamma = 1,
-/// lambda = 0.1, iota = 1, iota_0 = 0.1, b = 1, eta_noise = 0.01, taubar = 1, lambda_sigma = 0.1,
-/// varsigma = 1, kappa_phi = 0.5, iota_phi = 0.2`.
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 20`, `kbar = 10`, `C = 50`,
+/// `S = (14.6 0 0; 23 0 0; 14 0 0; 0 14.6 0; 0 23 0; 0 14 0; 0 0 8; 0 0 -1)`, `M = diag((-0.2 12 0; -12 -0.2 0; 0 0 -1),
+/// (-0.2 12 0; -12 -0.2 0; 0 0 -1), diag(0, -3))`, `N = diag((1 0; 0 0; 0 2), (1 0; 0 0; 0 2),
+/// (0; 0.5))`, `L = diag((1 0 1), (1 0 1), (1 1))`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`,
+/// `iota = 1`, `iota_0 = 0.1`, `b = 1`, `eta_noise = 0.01`, `taubar = 1`, `lambda_sigma = 0.1`,
+/// `varsigma = 1`, `kappa_phi = 0.5`, `iota_phi = 0.2`.
 ///
 /// Operations: 279 additions, 421 multiplications, 14 divisions, 3 square roots, 20 elementary
 /// functions, 13 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 7995357f4acaafcfe123888eb832ddbddfd75bf699ee4af917b3c534b0baf573
+// SHA-256 of the text below: 6fea301b1cd03a5e9d336e6060db6023fb27068c0e0f9691ba27dae6e7391925
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 27 additions, 65 multiplications, 3 divisions, 0 square roots, 10 elementary functions, 3 comparisons and selections
 // control: 240 additions, 316 multiplications, 7 divisions, 0 square roots, 27 elementary functions, 16 comparisons and selections
@@ -599,11 +599,11 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 6, kbar = 2, C = 20, Fl = 0.005
-/// s, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 6`, `kbar = 2`, `C = 20`,
+/// `Fl = 0.005 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 40, kbar = 20, C = 50, S = 100,
-/// eta_1 = 1`.
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 40`, `kbar = 20`, `C = 50`,
+/// `S = 100`, `eta_1 = 1`.
 ///
 /// Operations: 221 additions, 262 multiplications, 6 divisions, 0 square roots, 19 elementary
 /// functions, 16 comparisons and selections.
@@ -858,11 +858,11 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 6, kbar = 2, C = 20, Fl = 0.005
-/// s, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 6`, `kbar = 2`, `C = 20`,
+/// `Fl = 0.005 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 40, kbar = 20, C = 50, S = 100,
-/// eta_1 = 1`.
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 40`, `kbar = 20`, `C = 50`,
+/// `S = 100`, `eta_1 = 1`.
 ///
 /// Operations: 240 additions, 316 multiplications, 7 divisions, 0 square roots, 27 elementary
 /// functions, 16 comparisons and selections.

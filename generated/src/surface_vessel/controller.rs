@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 3e5ef9200d552a31c90d904f579462a85ad99520e01f0ac06ddbc7a270cfe440
+// SHA-256 of the text below: 5c8d857a8c83094305774f43bdcf747cf874c7f7be810ff62ee4bab6e6ee8bd5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 40 additions, 63 multiplications, 5 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 271 additions, 385 multiplications, 11 divisions, 3 square roots, 11 elementary functions, 13 comparisons and selections
@@ -673,14 +673,16 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `pose`, which are numbers in the formulas: `K = diag(1.2, 1.2, 2), kbar = 0.25,
-/// C = diag(2, 2, 4), Fl = diag(0.2, 0.2, 0.1) s, S = diag(0.5, 0.5, 1), eta_1 = 1, eta_2 = 1,
-/// eta_3 = 1`.
+/// Gains of block 1, `pose`, which are numbers in the formulas: `K = diag(1.2, 1.2, 2)`, `kbar = 0.25`,
+/// `C = diag(2, 2, 4)`, `Fl = diag(0.2, 0.2, 0.1) s`, `S = diag(0.5, 0.5, 1)`, `eta_1 = 1`,
+/// `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 6, kbar = 1, C = 10, S =
-/// (-3 0 0; 22.8 0 0; 0 -3 0; 0 22.8 0; 0 0 -3; 0 0 22.8), eta_1 = 1, Gamma = 10, lambda = 0.1,
-/// iota = diag(0.02, 0.02, 0.1), iota_0 = 0.1, b = 0.1, eta_noise = 0.1, taubar = 1,
-/// lambda_sigma = 0.1, varsigma = 0.1, kappa_phi = 0.5, iota_phi = 0.02`.
+/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 6`, `kbar = 1`, `C = 10`,
+/// `S = (-3 0 0; 22.8 0 0; 0 -3 0; 0 22.8 0; 0 0 -3; 0 0 22.8)`, `M = (0 1; -36 -1.2) in each
+/// channel`, `N = diag((0; 0.04), (0; 0.04), (0; 0.08))`, `L = (0 1) in each channel`, `eta_1 = 1`,
+/// `Gamma = 10`, `lambda = 0.1`, `iota = diag(0.02, 0.02, 0.1)`, `iota_0 = 0.1`, `b = 0.1`,
+/// `eta_noise = 0.1`, `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 0.1`, `kappa_phi = 0.5`,
+/// `iota_phi = 0.02`.
 ///
 /// Operations: 234 additions, 310 multiplications, 6 divisions, 2 square roots, 8 elementary
 /// functions, 13 comparisons and selections.
@@ -987,14 +989,16 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `pose`, which are numbers in the formulas: `K = diag(1.2, 1.2, 2), kbar = 0.25,
-/// C = diag(2, 2, 4), Fl = diag(0.2, 0.2, 0.1) s, S = diag(0.5, 0.5, 1), eta_1 = 1, eta_2 = 1,
-/// eta_3 = 1`.
+/// Gains of block 1, `pose`, which are numbers in the formulas: `K = diag(1.2, 1.2, 2)`, `kbar = 0.25`,
+/// `C = diag(2, 2, 4)`, `Fl = diag(0.2, 0.2, 0.1) s`, `S = diag(0.5, 0.5, 1)`, `eta_1 = 1`,
+/// `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 6, kbar = 1, C = 10, S =
-/// (-3 0 0; 22.8 0 0; 0 -3 0; 0 22.8 0; 0 0 -3; 0 0 22.8), eta_1 = 1, Gamma = 10, lambda = 0.1,
-/// iota = diag(0.02, 0.02, 0.1), iota_0 = 0.1, b = 0.1, eta_noise = 0.1, taubar = 1,
-/// lambda_sigma = 0.1, varsigma = 0.1, kappa_phi = 0.5, iota_phi = 0.02`.
+/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 6`, `kbar = 1`, `C = 10`,
+/// `S = (-3 0 0; 22.8 0 0; 0 -3 0; 0 22.8 0; 0 0 -3; 0 0 22.8)`, `M = (0 1; -36 -1.2) in each
+/// channel`, `N = diag((0; 0.04), (0; 0.04), (0; 0.08))`, `L = (0 1) in each channel`, `eta_1 = 1`,
+/// `Gamma = 10`, `lambda = 0.1`, `iota = diag(0.02, 0.02, 0.1)`, `iota_0 = 0.1`, `b = 0.1`,
+/// `eta_noise = 0.1`, `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 0.1`, `kappa_phi = 0.5`,
+/// `iota_phi = 0.02`.
 ///
 /// Operations: 271 additions, 385 multiplications, 11 divisions, 3 square roots, 11 elementary
 /// functions, 13 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: eb98e6d9ecfafd6c5d6cd5db19d922c56732dec3cf3da044f2bd5f8fc881b89b
+// SHA-256 of the text below: c7ab30fbac6794c21eef91f97ab9b505d3b95015e1bdc599a4d0fbf468f8848a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 11 additions, 27 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
 // control: 184 additions, 276 multiplications, 7 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
@@ -550,11 +550,13 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 4, kbar = 4, C = 20, Fl = 0.02
-/// s, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 4`, `kbar = 4`, `C = 20`,
+/// `Fl = 0.02 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 8, kbar = 8, C = 50, S =
-/// (12 0; 36 0; 0 8; 0 2; 0 11), eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1, iota_0 = 0.1, b = 1`.
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 8`, `kbar = 8`, `C = 50`,
+/// `S = (12 0; 36 0; 0 8; 0 2; 0 11)`, `M = diag((0 1; 0 0), (0 0 0; 0 0 3; 0 -3 0))`, `N = 0
+/// in each channel`, `L = diag((1 0), (1 1 0))`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`,
+/// `iota = 1`, `iota_0 = 0.1`, `b = 1`.
 ///
 /// Operations: 178 additions, 259 multiplications, 5 divisions, 0 square roots, 8 elementary
 /// functions, 13 comparisons and selections.
@@ -795,11 +797,13 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 4, kbar = 4, C = 20, Fl = 0.02
-/// s, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 4`, `kbar = 4`, `C = 20`,
+/// `Fl = 0.02 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 8, kbar = 8, C = 50, S =
-/// (12 0; 36 0; 0 8; 0 2; 0 11), eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1, iota_0 = 0.1, b = 1`.
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 8`, `kbar = 8`, `C = 50`,
+/// `S = (12 0; 36 0; 0 8; 0 2; 0 11)`, `M = diag((0 1; 0 0), (0 0 0; 0 0 3; 0 -3 0))`, `N = 0
+/// in each channel`, `L = diag((1 0), (1 1 0))`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`,
+/// `iota = 1`, `iota_0 = 0.1`, `b = 1`.
 ///
 /// Operations: 184 additions, 276 multiplications, 7 divisions, 0 square roots, 11 elementary
 /// functions, 13 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: c2d1e356cd3f770cc67e1ae997321577119f1a631fb49a98a1c121b24327406f
+// SHA-256 of the text below: 1aaef2f8125f6cfad22a24d318e300c4afef92a8a810efb32db8888580f22323
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 89 additions, 150 multiplications, 9 divisions, 0 square roots, 19 elementary functions, 3 comparisons and selections
 // control: 714 additions, 1033 multiplications, 19 divisions, 3 square roots, 26 elementary functions, 19 comparisons and selections
@@ -768,13 +768,15 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `pose`, which are numbers in the formulas: `K = 2, kbar = 0.5, C = 5, Fl = 0.1
-/// s, S = 1, eta_1 = 1, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `pose`, which are numbers in the formulas: `K = 2`, `kbar = 0.5`, `C = 5`,
+/// `Fl = 0.1 s`, `S = 1`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 5, kbar = 2, C = 10, S =
-/// (-8 0 0 0 0 0; 5.8 0 0 0 0 0; 0 -8 0 0 0 0; 0 5.8 0 0 0 0; 0 0 -8 0 0 0; 0 0 5.8 0 0 0; 0 0 0 -8 0 0; 0 0 0 5.8 0 0; 0 0 0 0 -8 0; 0 0 0 0 5.8 0; 0 0 0 0 0 -8; 0 0 0 0 0 5.8),
-/// eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1, iota_0 = 0.1, b = 1, eta_noise = 0.1, taubar = 1,
-/// lambda_sigma = 0.1, varsigma = 1, kappa_phi = 0.5, iota_phi = 0.2`.
+/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 5`, `kbar = 2`, `C = 10`,
+/// `S = (-8 0 0 0 0 0; 5.8 0 0 0 0 0; 0 -8 0 0 0 0; 0 5.8 0 0 0 0; 0 0 -8 0 0 0; 0 0 5.8 0 0 0; 0 0 0 -8 0 0; 0 0 0 5.8 0 0; 0 0 0 0 -8 0; 0 0 0 0 5.8 0; 0 0 0 0 0 -8; 0 0 0 0 0 5.8)`,
+/// `M = (0 1; -1 -0.2) in each channel`, `N = diag((0; 0.1), (0; 0.1), (0; 0.1), (0; 0.2), (0; 0.2),
+/// (0; 0.2))`, `L = (0 1) in each channel`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`,
+/// `iota_0 = 0.1`, `b = 1`, `eta_noise = 0.1`, `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 1`,
+/// `kappa_phi = 0.5`, `iota_phi = 0.2`.
 ///
 /// Operations: 666 additions, 899 multiplications, 10 divisions, 2 square roots, 18 elementary
 /// functions, 19 comparisons and selections.
@@ -1164,13 +1166,15 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `pose`, which are numbers in the formulas: `K = 2, kbar = 0.5, C = 5, Fl = 0.1
-/// s, S = 1, eta_1 = 1, eta_2 = 1, eta_3 = 1`.
+/// Gains of block 1, `pose`, which are numbers in the formulas: `K = 2`, `kbar = 0.5`, `C = 5`,
+/// `Fl = 0.1 s`, `S = 1`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 5, kbar = 2, C = 10, S =
-/// (-8 0 0 0 0 0; 5.8 0 0 0 0 0; 0 -8 0 0 0 0; 0 5.8 0 0 0 0; 0 0 -8 0 0 0; 0 0 5.8 0 0 0; 0 0 0 -8 0 0; 0 0 0 5.8 0 0; 0 0 0 0 -8 0; 0 0 0 0 5.8 0; 0 0 0 0 0 -8; 0 0 0 0 0 5.8),
-/// eta_1 = 1, Gamma = 1, lambda = 0.1, iota = 1, iota_0 = 0.1, b = 1, eta_noise = 0.1, taubar = 1,
-/// lambda_sigma = 0.1, varsigma = 1, kappa_phi = 0.5, iota_phi = 0.2`.
+/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 5`, `kbar = 2`, `C = 10`,
+/// `S = (-8 0 0 0 0 0; 5.8 0 0 0 0 0; 0 -8 0 0 0 0; 0 5.8 0 0 0 0; 0 0 -8 0 0 0; 0 0 5.8 0 0 0; 0 0 0 -8 0 0; 0 0 0 5.8 0 0; 0 0 0 0 -8 0; 0 0 0 0 5.8 0; 0 0 0 0 0 -8; 0 0 0 0 0 5.8)`,
+/// `M = (0 1; -1 -0.2) in each channel`, `N = diag((0; 0.1), (0; 0.1), (0; 0.1), (0; 0.2), (0; 0.2),
+/// (0; 0.2))`, `L = (0 1) in each channel`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`,
+/// `iota_0 = 0.1`, `b = 1`, `eta_noise = 0.1`, `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 1`,
+/// `kappa_phi = 0.5`, `iota_phi = 0.2`.
 ///
 /// Operations: 714 additions, 1033 multiplications, 19 divisions, 3 square roots, 26 elementary
 /// functions, 19 comparisons and selections.
