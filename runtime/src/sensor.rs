@@ -106,4 +106,17 @@ mod tests {
         assert_eq!(sensor.measure(1.0, 0.0, at(0.3), 9.0), 1.0);
         assert_eq!(sensor.measure(1.0, 0.0, Draws::none(), 9.0), 1.0);
     }
+
+    #[test]
+    fn each_sensor_draws_from_its_channel() {
+        let errors = Some(Noise::<f64>::sensor(3, 7));
+        let draws = Draws::of_all::<3>(&errors, 11);
+        for (channel, draws) in (0..).zip(draws) {
+            let noise = errors.expect("made here");
+            assert_eq!(draws.normal, noise.normal(11, channel));
+            assert_eq!(draws.uniform, noise.uniform(11, channel));
+        }
+        let [draws] = Draws::<f64>::of_all(&None, 11);
+        assert_eq!((draws.normal, draws.uniform), (0.0, 1.0));
+    }
 }
