@@ -120,6 +120,15 @@ impl Interpolant {
         (0..leading * intervals).map(move |at| self.curve(at / intervals, at % intervals))
     }
 
+    /// Whether all numbers are finite that values are computed from: curves and, with axes before the last, their splines.
+    pub fn is_finite(&self) -> bool {
+        let leading = &self.breaks[..self.breaks.len() - 1];
+        let splines = leading
+            .iter()
+            .flat_map(|breaks| (0..breaks.len() - 1).flat_map(|i| weights(breaks, self.degree, i)));
+        self.curves().chain(splines).flatten().all(f64::is_finite)
+    }
+
     /// The polynomial along the last axis on one of its intervals, by powers of s from the lowest, for a combination of splines of the other
     /// axes; only the first degree + 1 powers are used.
     fn curve(&self, leading: usize, interval: usize) -> [f64; 4] {
@@ -424,5 +433,19 @@ mod tests {
             let slope = (1.0 + x * x * x) * (y - y * y) * (3.0 * z * z - 1.0);
             near(table.value(&[x, y, z], &[0, 0, 1]) / slope, 1.0);
         }
+    }
+
+    #[test]
+    fn a_spline_of_huge_slopes_is_not_finite() {
+        let points = |step: f64| (0..4).map(|i| f64::from(i) * step).collect::<Vec<_>>();
+        let table = |step: f64, other: f64, scale: f64| {
+            let values = (0..16).map(|i| f64::from(i * i) * scale).collect();
+            let axes = [points(other), points(step)];
+            Interpolant::new(Degree::Cubic, Extrapolation::Clamp, &axes, values)
+        };
+        assert!(table(1.0, 1.0, 1e300).is_finite());
+        assert!(!table(1e-3, 1.0, 1e300).is_finite());
+        assert!(!table(1e-110, 1.0, 1.0).is_finite());
+        assert!(!table(1.0, 1e-110, 1.0).is_finite());
     }
 }

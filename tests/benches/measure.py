@@ -4,10 +4,13 @@ Whatever has machine code to call is timed by the loop of measure.c. heyoka and 
 results of all inputs are written for the comparison.
 """
 
+import atexit
 import ctypes
 import importlib
 import json
+import os
 import sys
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
@@ -27,6 +30,14 @@ def aligned(size: int) -> np.ndarray:
     return block[start : start + size]
 
 
+def copied(path: str) -> str:
+    """A copy of a library, which stands in memory of its own: the cold call of a small function can take twice as long from some pages."""
+    with tempfile.NamedTemporaryFile(suffix=".so", delete=False) as copy:
+        copy.write(Path(path).read_bytes())
+    atexit.register(os.unlink, copy.name)
+    return copy.name
+
+
 class Inputs(ctypes.Structure):
     """As in measure.c."""
 
@@ -42,7 +53,7 @@ class Step:
             sys.path.insert(0, str(Path(path).parent))
             self.function = POINTER(importlib.import_module(Path(path).stem).step.address)
         else:
-            self.code = ctypes.CDLL(path)
+            self.code = ctypes.CDLL(copied(path))
             self.function = ctypes.cast(self.code.step, POINTER)
             self.packs = hasattr(self.code, "pack")
         self.call = ctypes.CFUNCTYPE(None, POINTER, POINTER)(self.function.value)

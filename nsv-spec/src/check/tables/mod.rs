@@ -124,11 +124,7 @@ impl Context<'_> {
         let values = self.numbers_in(&written.values, unit.as_ref());
         let axes: Vec<Vec<f64>> = axes.into_iter().collect::<Option<_>>()?;
         let interpolant = Interpolant::new(degree, extrapolation, &axes, values?);
-        if interpolant
-            .coefficients
-            .iter()
-            .any(|value| !value.is_finite())
-        {
+        if !interpolant.is_finite() {
             let message = format!("spline of table `{}` is not finite", name.value);
             self.fault(Rule::E0603, name.span, message, "look for a wrong exponent");
             return None;
