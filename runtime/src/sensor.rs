@@ -109,10 +109,9 @@ mod tests {
 
     #[test]
     fn each_sensor_draws_from_its_channel() {
-        let errors = Some(Noise::<f64>::sensor(3, 7));
-        let draws = Draws::of_all::<3>(&errors, 11);
+        let noise = Noise::<f64>::sensor(3, 7);
+        let draws = Draws::of_all::<3>(&Some(noise), 11);
         for (channel, draws) in (0..).zip(draws) {
-            let noise = errors.expect("made here");
             assert_eq!(draws.normal, noise.normal(11, channel));
             assert_eq!(draws.uniform, noise.uniform(11, channel));
         }

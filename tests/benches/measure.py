@@ -31,7 +31,7 @@ def aligned(size: int) -> np.ndarray:
 
 
 def copied(path: str) -> str:
-    """A copy of a library, which stands in memory of its own: the cold call of a small function can take twice as long from some pages."""
+    """A copy of a library, which stands in memory of its own: from some pages the cold call of a small function takes more than twice as long."""
     with tempfile.NamedTemporaryFile(suffix=".so", delete=False) as copy:
         copy.write(Path(path).read_bytes())
     atexit.register(os.unlink, copy.name)

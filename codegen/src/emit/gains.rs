@@ -17,7 +17,9 @@ pub(crate) fn gains(i: usize, order: usize, block: &Block) -> Vec<String> {
     }
     if let Disturbance::Exosystem(channels) = &block.disturbance {
         list.push(format!("M = {}", blocks(channels, |channel| &channel.m)));
-        list.push(format!("N = {}", blocks(channels, |channel| &channel.n)));
+        if channels.iter().any(|channel| channel.n.cols > 0) {
+            list.push(format!("N = {}", blocks(channels, |channel| &channel.n)));
+        }
         list.push(format!("L = {}", blocks(channels, |channel| &channel.l)));
     }
     if !matches!(block.disturbance, Disturbance::None) {

@@ -118,16 +118,19 @@ fn numbers(data: &TableData, name: &Ident, sources: &[(String, String)]) -> Toke
     let source = source.map_or_else(String::new, |(_, source)| {
         format!(" Source: {}.", prose(source))
     });
-    let kind = match interpolant.degree {
-        Degree::Linear => "linear",
-        Degree::Cubic => "cubic",
+    let (kind, breaks) = match interpolant.degree {
+        Degree::Linear => ("linear", ""),
+        Degree::Cubic => (
+            "cubic",
+            ", but for the second and the last but one point of an axis",
+        ),
     };
     let outside = match interpolant.extrapolation {
         Extrapolation::Clamp => "outside its axes the value at the nearer end",
         Extrapolation::Error => "outside its axes no number",
     };
     let docs = docs(&[format!(
-        "Table {} in {}, {kind}; {outside}.{source}",
+        "Table {} in {}, {kind}; {outside}. Breaks are its points, SI{breaks}.{source}",
         code(&data.name),
         list(&data.arguments)
     )]);

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 45ea491a81e523d08e869476664792f7c63f25c6e8f031b488592090c9aceedf
+// SHA-256 of the text below: 7aff1d029f60a4d8a814ddcd6b4ca613524fcf35ba45512295b6cc45cf007b50
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 21 additions, 54 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 83 additions, 120 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
@@ -744,8 +744,7 @@ pub struct ControlOutputs<T: Real> {
 /// `C = 100`, `Fl = 0.001 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
 /// Gains of block 4, `motor_rate`, which are numbers in the formulas: `K = 100`, `kbar = 120`,
-/// `C = 200`, `S = (40; 20; 60)`, `M = (0 0 0; 0 0 20; 0 -20 0)`, `N = 0`, `L = (1 1 0)`,
-/// `eta_1 = 1`.
+/// `C = 200`, `S = (40; 20; 60)`, `M = (0 0 0; 0 0 20; 0 -20 0)`, `L = (1 1 0)`, `eta_1 = 1`.
 ///
 /// Operations: 80 additions, 103 multiplications, 2 divisions, 0 square roots, 3 elementary
 /// functions, 6 comparisons and selections.
@@ -1027,8 +1026,7 @@ pub fn law<T: Real>(
 /// `C = 100`, `Fl = 0.001 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
 /// Gains of block 4, `motor_rate`, which are numbers in the formulas: `K = 100`, `kbar = 120`,
-/// `C = 200`, `S = (40; 20; 60)`, `M = (0 0 0; 0 0 20; 0 -20 0)`, `N = 0`, `L = (1 1 0)`,
-/// `eta_1 = 1`.
+/// `C = 200`, `S = (40; 20; 60)`, `M = (0 0 0; 0 0 20; 0 -20 0)`, `L = (1 1 0)`, `eta_1 = 1`.
 ///
 /// Operations: 83 additions, 120 multiplications, 4 divisions, 0 square roots, 7 elementary
 /// functions, 6 comparisons and selections.

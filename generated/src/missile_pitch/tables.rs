@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 568d27718fac9b083f7229c2e83d491e6dbad9cfb7f60c02ec086539d159bf3a
+// SHA-256 of the text below: 362ef8f79999467e47a7abcb0ec1eab2e939f9eecdffab577ed64b3e3ae40bea
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `missile_pitch`: lookup tables.
@@ -10,9 +10,9 @@
 use nsv_runtime::real::Real;
 use nsv_runtime::table::{Axis, Table};
 
-/// Table `CN` in `alpha`, `mach`, cubic; outside its axes the value at the nearer end. Source:
-/// normal force coefficient without fins: 0.000103 a^3 - 0.00945 a^2 - 0.1696 (2 - M/3) a, odd
-/// in a.
+/// Table `CN` in `alpha`, `mach`, cubic; outside its axes the value at the nearer end. Breaks
+/// are its points, SI, but for the second and the last but one point of an axis. Source: normal
+/// force coefficient without fins: 0.000103 a^3 - 0.00945 a^2 - 0.1696 (2 - M/3) a, odd in a.
 static CN_NUMBERS: Table<2, 4> = Table {
     axes: [
         Axis {
@@ -948,7 +948,8 @@ pub fn CN_d1<T: Real>(alpha: T, mach: T) -> T {
     CN_NUMBERS.value([1, 0], [alpha, mach])
 }
 
-/// Table `CM` in `alpha`, `mach`, cubic; outside its axes the value at the nearer end. Source:
+/// Table `CM` in `alpha`, `mach`, cubic; outside its axes the value at the nearer end. Breaks
+/// are its points, SI, but for the second and the last but one point of an axis. Source:
 /// pitching moment coefficient without fins: 0.000215 a^3 - 0.0195 a^2 + 0.051 (8 M/3 - 7) a,
 /// odd in a.
 static CM_NUMBERS: Table<2, 4> = Table {

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: c7ab30fbac6794c21eef91f97ab9b505d3b95015e1bdc599a4d0fbf468f8848a
+// SHA-256 of the text below: 0c5b9a091097d3fa933bd7aab3dbafdee2fe59304b4b37c815cef4d02b5467c2
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 11 additions, 27 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
 // control: 184 additions, 276 multiplications, 7 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
@@ -554,9 +554,9 @@ pub struct ControlOutputs<T: Real> {
 /// `Fl = 0.02 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
 /// Gains of block 2, `rates`, which are numbers in the formulas: `K = 8`, `kbar = 8`, `C = 50`,
-/// `S = (12 0; 36 0; 0 8; 0 2; 0 11)`, `M = diag((0 1; 0 0), (0 0 0; 0 0 3; 0 -3 0))`, `N = 0
-/// in each channel`, `L = diag((1 0), (1 1 0))`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`,
-/// `iota = 1`, `iota_0 = 0.1`, `b = 1`.
+/// `S = (12 0; 36 0; 0 8; 0 2; 0 11)`, `M = diag((0 1; 0 0), (0 0 0; 0 0 3; 0 -3 0))`, `L =
+/// diag((1 0), (1 1 0))`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`, `iota_0 = 0.1`,
+/// `b = 1`.
 ///
 /// Operations: 178 additions, 259 multiplications, 5 divisions, 0 square roots, 8 elementary
 /// functions, 13 comparisons and selections.
@@ -801,9 +801,9 @@ pub fn law<T: Real>(
 /// `Fl = 0.02 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
 /// Gains of block 2, `rates`, which are numbers in the formulas: `K = 8`, `kbar = 8`, `C = 50`,
-/// `S = (12 0; 36 0; 0 8; 0 2; 0 11)`, `M = diag((0 1; 0 0), (0 0 0; 0 0 3; 0 -3 0))`, `N = 0
-/// in each channel`, `L = diag((1 0), (1 1 0))`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`,
-/// `iota = 1`, `iota_0 = 0.1`, `b = 1`.
+/// `S = (12 0; 36 0; 0 8; 0 2; 0 11)`, `M = diag((0 1; 0 0), (0 0 0; 0 0 3; 0 -3 0))`, `L =
+/// diag((1 0), (1 1 0))`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`, `iota_0 = 0.1`,
+/// `b = 1`.
 ///
 /// Operations: 184 additions, 276 multiplications, 7 divisions, 0 square roots, 11 elementary
 /// functions, 13 comparisons and selections.

@@ -125,8 +125,9 @@ impl Context<'_> {
         let axes: Vec<Vec<f64>> = axes.into_iter().collect::<Option<_>>()?;
         let interpolant = Interpolant::new(degree, extrapolation, &axes, values?);
         if !interpolant.is_finite() {
-            let message = format!("spline of table `{}` is not finite", name.value);
-            self.fault(Rule::E0603, name.span, message, "look for a wrong exponent");
+            let message = format!("table `{}` is not finite between its points", name.value);
+            let help = "look for a value with a wrong exponent, or for points of an axis that nearly coincide";
+            self.fault(Rule::E0603, name.span, message, help);
             return None;
         }
         Some(Table {
