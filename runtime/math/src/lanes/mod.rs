@@ -2,8 +2,8 @@
 //!
 //! A [`Kernel`] is written once over [`Real`]. [`run`] calls it with the lanes of a [`Width`], inside a function that is compiled for the
 //! instruction set of those lanes. For this to be fast everything between the kernel and the arithmetic must be inlined there, so it is
-//! `#[inline(always)]`; a part that should be a function of its own goes through [`Real::outlined`]. The lane types cannot be named
-//! outside, so no value of a type exists on a processor that lacks its instructions.
+//! `#[inline(always)]`, and no closure with two calls, which may stay a function of its own; a part that should be one goes through
+//! [`Real::outlined`]. The lane types cannot be named outside, so no value of a type exists on a processor that lacks its instructions.
 
 mod portable;
 #[cfg(target_arch = "x86_64")]
