@@ -24,7 +24,7 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
     (
         Rule::E0603,
         plain(
-            "Constants are computed when the specification is read. One that divides by zero, takes the root of a negative number or overflows is no number. So are lookup tables: between points that nearly coincide, or with huge values, the slopes of one can overflow.",
+            "Constants are computed when the specification is read. One that divides by zero, takes the root of a negative number or overflows is no number. Lookup tables are fitted then too: one with huge values, or with points that nearly coincide, can overflow between its points.",
             &[
                 edit(
                     "plant:\n",
