@@ -15,6 +15,7 @@ mod hash;
 mod include;
 pub mod interpolation;
 pub mod limits;
+pub mod linear;
 pub mod model;
 mod parse;
 pub mod reference;

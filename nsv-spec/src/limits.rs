@@ -76,6 +76,11 @@ pub const LIMITS: &[Limit] = &[
         Rule::E0210,
     ),
     limit(
+        "unknowns of a `solve` or `inverse`",
+        expr::MAX_UNKNOWNS,
+        Rule::E0501,
+    ),
+    limit(
         "faults that one expression reports",
         expr::MAX_FAULTS,
         Rule::E0201,

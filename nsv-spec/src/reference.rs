@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use crate::check::{MAX_AXES, MAX_POINTS, MAX_VALUES};
 use crate::expr::{
-    CONSTANTS, Entry, MAX_DEPTH, MAX_INSERTED, MAX_NODES, MAX_ROUNDS, MAX_TEXT, binding, entries,
+    CONSTANTS, Entry, MAX_DEPTH, MAX_INSERTED, MAX_NODES, MAX_ROUNDS, MAX_TEXT, MAX_UNKNOWNS,
+    binding, entries,
 };
 
 use crate::yaml::MAX_BYTES;
@@ -70,6 +71,17 @@ place of the call may use; functions may call each other but not themselves. Arg
 is a vector. In the body `i` is a number, and may be an index with or without a number added: `v[i + 1]`.
 ";
 
+const EQUATIONS: &str = "
+## Linear equations
+
+A plant `M v' = c + B u` has `drift: solve(M, c)` and `gain: inverse(M)*B`. Nothing more is to be done by hand: no adjugate, no determinant.
+The compiler solves for a product with an inverse, adds right sides of one matrix before it solves, takes matrices apart that fall into
+blocks, and multiplies by `M` where the control inverts the gain. Up to three unknowns are solved for by the adjugate, more by elimination
+with pivoting, and by half of that where `M` is symmetric by its form, as mass matrices are: entry (i, j) is written as entry (j, i), up to
+the order of factors and the direction of a difference under `cos`, or `M` is a sum or multiple of such matrices, or `transpose(B)*S*B`.
+A singular matrix gives no number: the controller refuses the sample and gives its safe output, and a simulated run ends as not finite.
+";
+
 const TABLES: &str = "
 ## Polynomial data and lookup tables
 
@@ -122,6 +134,7 @@ pub fn language_reference() -> String {
             constant.meaning
         );
     }
+    page.push_str(EQUATIONS);
     page.push_str(TABLES);
     page.push_str(OWN);
     page.push_str("\n## Functions that are defined in the language itself\n\n");
@@ -163,6 +176,6 @@ fn functions(page: &mut String, which: impl Fn(&Entry) -> bool) {
 fn limits(page: &mut String) {
     _ = write!(
         page,
-        "\n## Limits\n\nAn expression has at most {MAX_TEXT} bytes, {MAX_NODES} operations and a depth of {MAX_DEPTH}; an `each` at most\n{MAX_ROUNDS} rounds. Calls of functions that stand for an expression and rounds of `each` insert at most {MAX_INSERTED} operations into\none specification. A table has at most {MAX_AXES} axes of {MAX_POINTS} points and {MAX_VALUES} values, its file {MAX_BYTES} bytes.\n"
+        "\n## Limits\n\nAn expression has at most {MAX_TEXT} bytes, {MAX_NODES} operations and a depth of {MAX_DEPTH}; an `each` at most\n{MAX_ROUNDS} rounds. Calls of functions that stand for an expression and rounds of `each` insert at most {MAX_INSERTED} operations into\none specification. `solve` and `inverse` take at most {MAX_UNKNOWNS} unknowns. A table has at most {MAX_AXES} axes of\n{MAX_POINTS} points and {MAX_VALUES} values, its file {MAX_BYTES} bytes.\n"
     );
 }

@@ -102,11 +102,14 @@ work!(Solve3, |x| matrix::<T, 3>(x).solve(Vector::splat(T::one()))
     [0]);
 work!(Solve6, |x| matrix::<T, 6>(x).solve(Vector::splat(T::one()))
     [0]);
+work!(Ldlt6, |x| matrix::<T, 6>(x)
+    .ldlt()
+    .solve(Vector::splat(T::one()))[0]);
 work!(SingularVector, |x| matrix::<T, 3>(x).singular_vector()[0]);
 work!(Product, |x| (matrix::<T, 6>(x) * Vector::splat(x))
     .sum_squares());
 
-#[divan::bench(types = [Solve1, Solve2, Solve3, Solve6, SingularVector, Product], args = Width::ALL)]
+#[divan::bench(types = [Solve1, Solve2, Solve3, Solve6, Ldlt6, SingularVector, Product], args = Width::ALL)]
 fn linear<W: Work>(bencher: Bencher<'_, '_>, width: Width) {
     bench::<W>(bencher, width);
 }

@@ -219,6 +219,100 @@ fn solutions_solve() {
     );
 }
 
+/// `A^T A + shift I`.
+fn symmetric<const N: usize>(seed: u64, shift: f64) -> Matrix<f64, N, N> {
+    let a = matrix::<N, N>(seed);
+    let mut a = a.transpose() * a;
+    for i in 0..N {
+        a[(i, i)] += shift;
+    }
+    a
+}
+
+#[test]
+fn symmetric_systems_follow_the_written_elimination() {
+    let (a, b) = (symmetric::<2>(500, 0.0), vector::<2>(501));
+    let r = 1.0 / a[(0, 0)];
+    let l = a[(1, 0)] * r;
+    let rest = 1.0 / (a[(1, 1)] - l * a[(1, 0)]);
+    let last = (b[1] - l * b[0]) * rest;
+    assert_eq!(a.ldlt().solve(b), Vector([b[0] * r - l * last, last]));
+    // The upper triangle is not read.
+    let mut lower = a;
+    lower[(0, 1)] = f64::NAN;
+    assert_eq!(lower.ldlt().solve(b), a.ldlt().solve(b));
+}
+
+#[test]
+fn symmetric_solutions_solve() {
+    fn check<const N: usize>() {
+        for seed in 0..50 {
+            let (a, b) = (symmetric::<N>(600 + seed, 0.0), vector::<N>(700 + seed));
+            let x = a.ldlt().solve(b);
+            // Backward stable (Higham, theorem 10.4): within 8 n (n + 1) 2^-53 ||A|| ||x||.
+            let bound = (8 * N * (N + 1)) as f64 * f64::EPSILON / 2.0;
+            let size = a.sum_squares().sqrt() * x.sum_squares().sqrt();
+            assert!(residual(a, x, b) <= bound * size, "n = {N}, seed {seed}");
+        }
+    }
+    check::<1>();
+    check::<4>();
+    check::<6>();
+    check::<16>();
+    // Hilbert's matrix has a known inverse of integers; its condition is 1.5e7.
+    let hilbert = Matrix::rows(std::array::from_fn::<[f64; 6], 6, _>(|i| {
+        std::array::from_fn(|j| 1.0 / (i + j + 1) as f64)
+    }));
+    let unit = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(i == j)));
+    let inverse = hilbert
+        .ldlt()
+        .solve_columns(Matrix::<f64, 6, 6>::rows(unit));
+    let exact = [36.0, -630.0, 3360.0, -7560.0, 7560.0, -2772.0];
+    for (j, exact) in exact.into_iter().enumerate() {
+        assert!((inverse[(0, j)] / exact - 1.0).abs() < 1e-9, "entry {j}");
+    }
+}
+
+#[test]
+fn symmetric_matrices_that_are_not_positive_definite_are_solved_with_pivoting() {
+    let swap = Matrix::rows([
+        [0.0, 1.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, -2.0, 0.0],
+        [0.0, 0.0, 0.0, 4.0],
+    ]);
+    let b = Vector([1.0, 2.0, 3.0, 4.0]);
+    assert_eq!(swap.ldlt().solve(b), Vector([2.0, 1.0, -1.5, 1.0]));
+    // One entry of the diagonal decides at which pivot it shows.
+    for pivot in 0..5 {
+        let (mut a, b) = (symmetric::<5>(800, 0.5), vector::<5>(900));
+        a[(pivot, pivot)] = -a[(pivot, pivot)];
+        assert_eq!(a.ldlt().solve(b), a.solve(b), "pivot {pivot}");
+        assert!(residual(a, a.ldlt().solve(b), b) < 1e-13);
+    }
+    assert!(!Matrix::<f64, 4, 4>::zero().ldlt().solve(b).is_finite());
+    let mut broken = symmetric::<4>(1000, 0.0);
+    broken[(2, 0)] = f64::NAN;
+    assert!(!broken.ldlt().solve(b).is_finite());
+}
+
+#[test]
+fn columns_are_solved_as_each_alone() {
+    fn check<const N: usize>() {
+        let (a, b) = (symmetric::<N>(1100, 0.0), matrix::<N, 3>(1101));
+        for j in 0..3 {
+            let column = b.column(j);
+            assert_eq!(a.solve_columns(b).column(j), a.solve(column));
+            let symmetric = a.ldlt().solve_columns(b).column(j);
+            assert_eq!(symmetric, a.ldlt().solve(column));
+        }
+    }
+    check::<1>();
+    check::<2>();
+    check::<3>();
+    check::<5>();
+}
+
 #[test]
 fn singular_vector_attains_the_spectral_norm() {
     for seed in 0..50 {

@@ -47,6 +47,8 @@ def shape_of(text: str) -> Shape:
     """Rows and columns of a type."""
     if text in ("real", "bool"):
         return 1, 1
+    if text.startswith("ldlt"):
+        return int(text[4:]), int(text[4:])
     rows, *columns = (int(size) for size in text[3:].split("x"))
     return rows, columns[0] if columns else 1
 

@@ -81,6 +81,8 @@ class Scalariser:
             return [self.dot(first, first)]
         if op == "singular_vector":
             return self.singular_vector(first, width)
+        if op == "ldlt":
+            return first
         second = arguments[1]
         if op == "dot":
             return [self.dot(first, second)]
@@ -90,7 +92,8 @@ class Scalariser:
             lines = [first[i * width : (i + 1) * width] for i in range(rows)]
             return [self.dot(line, second[j::columns]) for line in lines for j in range(columns)]
         assert op == "solve", f"unknown operation {op}"
-        return self.solve(first, second)
+        solutions = [self.solve(first, second[j::columns]) for j in range(columns)]
+        return [entry for row in zip(*solutions, strict=True) for entry in row]
 
     def add(self, a: Node, b: Node) -> Node:
         """a + b"""

@@ -36,7 +36,7 @@ ELEMENTWISE = {name: getattr(ca, name) for name in "sign sqrt exp sin cos tan as
     "lt": lambda a, b: a < b, "le": lambda a, b: a <= b, "gt": lambda a, b: a > b, "ge": lambda a, b: a >= b,
     "eq": lambda a, b: a == b, "ne": lambda a, b: a != b, "and": ca.logic_and, "or": ca.logic_or, "not": ca.logic_not,
     "select": ca.if_else, "matmul": ca.mtimes, "transpose": lambda a: a.T, "dot": ca.dot, "outer": lambda a, b: ca.mtimes(a, b.T),
-    "sum_squares": ca.sumsqr, "solve": ca.solve, "array": ca.vertcat,
+    "sum_squares": ca.sumsqr, "solve": ca.solve, "ldlt": lambda a: a, "array": ca.vertcat,
 }  # fmt: skip
 
 
@@ -44,6 +44,8 @@ def shape_of(text):
     """Rows and columns of a type; a truth value is a scalar."""
     if text in ("real", "bool"):
         return 1, 1
+    if text.startswith("ldlt"):
+        return int(text[4:]), int(text[4:])
     sizes = [int(size) for size in text[3:].split("x")]
     return sizes[0], (sizes + [1])[1]
 

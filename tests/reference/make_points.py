@@ -20,6 +20,7 @@ from lyapunov import flown_rates, generator, noise_columns, value
 from real import exact
 from every_term import every_term, exact_chain, single_block
 from library import LIBRARY
+from link_chain import link_chain
 from lookup import lookup
 from missile import missile_pitch
 from sampling import Sampler, adversarial
@@ -29,7 +30,7 @@ from specs import SPECS
 
 POINTS = Path(__file__).parents[1] / "points"
 RANDOM_POINTS = 20
-FURTHER = (six_joint_arm, missile_pitch, nsv_six_dof, every_term, single_block, exact_chain, lookup)
+FURTHER = (six_joint_arm, missile_pitch, nsv_six_dof, every_term, single_block, exact_chain, lookup, link_chain)
 ALL = SPECS | {make.__name__: make for make in (*LIBRARY, *FURTHER)}
 
 def expected(problem, state):

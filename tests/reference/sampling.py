@@ -28,6 +28,7 @@ SIZES = {
     },  # fmt: skip
     "every_term": {"h1": 1.0, "h2": 1.0, "zeta1": 0.2, "zeta2": 0.2, "zeta3": 0.2, "x1": 2.0, "x2": 2.0, "x3": 2.0},
     "lookup": {"h1": 1.0, "zeta1": 0.2, "zeta2": 0.2, "x1": 2.0, "x2": 2.0},
+    "link_chain": {"h1": 1.0, "h2": 2.0, "zeta1": 0.1, "zeta2": 0.5, "zeta3": 0.5, "x1": 1.5, "x2": 2.0, "x3": 2.0},
     "single_block": {"zeta1": 0.2, "x1": 2.0},
     "exact_chain": {"zeta1": 0.2, "zeta2": 0.2, "zeta3": 0.2, "x1": 2.0, "x2": 2.0, "x3": 2.0},
 }

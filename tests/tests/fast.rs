@@ -35,7 +35,7 @@ fn perturbed(program: &Program, pattern: u64) -> Program {
             op,
             ..instruction.clone()
         });
-        if instruction.ty != Type::Bool && !exact {
+        if matches!(instruction.ty, Type::Real(_)) && !exact {
             let factor = noisy.scalar(if draw.uniform(u64::from(value.0), 0) < 0.5 {
                 1.0 + f64::EPSILON
             } else {

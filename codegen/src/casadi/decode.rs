@@ -37,6 +37,7 @@ pub fn decode(question: &Question<'_>, tape: &Tape) -> Result<Program, TapeError
         terms: Vec::with_capacity(tape.nodes.len()),
         scalars: BTreeMap::new(),
         inputs: BTreeMap::new(),
+        solutions: BTreeMap::new(),
         polynomials: BTreeMap::new(),
     };
     for (number, node) in tape.nodes.iter().enumerate() {
@@ -66,6 +67,8 @@ pub(super) struct Decoder<'a> {
     pub(super) terms: Vec<Term>,
     scalars: BTreeMap<u64, ValueId>,
     inputs: BTreeMap<(usize, usize), ValueId>,
+    /// By matrix and right side.
+    solutions: BTreeMap<Vec<usize>, ValueId>,
     /// By index in the request and orders; `None` where the derivative vanishes.
     pub(super) polynomials: BTreeMap<Vec<i64>, Option<PolynomialId>>,
 }
@@ -92,6 +95,9 @@ impl Decoder<'_> {
             ("powi", [a], [n]) => u32::try_from(*n)
                 .ok()
                 .and_then(|n| self.power(*a, n))
+                .ok_or_else(malformed),
+            ("solve", arguments, [rows, entry]) => self
+                .solution(arguments, *rows, *entry)
                 .ok_or_else(malformed),
             ("polynomial", arguments, data) => self.data(arguments, data).ok_or_else(malformed),
             ("sin_cos_over" | "tan_over", [a], [order]) => {
@@ -159,6 +165,28 @@ impl Decoder<'_> {
         }
         let a = self.real(a);
         Some(self.push(Op::PowInt(a, n)))
+    }
+
+    /// An entry of the solution of equations, whose matrix stands before the right side.
+    fn solution(&mut self, arguments: &[usize], rows: i64, entry: i64) -> Option<Term> {
+        let rows = usize::try_from(rows).ok().filter(|&rows| rows > 0)?;
+        let entry = usize::try_from(entry).ok().filter(|&entry| entry < rows)?;
+        if rows.checked_mul(rows + 1)? != arguments.len() {
+            return None;
+        }
+        let solution = match self.solutions.get(arguments) {
+            Some(&solution) => solution,
+            None => {
+                let mut items: Vec<ValueId> = arguments.iter().map(|&a| self.real(a)).collect();
+                let right = items.split_off(rows * rows);
+                let matrix = self.program.array(Shape::Matrix(rows, rows), items);
+                let right = self.program.array(Shape::Vector(rows), right);
+                let solution = self.program.push(Op::Solve(matrix, right));
+                self.solutions.insert(arguments.to_vec(), solution);
+                solution
+            }
+        };
+        Some(self.push(Op::Element(solution, entry, 0)))
     }
 
     pub(super) fn real(&mut self, node: usize) -> ValueId {
@@ -244,6 +272,7 @@ fn unfit(node: usize, operation: &str) -> TapeError {
         "const",
         "input",
         "powi",
+        "solve",
         "polynomial",
         "sin_cos_over",
         "tan_over",

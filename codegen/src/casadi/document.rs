@@ -13,9 +13,9 @@ pub const CASADI_VERSION: &str = "3.8.2";
 /// One operation: name, operands (earlier nodes), integers.
 ///
 /// Of a request: `const [] [-1, 0 or 1]`, `input [] [position]`, `array [entries] [shape]`, `element [a] [row, column]`,
-/// `powi [a] [n]`, `polynomial [arguments] [index]`, `sin_cos_over [a] [order]`, and names of functions and operators.
+/// `powi [a] [n]`, `solve [a, b] []`, `polynomial [arguments] [index]`, `sin_cos_over [a] [order]`, and names of functions and operators.
 /// Of a tape, where every node is a scalar: `const [] [constant]`, `input [] [position, entry]`, `powi`, `sin_cos_over`,
-/// `tan_over`, `polynomial [arguments] [index, order by each argument ..]`, and CasADi's operations in capitals.
+/// `tan_over`, `solve [matrix .., right side ..] [rows, entry]`, `polynomial [arguments] [index, order by each argument ..]`, and CasADi's operations in capitals.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub struct Node(pub String, pub Vec<usize>, pub Vec<i64>);
 

@@ -4,8 +4,9 @@ Reads JSON requests, one a line, on standard input and answers each with a line 
 The request is data: it is looked up in tables, never evaluated as code. The answer depends on the request and on casadi's version
 only: not on hash order, the environment or earlier runs.
 
-CasADi sees scalars (SX) only. Polynomial data, barrier kernels and integer powers are *calls*: fresh symbols to CasADi, whose
-partial derivatives are further calls, so that coefficients stay with the compiler and a power stays a power.
+CasADi sees scalars (SX) only. Polynomial data, barrier kernels, integer powers and solutions of linear equations are *calls*: fresh
+symbols to CasADi, whose derivatives are further calls, so that coefficients stay with the compiler, a power stays a power, and no inverse
+is written out.
 """
 
 import json
@@ -75,6 +76,13 @@ def matmul(a, b):
     return Array(shape, [entry(i, j) for i in range(a.rows) for j in range(b.columns)])
 
 
+def solve(calls, a, b):
+    """Solution of A X = B, a call for each entry: A, one right side; rows and the entry's."""
+    require(len(a.shape) == 2 and a.rows == a.columns == b.rows, "equations do not fit their right side")
+    entry = lambda i, j: calls.symbol("solve", a.entries + [b.entry(k, j) for k in range(b.rows)], [a.rows, i])
+    return Array(b.shape, [entry(i, j) for i in range(b.rows) for j in range(b.columns)])
+
+
 def operations(ca, calls):
     """What each operation of a request means: operands and immediate integers to an array."""
     each = lambda function: lambda operands, _: elementwise(function, *operands)
@@ -120,6 +128,7 @@ def operations(ca, calls):
             "dot": lambda a, _: Array([], [total([x * y for x, y in zip(a[0].entries, a[1].entries)])]),
             "outer": lambda a, _: Array([a[0].rows, a[1].rows], [x * y for x in a[0].entries for y in a[1].entries]),
             "sum_squares": lambda a, _: Array([], [total([x * x for x in a[0].entries])]),
+            "solve": lambda a, _: solve(calls, *a),
             "polynomial": lambda a, data: call("polynomial")(a, [data[0]] + [0] * len(a)),
             "sin_cos_over": call("sin_cos_over"),
             "tan_over": call("tan_over"),
@@ -186,8 +195,22 @@ class Derivation:
     def chain(self, number):
         """Chain rule: sum over the arguments of partial derivative times d(argument)."""
         rows = [self.of([argument]) for argument in self.calls.calls[number][2]]
+        if self.calls.calls[number][1] == "solve":
+            return self.solution(number, rows)
         terms = [self.calls.partial(number, j) * row for j, row in enumerate(rows) if not row.is_zero()]
         return total(terms) if terms else self.ca.SX(1, self.columns)
+
+    def solution(self, number, rows):
+        """A x = b gives A dx = db - dA x: an entry of dx, with d of the entries of A and b."""
+        _, name, arguments, (n, place) = self.calls.calls[number]
+        x = [self.calls.symbol(name, arguments, [n, j]) for j in range(n)]
+        right = [rows[n * n + i] - total([rows[i * n + j] * x[j] for j in range(n)]) for i in range(n)]
+        entries = []
+        for column in range(self.columns):
+            side = [self.ca.SX(0) if row[0, column].is_zero() else row[0, column] for row in right]
+            none = all(entry.is_zero() for entry in side)
+            entries.append(self.ca.SX(1, 1) if none else self.calls.symbol(name, arguments[: n * n] + side, [n, place]))
+        return self.ca.horzcat(*entries)
 
     def of(self, expressions):
         """d of each expression, one row each."""

@@ -35,7 +35,7 @@ pub enum Data {
 }
 
 impl<'a> Question<'a> {
-    /// The question for `job` derivatives of `formula`. A formula that derivation does not make (networks, `Solve`, literals other
+    /// The question for `job` derivatives of `formula`. A formula that derivation does not make (networks, literals other
     /// than 0, 1 and -1) is a compiler bug and panics.
     pub fn new(formula: &'a Program, job: &Job) -> Self {
         job.assert_fits(formula);
@@ -167,8 +167,9 @@ impl Builder<'_> {
             Op::Dot(..) => ("dot", Vec::new()),
             Op::Outer(..) => ("outer", Vec::new()),
             Op::SumSquares(_) => ("sum_squares", Vec::new()),
+            Op::Solve(..) => ("solve", Vec::new()),
             Op::MulAdd(..)
-            | Op::Solve(..)
+            | Op::Ldlt(_)
             | Op::SingularVector(_)
             | Op::Family(..)
             | Op::Basis(..)

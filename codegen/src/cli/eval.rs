@@ -181,6 +181,7 @@ fn document(program: &Program, outputs: &Values) -> BTreeMap<String, Value> {
                         .collect::<Vec<_>>(),
                 )
             }
+            Type::Ldlt(_) => return None,
         };
         Some((name.clone(), value))
     });

@@ -32,7 +32,7 @@ impl Law<'_> {
                     .expect("invariant: the tape has this output");
                 match program.ty(*value) {
                     Type::Real(shape) => shape,
-                    Type::Bool => return None,
+                    Type::Bool | Type::Ldlt(_) => return None,
                 }
             }
             Term::Compare(..) | Term::Or(..) => return None,

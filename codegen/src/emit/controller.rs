@@ -178,6 +178,7 @@ impl Controller<'_> {
                     let constructor = constructor(shape);
                     quote!(#field: #constructor::zero())
                 }
+                Type::Ldlt(_) => panic!("invariant: factors are no output"),
             }
         });
         let zero_docs = docs(&["Before the first sample: all zero."]);

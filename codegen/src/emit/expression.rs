@@ -148,7 +148,11 @@ impl Names<'_> {
                 quote!(#a.powi(2))
             }
             Op::SumSquares(a) => self.method(*a, self.fused("sum_squares"), &[]),
-            Op::Solve(a, b) => self.method(*a, "solve", &[*b]),
+            Op::Solve(a, b) => match self.program.shape(*b) {
+                Shape::Matrix(..) => self.method(*a, "solve_columns", &[*b]),
+                _ => self.method(*a, "solve", &[*b]),
+            },
+            Op::Ldlt(a) => self.method(*a, "ldlt", &[]),
             Op::SingularVector(a) => self.method(*a, "singular_vector", &[]),
             Op::Polynomial(polynomial, arguments) => {
                 self.call(&self.polynomials[polynomial.0 as usize], arguments)
@@ -258,6 +262,7 @@ impl Names<'_> {
             Type::Real(Shape::Scalar) => self.call(&quote!(T::select), &[condition, a, b]),
             Type::Real(Shape::Vector(_)) => self.call(&quote!(Vector::select), &[condition, a, b]),
             Type::Real(Shape::Matrix(..)) => self.call(&quote!(Matrix::select), &[condition, a, b]),
+            Type::Ldlt(_) => panic!("invariant: matrices are chosen before they are factorised"),
         }
     }
 

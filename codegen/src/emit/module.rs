@@ -91,13 +91,14 @@ pub(crate) const ALLOW: [(&str, &str); 4] = [
 ];
 
 /// What a function of a program may mention.
-pub(crate) const FUNCTION_IMPORTS: [&str; 11] = [
+pub(crate) const FUNCTION_IMPORTS: [&str; 12] = [
     "core::f64::consts::FRAC_1_PI",
     "core::f64::consts::FRAC_PI_2",
     "core::f64::consts::FRAC_PI_4",
     "core::f64::consts::PI",
     "core::f64::consts::TAU",
     "nsv_runtime::kernel",
+    "nsv_runtime::linear::Ldlt",
     "nsv_runtime::linear::Matrix",
     "nsv_runtime::linear::Vector",
     "nsv_runtime::real::Mask",

@@ -268,6 +268,7 @@ fn driver(module: &str, program: &Program, inputs: &Values) -> String {
             Type::Real(Shape::Matrix(..)) => {
                 format!("out.{name}.to_rows().into_iter().flatten().for_each(print);")
             }
+            Type::Ldlt(_) => unreachable!("invariant: factors are no output"),
         });
     let outputs: String = outputs.collect();
     let function = &program.name;

@@ -11,6 +11,10 @@ pub(crate) fn type_of(ty: Type) -> TokenStream {
     match ty {
         Type::Bool => quote!(T::Mask),
         Type::Real(shape) => type_of_shape(shape),
+        Type::Ldlt(rows) => {
+            let rows = index(rows);
+            quote!(Ldlt<T, #rows>)
+        }
     }
 }
 
@@ -55,6 +59,7 @@ pub(crate) fn constant(ty: Type, data: &[f64]) -> TokenStream {
             let call = array.into_iter().skip(1);
             quote!(#turbofish #(#call)*)
         }
+        Type::Ldlt(_) => panic!("invariant: factors are no literal"),
     }
 }
 

@@ -43,7 +43,7 @@ impl Program {
     pub fn shape(&self, id: ValueId) -> Shape {
         match self.ty(id) {
             Type::Real(shape) => shape,
-            Type::Bool => panic!("invariant: a real value"),
+            Type::Bool | Type::Ldlt(_) => panic!("invariant: a real value"),
         }
     }
 

@@ -49,6 +49,8 @@ pub enum Type {
     Bool,
     /// Real scalar or array.
     Real(Shape),
+    /// Factors of a symmetric matrix of so many rows; their entries are those of the matrix.
+    Ldlt(usize),
 }
 
 /// Functions of the barrier Lyapunov function that are smooth at 0 although their usual form is 0/0 there.
@@ -108,8 +110,11 @@ pub enum Op {
     Outer(ValueId, ValueId),
     /// Sum of the squares of all entries: along each row left to right, then of the rows' sums.
     SumSquares(ValueId),
-    /// A^-1 b for a square matrix and a vector: adjugate times the reciprocal of the determinant for up to three rows, else elimination with partial pivoting.
+    /// A^-1 b for a square matrix and a vector or matrix: adjugate times the reciprocal of the determinant for up to three rows, else
+    /// elimination with partial pivoting. Of [`Op::Ldlt`], by the factors where their pivots are positive.
     Solve(ValueId, ValueId),
+    /// A symmetric matrix with its factors L D L^T, to solve with; the lower triangle is read.
+    Ldlt(ValueId),
     /// Unit right singular vector of the largest singular value (cyclic Jacobi on A^T A, a fixed number of sweeps).
     SingularVector(ValueId),
     /// Polynomial data of scalar arguments, by nested Horner schemes.
@@ -265,6 +270,7 @@ impl Op {
             | Op::Transpose(a)
             | Op::SumSquares(a)
             | Op::SingularVector(a)
+            | Op::Ldlt(a)
             | Op::Family(_, a)
             | Op::Basis(_, a) => vec![*a],
             Op::Binary(_, a, b)
@@ -305,6 +311,7 @@ impl Op {
             Op::Outer(a, b) => Op::Outer(f(a), f(b)),
             Op::SumSquares(a) => Op::SumSquares(f(a)),
             Op::Solve(a, b) => Op::Solve(f(a), f(b)),
+            Op::Ldlt(a) => Op::Ldlt(f(a)),
             Op::SingularVector(a) => Op::SingularVector(f(a)),
             Op::Polynomial(id, ref items) => {
                 Op::Polynomial(id, items.iter().map(|&item| f(item)).collect())

@@ -114,6 +114,7 @@ impl Program {
             Op::Outer(..) => format!("outer {operands}"),
             Op::SumSquares(_) => format!("sum_squares {operands}"),
             Op::Solve(..) => format!("solve {operands}"),
+            Op::Ldlt(..) => format!("ldlt {operands}"),
             Op::SingularVector(_) => format!("singular_vector {operands}"),
             Op::Polynomial(id, _) => {
                 let name = named(
@@ -178,6 +179,7 @@ impl Display for Type {
             Type::Real(Shape::Scalar) => write!(f, "real"),
             Type::Real(Shape::Vector(n)) => write!(f, "vec{n}"),
             Type::Real(Shape::Matrix(r, c)) => write!(f, "mat{r}x{c}"),
+            Type::Ldlt(n) => write!(f, "ldlt{n}"),
         }
     }
 }

@@ -231,6 +231,7 @@ fn plain(mnemonic: &str, operands: &[ValueId]) -> Option<Op> {
         ("dot", &[a, b]) => Op::Dot(a, b),
         ("outer", &[a, b]) => Op::Outer(a, b),
         ("solve", &[a, b]) => Op::Solve(a, b),
+        ("ldlt", &[a]) => Op::Ldlt(a),
         ("mul_add", &[a, b, c]) => Op::MulAdd(a, b, c),
         ("select", &[a, b, c]) => Op::Select(a, b, c),
         (word, &[a]) => {
@@ -261,10 +262,13 @@ fn read_value(text: &str) -> Expected<ValueId> {
 }
 
 fn read_type(text: &str) -> Expected<Type> {
-    const EXPECTED: &str = "a type: bool, real, vecN or matRxC";
+    const EXPECTED: &str = "a type: bool, real, vecN, matRxC or ldltN";
     if let Some(size) = text.strip_prefix("mat") {
         let (rows, columns) = size.split_once('x').ok_or(EXPECTED)?;
         return Ok(Type::Real(Shape::Matrix(extent(rows)?, extent(columns)?)));
+    }
+    if let Some(size) = text.strip_prefix("ldlt") {
+        return Ok(Type::Ldlt(extent(size)?));
     }
     match (text, text.strip_prefix("vec")) {
         ("bool", _) => Ok(Type::Bool),
@@ -394,7 +398,7 @@ mod tests {
         check(
             "%0: rael = const 1.0",
             1,
-            "a type: bool, real, vecN or matRxC",
+            "a type: bool, real, vecN, matRxC or ldltN",
         );
         check(
             "input x: mat4x80000000000000000000",

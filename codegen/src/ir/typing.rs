@@ -22,7 +22,8 @@ impl Program {
                 (a == c && (b == a || b == Shape::Scalar)).then_some(Type::Real(a))
             }
             Op::Select(c, a, b) => {
-                (self.all_bool(&[c]) && self.ty(a) == self.ty(b)).then(|| self.ty(a))
+                let factors = matches!(self.ty(a), Type::Ldlt(_));
+                (self.all_bool(&[c]) && self.ty(a) == self.ty(b) && !factors).then(|| self.ty(a))
             }
             Op::Element(a, row, column) => match self.real(a)? {
                 Shape::Vector(n) => row < n && column == 0,
@@ -54,6 +55,10 @@ impl Program {
             Op::Basis(id, z) => self.basis_type(id, &[z]),
             Op::BasisRate(id, z, z1) => self.basis_type(id, &[z, z1]),
             Op::BasisRate2(id, z, z1, z2) => self.basis_type(id, &[z, z1, z2]),
+            Op::Ldlt(a) => match self.real(a)? {
+                Shape::Matrix(rows, columns) if rows == columns => Some(Type::Ldlt(rows)),
+                _ => None,
+            },
             Op::MatMul(..)
             | Op::Transpose(_)
             | Op::Dot(..)
@@ -83,10 +88,17 @@ impl Program {
                 (Vector(r), Vector(c)) => Some(Matrix(r, c)),
                 _ => None,
             },
-            Op::Solve(a, b) => match (self.real(a)?, self.real(b)?) {
-                (Matrix(r, c), Vector(n)) if r == c && c == n => Some(Vector(n)),
-                _ => None,
-            },
+            Op::Solve(a, b) => {
+                let unknowns = match self.ty(a) {
+                    Type::Real(Matrix(rows, columns)) if rows == columns => rows,
+                    Type::Ldlt(rows) => rows,
+                    _ => return None,
+                };
+                let (Vector(rows) | Matrix(rows, _)) = self.real(b)? else {
+                    return None;
+                };
+                (rows == unknowns).then_some(self.real(b)?)
+            }
             Op::SingularVector(a) => match self.real(a)? {
                 Matrix(_, c) => Some(Vector(c)),
                 _ => None,
@@ -105,7 +117,7 @@ impl Program {
     fn real(&self, id: ValueId) -> Option<Shape> {
         match self.ty(id) {
             Type::Real(shape) => Some(shape),
-            Type::Bool => None,
+            Type::Bool | Type::Ldlt(_) => None,
         }
     }
 

@@ -36,6 +36,8 @@ pub enum Violation {
     ShadowsInput { value: ValueId, name: String },
     /// An output of no instruction.
     NoSuchOutput { name: String, value: ValueId },
+    /// An output that is the factors of a matrix.
+    FactorsAsOutput { name: String },
     /// A vector or matrix type with no entries.
     EmptyShape { name: String },
     /// A lookup table whose breaks or coefficients do not fit its arguments.
@@ -75,6 +77,9 @@ impl Display for Violation {
             }
             Violation::NoSuchOutput { name, value } => {
                 write!(f, "output `{name}` is {value}, which does not exist")
+            }
+            Violation::FactorsAsOutput { name } => {
+                write!(f, "output `{name}` is the factors of a matrix")
             }
             Violation::EmptyShape { name } => write!(f, "`{name}` has no entries"),
             Violation::BadTable { name } => write!(f, "table `{name}` is malformed"),
@@ -268,11 +273,15 @@ fn check_operation(
 fn check_outputs(program: &Program, violations: &mut Vec<Violation>) {
     check_names(program.outputs.iter().map(|(name, _)| name), violations);
     for (name, value) in &program.outputs {
-        if value.0 as usize >= program.instructions.len() {
-            violations.push(Violation::NoSuchOutput {
+        match program.instructions.get(value.0 as usize) {
+            None => violations.push(Violation::NoSuchOutput {
                 name: name.clone(),
                 value: *value,
-            });
+            }),
+            Some(instruction) if matches!(instruction.ty, Type::Ldlt(_)) => {
+                violations.push(Violation::FactorsAsOutput { name: name.clone() });
+            }
+            Some(_) => {}
         }
     }
 }

@@ -77,6 +77,7 @@ impl<C: Context> Lowering<'_, '_, C> {
             Node::MatMul(a, b) => Op::MatMul(lower(a), lower(b)),
             Node::Transpose(a) => Op::Transpose(lower(a)),
             Node::Dot(a, b) => Op::Dot(lower(a), lower(b)),
+            Node::Solve(a, b) => Op::Solve(lower(a), lower(b)),
             Node::Cross(a, b) => {
                 let (a, b) = (lower(a), lower(b));
                 return self.cross(a, b);

@@ -177,7 +177,11 @@ fn operation(program: &Program, op: &Op, ty: Type) -> Cost {
         Op::MatMul(a, _) => entries * sum_of_products(columns(program, a)),
         Op::Dot(a, _) | Op::SumSquares(a) => sum_of_products(size(program.shape(a)) as u64),
         Op::Outer(..) => entries * MULTIPLICATION,
-        Op::Solve(..) => solve(entries),
+        Op::Solve(a, _) => match program.ty(a) {
+            Type::Ldlt(rows) => substitution(rows as u64, entries),
+            _ => solve(columns(program, a), entries),
+        },
+        Op::Ldlt(a) => factors(columns(program, a)),
         Op::SingularVector(a) => singular_vector(size(program.shape(a)) as u64 / entries, entries),
         Op::Polynomial(id, _) => {
             let (additions, multiplications) =
@@ -254,20 +258,38 @@ fn sum_of_products(count: u64) -> Cost {
     count * MULTIPLICATION + count.saturating_sub(1) * ADDITION
 }
 
-fn solve(n: u64) -> Cost {
+/// `n` equations for a number of unknowns that may be those of several right sides.
+fn solve(n: u64, unknowns: u64) -> Cost {
     let product_sum = sum_of_products(2);
+    let update = MULTIPLICATION + ADDITION;
     match n {
-        1 => DIVISION,
-        2 => 3 * product_sum + 2 * DIVISION,
-        3 => 9 * product_sum + 4 * sum_of_products(3) + 3 * DIVISION,
+        1 => unknowns * DIVISION,
+        2 => product_sum + DIVISION + unknowns * (product_sum + MULTIPLICATION),
+        3 => {
+            let adjugate = 9 * product_sum + sum_of_products(3) + DIVISION;
+            adjugate + unknowns * (sum_of_products(3) + MULTIPLICATION)
+        }
         _ => {
-            let update = MULTIPLICATION + ADDITION;
             let elimination = (0..n).fold(NOTHING, |sum, below| {
-                sum + below * (DIVISION + SELECTION + (below + 1) * update)
+                sum + below * (DIVISION + SELECTION + below * update)
             });
-            elimination + n * (n - 1) / 2 * update + n * DIVISION
+            elimination + (n - 1) * unknowns * update + unknowns * DIVISION
         }
     }
+}
+
+/// Factors of `n` rows.
+fn factors(n: u64) -> Cost {
+    let row =
+        |below| below * MULTIPLICATION + below * (below + 1) / 2 * (MULTIPLICATION + ADDITION);
+    (0..n).fold(NOTHING, |sum, below| {
+        sum + DIVISION + SELECTION + row(below)
+    })
+}
+
+/// A solution by factors of `n` rows, whose pivots are positive.
+fn substitution(n: u64, unknowns: u64) -> Cost {
+    unknowns * ((n - 1) * (MULTIPLICATION + ADDITION) + MULTIPLICATION)
 }
 
 fn singular_vector(rows: u64, columns: u64) -> Cost {
@@ -362,15 +384,21 @@ mod tests {
 
     #[test]
     fn solving_counts_its_method() {
-        let of = |n: usize| {
+        let given = |n: usize| {
             let (a, b) = (
                 format!("{:?}", vec![1.0; n * n]),
                 format!("{:?}", vec![1.0; n]),
             );
-            format!("mat{n}x{n} = const {a}\nvec{n} = const {b}\nvec{n} = solve %0, %1")
+            format!("mat{n}x{n} = const {a}\nvec{n} = const {b}")
         };
-        check(&of(2), "3 add 6 mul 2 div");
-        check(&of(3), "17 add 30 mul 3 div");
+        let of = |n: usize| format!("{}\nvec{n} = solve %0, %1", given(n));
+        check(&of(2), "3 add 8 mul 1 div");
+        check(&of(3), "17 add 33 mul 1 div");
         check(&of(4), "26 add 26 mul 10 div 6 sel");
+        // The elimination once, the substitution for each column.
+        let columns = format!("{}\nmat4x4 = solve %0, %0", given(4));
+        check(&columns, "62 add 62 mul 22 div 6 sel");
+        let symmetric = format!("{}\nldlt4 = ldlt %0\nvec4 = solve %2, %1", given(4));
+        check(&symmetric, "22 add 32 mul 4 div 4 sel");
     }
 }

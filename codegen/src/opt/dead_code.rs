@@ -40,7 +40,7 @@ fn keep_needed(mut program: Program, needed: &[bool]) -> Program {
 }
 
 /// Which instructions an output or an instruction of interest depends on.
-fn needed(program: &Program, of_interest: impl Fn(&Instruction) -> bool) -> Vec<bool> {
+pub(super) fn needed(program: &Program, of_interest: impl Fn(&Instruction) -> bool) -> Vec<bool> {
     let mut needed: Vec<bool> = program.instructions.iter().map(of_interest).collect();
     for (_, value) in &program.outputs {
         needed[value.0 as usize] = true;

@@ -1,6 +1,7 @@
 //! `x s + x t == x (s + t)`: terms of a sum of arrays that are one array times different scalars become one term, and so do the images of two
-//! vectors under one matrix, `A x + A y == A (x + y)`. Also part of lowering: the damping of a block is a sum of many multiples of its error. A
-//! sum of n terms is off by at most (n + 2) 2^-53 of the sum of their magnitudes before and after, each with the roundings of its own factors.
+//! vectors under one matrix or its inverse, `A x + A y == A (x + y)`. Also part of lowering: the damping of a block is a sum of many multiples
+//! of its error. A sum of n terms is off by at most (n + 2) 2^-53 of the sum of their magnitudes before and after, each with the roundings of
+//! its own factors.
 
 use crate::ir::{Function, Op, Operator, Program, Shape, ValueId};
 
@@ -27,34 +28,43 @@ pub(super) fn run(program: Program) -> Program {
         if program.ty(a) != program.ty(b) || program.shape(a) == Shape::Scalar {
             return None;
         }
-        if let Some(image) = image(program, uses, operator, a, b) {
-            return Some(image);
-        }
         let mut terms = Vec::new();
         collect(program, uses, a, false, &mut terms);
         collect(program, uses, b, operator == Operator::Sub, &mut terms);
-        merge(program, terms)
+        let changed = join_images(program, uses, &mut terms) | join_multiples(program, &mut terms);
+        changed.then(|| total(program, &terms))
     })
 }
 
-/// A x + A y == A (x + y), A x - A y == A (x - y), if nothing else needs the products.
-fn image(
-    program: &mut Program,
-    uses: &Uses,
-    operator: Operator,
-    a: ValueId,
-    b: ValueId,
-) -> Option<ValueId> {
-    let (&Op::MatMul(left, x), &Op::MatMul(right, y)) =
-        (&program.instruction(a).op, &program.instruction(b).op)
-    else {
-        return None;
+/// A x + A y == A (x + y), A^-1 x - A^-1 y == A^-1 (x - y), for the first two such terms that nothing else needs; whether there are any.
+fn join_images(program: &mut Program, uses: &Uses, terms: &mut Vec<Term>) -> bool {
+    let image = |term: &Term| match program.instruction(term.base).op {
+        Op::MatMul(a, x) if term.factors.is_empty() => Some((false, a, x)),
+        Op::Solve(a, x) if term.factors.is_empty() => Some((true, a, x)),
+        _ => None,
     };
-    if left != right || a == b || !uses.single(a) || !uses.single(b) {
-        return None;
-    }
-    let sum = program.binary(operator, x, y);
-    Some(program.push(Op::MatMul(left, sum)))
+    let images: Vec<_> = terms.iter().map(image).collect();
+    let alike = |first: usize, second: usize| {
+        let (a, b) = (images[first]?, images[second]?);
+        let own = [first, second]
+            .iter()
+            .all(|&at| uses.single(terms[at].base));
+        (a.0 == b.0 && a.1 == b.1 && own && terms[first].base != terms[second].base)
+            .then_some((first, second, a, b.2))
+    };
+    let mut pairs =
+        (0..terms.len()).flat_map(|second| (0..second).map(move |first| (first, second)));
+    let Some((first, second, (inverse, a, x), y)) = pairs.find_map(|(i, j)| alike(i, j)) else {
+        return false;
+    };
+    let opposite = terms[first].negative != terms[second].negative;
+    let sum = program.binary(sign(opposite), x, y);
+    terms[first].base = program.push(match inverse {
+        true => Op::Solve(a, sum),
+        false => Op::MatMul(a, sum),
+    });
+    terms.remove(second);
+    true
 }
 
 /// The terms of a sum, through the sums without a name that it alone uses.
@@ -94,8 +104,8 @@ fn term(program: &Program, uses: &Uses, id: ValueId, negative: bool) -> Term {
     }
 }
 
-/// The sum with the terms of one array in the place of the first of them, if any go.
-fn merge(program: &mut Program, mut terms: Vec<Term>) -> Option<ValueId> {
+/// x s + x t == x (s + t): the terms of one array in the place of the first of them; whether any go.
+fn join_multiples(program: &mut Program, terms: &mut Vec<Term>) -> bool {
     let position = (0..terms.len()).find(|&first| {
         let alike = terms[first..]
             .iter()
@@ -105,7 +115,10 @@ fn merge(program: &mut Program, mut terms: Vec<Term>) -> Option<ValueId> {
         });
         // One product comes, and a sum for each but one of the terms goes with the products that were theirs alone.
         count > 1 && count + own > 2 && terms[first..].iter().any(|term| !term.factors.is_empty())
-    })?;
+    });
+    let Some(position) = position else {
+        return false;
+    };
     let base = terms[position].base;
     let (alike, rest): (Vec<Term>, Vec<Term>) =
         terms.drain(position..).partition(|term| term.base == base);
@@ -119,21 +132,27 @@ fn merge(program: &mut Program, mut terms: Vec<Term>) -> Option<ValueId> {
         });
     }
     let factor = factor.expect("invariant: at least two terms");
-    let merged = Term {
+    terms.push(Term {
         base: program.binary(Operator::Mul, base, factor),
         factors: Vec::new(),
         negative: false,
         own: false,
-    };
-    let terms = terms.into_iter().chain([merged]).chain(rest);
-    terms.fold(None, |sum, term| {
-        let value = scaled(program, &term);
+    });
+    terms.extend(rest);
+    true
+}
+
+/// The sum, left to right.
+fn total(program: &mut Program, terms: &[Term]) -> ValueId {
+    let sum = terms.iter().fold(None, |sum, term| {
+        let value = scaled(program, term);
         Some(match sum {
             None if term.negative => program.push(Op::Apply(Function::Neg, value)),
             None => value,
             Some(sum) => program.binary(sign(term.negative), sum, value),
         })
-    })
+    });
+    sum.expect("invariant: a sum has terms")
 }
 
 fn sign(negative: bool) -> Operator {

@@ -207,8 +207,8 @@ fn local(program: &Program, dependences: &[Dependence]) -> Vec<bool> {
             Op::Const(_) | Op::Input(_) => true,
             Op::Element(array, ..) => !family(array) || *dependence == Dependence::Nothing,
             _ if instruction.ty == Type::Bool => true,
-            // Entries of a family have names, the values as a whole have not.
-            Op::Family(..) => true,
+            // Entries of a family have names, the values as a whole have not; factors stay with what they solve.
+            Op::Family(..) | Op::Ldlt(_) => true,
             _ => {
                 *dependence == Dependence::Nothing
                     || free && operands.iter().all(|operand| local[operand.0 as usize])

@@ -202,6 +202,23 @@ fn apply(program: &mut Program, function: Function, a: ValueId) -> Option<ValueI
         (Function::Abs, &Op::Apply(Function::Neg, x)) => {
             Some(program.push(Op::Apply(Function::Abs, x)))
         }
+        // cos(-x) == cos x, cos |x| == cos x, and the same of cosh (exact: the functions are even to the bit)
+        (Function::Cos | Function::Cosh, &Op::Apply(Function::Neg | Function::Abs, x)) => {
+            Some(program.push(Op::Apply(function, x)))
+        }
+        // sin(-x) == -sin x and its like (exact: the functions are odd to the bit)
+        (
+            Function::Sin
+            | Function::Tan
+            | Function::Asin
+            | Function::Atan
+            | Function::Sinh
+            | Function::Tanh,
+            &Op::Apply(Function::Neg, x),
+        ) => {
+            let value = program.push(Op::Apply(function, x));
+            Some(program.push(Op::Apply(Function::Neg, value)))
+        }
         _ => None,
     }
 }

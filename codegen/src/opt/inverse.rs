@@ -1,52 +1,16 @@
-//! Inverses: those that are known, those that are computed once for a run, and the adjugates of small matrices.
+//! Inverses that are computed once for a run, and the adjugates of small matrices.
 
-use crate::ir::build::size;
 use crate::ir::eval::Tables;
 use crate::ir::{Function, Op, Operator, Program, Shape, ValueId};
 
-use super::rewrite::{literal, negated};
+use super::rewrite::literal;
 use super::sparse::{Entries, without_zero};
 
 /// Most rows of an inverse that is written out: its columns take n eliminations of n^3/3 products in `prepare`.
-const LARGEST_INVERSE: usize = 8;
+const LARGEST_INVERSE: usize = 16;
 
 /// Largest ||A|| ||A^-1||, by rows, of a literal that is inverted.
 const WELL_CONDITIONED: f64 = 4096.0;
-
-/// (M^-1)^-1 b == M b, for M^-1 written as [[d, -b], [-c, a]] / (a d - b c): at most two roundings instead of seven, and nothing cancels.
-pub(super) fn of_inverse(program: &mut Program, inverse: ValueId, b: ValueId) -> Option<ValueId> {
-    let Op::Binary(Operator::Div, adjugate, determinant) = program.instruction(inverse).op else {
-        return None;
-    };
-    let Op::Array(items) = &program.instruction(adjugate).op else {
-        return None;
-    };
-    let &[d, minus_b, minus_c, a] = &items[..] else {
-        return None;
-    };
-    let Op::Binary(Operator::Sub, first, second) = program.instruction(determinant).op else {
-        return None;
-    };
-    if !is_product(program, first, [a, d]) || !is_product(program, second, [minus_b, minus_c]) {
-        return None;
-    }
-    let [above, below] =
-        [minus_b, minus_c].map(|entry| program.push(Op::Apply(Function::Neg, entry)));
-    let original = program.array(Shape::Matrix(2, 2), vec![a, above, below, d]);
-    Some(program.push(Op::MatMul(original, b)))
-}
-
-/// Whether a value is the product of two others, of which the signs may both be turned.
-fn is_product(program: &Program, value: ValueId, [x, y]: [ValueId; 2]) -> bool {
-    let found = match program.instruction(value).op {
-        Op::Binary(Operator::Mul, a, b) => [a, b],
-        Op::PowInt(a, 2) => [a, a],
-        _ => return false,
-    };
-    let same = |x, y| found == [x, y] || found == [y, x];
-    let turned = negated(program, x).zip(negated(program, y));
-    same(x, y) || turned.is_some_and(|(x, y)| same(x, y))
-}
 
 /// The inverse of a matrix that does not change during a run: adjugate over determinant of two and three rows, else column by column. That
 /// of a literal only if it is well conditioned, otherwise none.
@@ -54,9 +18,8 @@ pub(super) fn inverse(
     program: &mut Program,
     entries: &Entries,
     a: ValueId,
-    b: ValueId,
+    n: usize,
 ) -> Option<ValueId> {
-    let n = size(program.shape(b));
     if literal(program, a).is_some() {
         return literal_inverse(program, a, n);
     }

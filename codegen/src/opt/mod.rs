@@ -9,9 +9,11 @@ pub mod stage;
 mod angles;
 mod arrays;
 mod blocks;
+mod cancel;
 mod combine;
 mod contract;
 mod dead_code;
+mod differences;
 mod divisors;
 mod elementary;
 mod factors;
@@ -29,6 +31,7 @@ mod select;
 mod solve;
 mod sparse;
 mod structural_zeros;
+mod symmetric;
 mod transposes;
 mod value_numbering;
 
@@ -180,7 +183,8 @@ pub enum Arithmetic {
 const ROUNDS: usize = 6;
 
 /// The program done as on paper: `0 x = 0`, `x + 0 = x`, `x / c = (1/c) x`, `x s + x t = x (s + t)`; a clamped kernel is one quotient;
-/// equations are solved block by block, and what a run does not change is divided by or inverted once. Part of lowering: results are those
+/// inverses cancel, equations are solved block by block, those of a symmetric matrix by its lower triangle, and what a run does not change
+/// is divided by or inverted once. Part of lowering: results are those
 /// of the program for all finite values, up to the sign of a zero, a rounding for each quotient, and the roundings of sums and solutions as
 /// `factors` and `solve` state them.
 pub fn simplify(mut program: Program) -> Program {
@@ -190,6 +194,8 @@ pub fn simplify(mut program: Program) -> Program {
             fold::run,
             kernels::run_clamped,
             identities::run,
+            differences::run,
+            cancel::run,
             factors::run,
             structural_zeros::run,
             divisors::run,
@@ -204,7 +210,7 @@ pub fn simplify(mut program: Program) -> Program {
             break;
         }
     }
-    program
+    symmetric::run(program)
 }
 
 /// The program with the same outputs, bit for bit, in fewer operations.
@@ -263,6 +269,8 @@ impl Arithmetic {
     }
 }
 
+#[cfg(test)]
+mod equations_tests;
 #[cfg(test)]
 mod structure_tests;
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! The one traversal behind the passes: it rebuilds a program from front to back and asks a rule about each instruction.
 
+use super::dead_code::needed;
 use crate::ir::{Function, Instruction, Op, Operator, Program, Type, ValueId};
 
 /// Rebuilds `program`. The rule sees each instruction with its operands already replaced, and the program so far; it gives the value to
@@ -17,7 +18,7 @@ pub(super) fn rewrite(
     })
 }
 
-/// How often values are used: each operand that refers to one counts, and each output.
+/// How often values are used by what outputs need: each operand that refers to one counts, and each output.
 pub(super) struct Uses(Vec<u32>);
 
 impl Uses {
@@ -59,7 +60,11 @@ pub(super) fn rewrite_counting(
 
 fn count(program: &Program) -> Vec<u32> {
     let mut uses = vec![0; program.instructions.len()];
-    let operands = program.instructions.iter().flat_map(|i| i.op.operands());
+    let needed = needed(program, |_| false);
+    let users = program.instructions.iter().zip(needed);
+    let operands = users
+        .filter(|(_, needed)| *needed)
+        .flat_map(|(user, _)| user.op.operands());
     for value in operands.chain(program.outputs.iter().map(|(_, value)| *value)) {
         uses[value.0 as usize] += 1;
     }

@@ -38,7 +38,7 @@ impl Entries {
         };
         let columns = match program.ty(array) {
             Type::Real(Shape::Matrix(_, columns)) => columns,
-            Type::Real(_) | Type::Bool => 1,
+            Type::Real(_) | Type::Bool | Type::Ldlt(_) => 1,
         };
         Entries {
             array,
@@ -54,8 +54,18 @@ impl Entries {
 
     /// Whether the entry at a row-major position is the literal 0.
     pub(super) fn is_zero(&self, at: usize) -> bool {
+        self.is_number(at, 0.0)
+    }
+
+    /// Whether the entries are those of the identity of so many rows.
+    pub(super) fn are_identity(&self, rows: usize) -> bool {
+        let unit = |at: usize| f64::from(at / rows == at % rows);
+        self.columns == rows && (0..rows * rows).all(|at| self.is_number(at, unit(at)))
+    }
+
+    fn is_number(&self, at: usize, number: f64) -> bool {
         let known = self.known.as_ref();
-        known.is_some_and(|entries| entries[at] == Entry::Number(0.0))
+        known.is_some_and(|entries| entries[at] == Entry::Number(number))
     }
 
     /// The value of the entry at a row-major position.

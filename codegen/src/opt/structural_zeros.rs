@@ -6,7 +6,7 @@ use crate::ir::build::size;
 use crate::ir::{Function, Instruction, Op, Operator, Program, Shape, Type, ValueId};
 
 use super::dependence::Dependences;
-use super::rewrite::{literal, of_type, rewrite};
+use super::rewrite::{literal, negated, of_type, rewrite};
 use super::{solve, sparse};
 
 /// Removes arithmetic with structural zeros.
@@ -73,6 +73,11 @@ fn matrix_product(
     // A I == A (finite entries, up to the sign of zero)
     if diagonal(program, b).is_some_and(|d| d.iter().all(|&entry| entry == 1.0)) {
         return Some(a);
+    }
+    // (-A) B == -(A B) (up to the sign of zero)
+    if let Some(a) = negated(program, a) {
+        let product = program.push(Op::MatMul(a, b));
+        return Some(program.push(Op::Apply(Function::Neg, product)));
     }
     let Some(diagonal) = diagonal(program, a) else {
         return sparse::product(program, a, b);

@@ -210,34 +210,6 @@ fn a_literal_is_inverted_if_it_is_well_conditioned() {
     assert_eq!(left((0..16).map(dominant).collect()), 0);
 }
 
-#[test]
-fn the_inverse_of_an_inverse_is_the_matrix() {
-    for power in [false, true] {
-        let (mut program, inputs) =
-            with_inputs(&[("m", Shape::Vector(3)), ("b", Shape::Vector(2))]);
-        let [m11, m12, m22] = [0, 1, 2].map(|at| program.push(Op::Element(inputs[0], at, 0)));
-        let first = program.binary(Operator::Mul, m22, m11);
-        let second = match power {
-            true => program.push(Op::PowInt(m12, 2)),
-            false => program.binary(Operator::Mul, m12, m12),
-        };
-        let determinant = program.binary(Operator::Sub, first, second);
-        let off = program.push(Op::Apply(Function::Neg, m12));
-        let adjugate = program.array(Shape::Matrix(2, 2), vec![m22, off, off, m11]);
-        let inverse = program.binary(Operator::Div, adjugate, determinant);
-        let x = program.push(Op::Solve(inverse, inputs[1]));
-        program.outputs.push(("x".into(), x));
-        let inputs: Values = [
-            ("m".to_string(), vec![3.0, -1.25, 2.0]),
-            ("b".to_string(), vec![0.3, -0.7]),
-        ]
-        .into();
-        let simple = assert_close(&program, &inputs, 1e-14, "two rows");
-        assert_eq!(solves(&simple), 0);
-        assert_eq!(cost::count(&simple).divisions, 0);
-    }
-}
-
 /// A sum of multiples of two vectors and of a third term, in random order and with random signs.
 #[test]
 fn multiples_of_one_array_are_added_as_scalars() {

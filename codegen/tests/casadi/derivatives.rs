@@ -149,6 +149,34 @@ const PIECES: &str = "
     output half = %22
 ";
 
+/// Equations in a matrix of four rows that depends on x, with a right side and with several: x' = M(x)^-1 (u - c) and the inverse itself.
+const EQUATIONS: &str = "
+    program equations
+    input x: vec2
+    input u: vec4
+    %0: vec2 = input x
+    %1: vec4 = input u
+    %2: real = element %0, 0, 0
+    %3: real = element %0, 1, 0
+    %4: real = const 1.0
+    %5: real = add %4, %4
+    %6: real = cos %2
+    %7: real = add %5, %6
+    %8: real = mul %2, %3
+    %9: real = const 0.0
+    %10: mat4x4 = array %7, %8, %9, %6, %8, %5, %3, %9, %4, %3, %7, %2, %9, %6, %2, %5
+    %11: vec4 = solve %10, %1
+    %12: mat4x4 = const [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0]
+    %13: mat4x4 = solve %10, %12
+    %14: real = element %13, 1, 2
+    %15: real = mul %14, %2
+    %16: vec4 = mul %15, %11
+    %17: real = sum_squares %11
+    output x_dot = %16
+    output energy = %17
+    output inverse = %13
+";
+
 /// Inputs in (0.2, 0.9), the same on every run.
 fn point(program: &Program, seed: u64) -> Values {
     let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
@@ -336,6 +364,24 @@ fn rates_of_the_barrier() {
 #[test]
 fn hessian_of_the_barrier() {
     check_hessian(BARRIER, &["e", "k"]);
+}
+
+#[test]
+fn rates_of_solutions() {
+    check_rates(EQUATIONS, 2, &["x", "u"]);
+}
+
+#[test]
+fn jacobian_of_solutions() {
+    check_jacobian(EQUATIONS, &["x", "u"]);
+}
+
+#[test]
+fn hessian_of_solutions() {
+    let scalars = EQUATIONS
+        .lines()
+        .filter(|line| !line.contains("output") || line.contains("energy"));
+    check_hessian(&scalars.collect::<Vec<_>>().join("\n"), &["x", "u"]);
 }
 
 #[test]

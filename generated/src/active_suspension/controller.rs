@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 2fa737e85908b26c7d50f05df3718f63b2883204d5898adea1e48c88e3cb5e64
+// SHA-256 of the text below: 450a679f622c9b697b8f34b05b94e403688059600b302242ffd822821dbab96f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// initial: 22 additions, 47 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
+// initial: 20 additions, 46 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
 // control: 94 additions, 145 multiplications, 7 divisions, 2 square roots, 8 elementary functions, 9 comparisons and selections
 
 //! `active_suspension`: control law and sampled controller.
@@ -378,7 +378,7 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 22 additions, 47 multiplications, 5 divisions, 0 square roots, 6 elementary
+/// Operations: 20 additions, 46 multiplications, 5 divisions, 0 square roots, 6 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -464,10 +464,6 @@ pub fn initial<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
-    // -- dynamic surface filter of block 1 (33) --
-    // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (bracket1 - bracket1) * real(200.0);
-
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
     let e2 = x2 + bracket1;
@@ -505,7 +501,7 @@ pub fn initial<T: Real>(
 
     // -- virtual control (31) of block 2 --
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 - h1_dot + D_hat2 + Lam2;
+    let bracket2 = F2 + D_hat2 + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -(bracket2 * (real(1.0) / t2));
     State {

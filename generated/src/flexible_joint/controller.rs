@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 7aff1d029f60a4d8a814ddcd6b4ca613524fcf35ba45512295b6cc45cf007b50
+// SHA-256 of the text below: 0aae9fb1b57b268d72557e4fc77b0b629aa65507565244889b82ff32f0f555a7
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// initial: 21 additions, 54 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
+// initial: 17 additions, 52 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 83 additions, 120 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
 
 //! `flexible_joint`: control law and sampled controller.
@@ -423,7 +423,7 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 21 additions, 54 multiplications, 4 divisions, 0 square roots, 7 elementary
+/// Operations: 17 additions, 52 multiplications, 4 divisions, 0 square roots, 7 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -510,10 +510,6 @@ pub fn initial<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
-    // -- dynamic surface filter of block 1 (33) --
-    // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (bracket1 - bracket1) * real(100.0);
-
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
     let e2 = x2 + bracket1;
@@ -540,14 +536,10 @@ pub fn initial<T: Real>(
 
     // -- virtual control (31) of block 2 --
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 - h1_dot + Lam2;
+    let bracket2 = F2 + Lam2;
     let t10 = bracket2 * (real(1.0) / t1);
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -t10;
-
-    // -- dynamic surface filter of block 2 (33) --
-    // h_2' = (alpha_2 - h_2) / Fl_2
-    let h2_dot = (t10 - t10) * real(500.0);
 
     // -- error variable of block 3 (14) --
     // e_3 = x_3 - h_2 - zeta_3
@@ -565,14 +557,12 @@ pub fn initial<T: Real>(
     let Lam3 = e3 * (real(100.0) + s3 * real(0.5) + t11 * t11 * real(2.5e-9));
 
     // -- virtual control (31) of block 3 --
-    // F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3
-    let bracket3 = Lam3 - h2_dot;
     // alpha_3 = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
-    let alpha3 = -bracket3;
+    let alpha3 = -Lam3;
 
     // -- error variable of block 4 (14) --
     // e_4 = x_4 - h_3 - zeta_4
-    let e4 = x4 + bracket3;
+    let e4 = x4 + Lam3;
 
     // -- disturbance observer of block 4 (49) --
     // S_4, observer gain

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 82b5ab2aaa5369640889d27d485658aa453839c59c17dd0bf82c61310685dd25
+// SHA-256 of the text below: bcd52a8c5fb7e4366b7fa4d754fe77299e5a436cd0c9f7f9a9a5ecad34b42189
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// initial: 59 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary functions, 3 comparisons and selections
-// control: 564 additions, 850 multiplications, 12 divisions, 4 square roots, 26 elementary functions, 18 comparisons and selections
+// initial: 59 additions, 101 multiplications, 6 divisions, 0 square roots, 20 elementary functions, 3 comparisons and selections
+// control: 564 additions, 852 multiplications, 11 divisions, 4 square roots, 26 elementary functions, 18 comparisons and selections
 
 //! `ghv_unstable`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -370,7 +370,7 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 59 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary
+/// Operations: 59 additions, 101 multiplications, 6 divisions, 0 square roots, 20 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -693,7 +693,7 @@ pub struct ControlOutputs<T: Real> {
 /// `lambda = 0.1`, `iota = 0.1`, `iota_0 = 0.1`, `b = 2`, `eta_noise = 0.1`, `taubar = 1`,
 /// `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 2`, `iota_phi = 0.01`.
 ///
-/// Operations: 560 additions, 817 multiplications, 10 divisions, 4 square roots, 17 elementary
+/// Operations: 560 additions, 819 multiplications, 9 divisions, 4 square roots, 17 elementary
 /// functions, 18 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -1129,7 +1129,7 @@ pub fn law<T: Real>(
 /// `lambda = 0.1`, `iota = 0.1`, `iota_0 = 0.1`, `b = 2`, `eta_noise = 0.1`, `taubar = 1`,
 /// `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 2`, `iota_phi = 0.01`.
 ///
-/// Operations: 564 additions, 850 multiplications, 12 divisions, 4 square roots, 26 elementary
+/// Operations: 564 additions, 852 multiplications, 11 divisions, 4 square roots, 26 elementary
 /// functions, 18 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

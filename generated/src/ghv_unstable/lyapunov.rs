@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 35ca675d1287eb1a699de188ef9681887e46c17f1f39bb6ce75510eb4f3f442e
+// SHA-256 of the text below: 05a2eb0212ecf04f09cc6bd18b109b8d3a2ecd9ac3ddb01de0ca83bc3e38cbc0
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// lyapunov: 1990 additions, 2481 multiplications, 20 divisions, 3 square roots, 30 elementary functions, 30 comparisons and selections
+// lyapunov: 1990 additions, 2485 multiplications, 18 divisions, 3 square roots, 30 elementary functions, 30 comparisons and selections
 
 //! `ghv_unstable`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -28,7 +28,7 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 1990 additions, 2481 multiplications, 20 divisions, 3 square roots, 30
+/// Operations: 1990 additions, 2485 multiplications, 18 divisions, 3 square roots, 30
 /// elementary functions, 30 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 72d54e7b329a328fb2d70127ec6c26166a8259ebea19059ef95e6bced5420573
+// SHA-256 of the text below: db4f1b80789c992b0a503656a120f3d4c4ef93d855235eab37066f7adce58b55
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// initial: 23 additions, 59 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
+// initial: 21 additions, 58 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 78 additions, 127 multiplications, 7 divisions, 3 square roots, 9 elementary functions, 9 comparisons and selections
 
 //! `motor_arm`: control law and sampled controller.
@@ -392,7 +392,7 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 23 additions, 59 multiplications, 6 divisions, 0 square roots, 7 elementary
+/// Operations: 21 additions, 58 multiplications, 6 divisions, 0 square roots, 7 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -484,10 +484,6 @@ pub fn initial<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
-    // -- dynamic surface filter of block 1 (33) --
-    // h_1' = (alpha_1 - h_1) / Fl_1
-    let h1_dot = (bracket1 - bracket1) * real(50.0);
-
     // -- error variable of block 2 (14) --
     // e_2 = x_2 - h_1 - zeta_2
     let e2 = x2 + bracket1;
@@ -529,7 +525,7 @@ pub fn initial<T: Real>(
 
     // -- virtual control (31) of block 2 --
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 - h1_dot + Lam2;
+    let bracket2 = F2 + Lam2;
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -(bracket2 * (real(1.0) / t2));
     State {

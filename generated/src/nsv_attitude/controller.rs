@@ -1,7 +1,7 @@
-// SHA-256 of the text below: a82bdac4808a4ebdd49fba3bf7cdbd94ae8f6a19b2ead617c91f8ad5e3e19fb3
+// SHA-256 of the text below: f7627cf2d65e3eec7f1ce51362f8e90f9ddb8c85c97c2ce6d089981c3650abd0
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// initial: 60 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary functions, 6 comparisons and selections
-// control: 520 additions, 795 multiplications, 12 divisions, 4 square roots, 26 elementary functions, 21 comparisons and selections
+// initial: 60 additions, 101 multiplications, 6 divisions, 0 square roots, 20 elementary functions, 6 comparisons and selections
+// control: 520 additions, 797 multiplications, 11 divisions, 4 square roots, 26 elementary functions, 21 comparisons and selections
 
 //! `nsv_attitude`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -370,7 +370,7 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 60 additions, 99 multiplications, 7 divisions, 0 square roots, 20 elementary
+/// Operations: 60 additions, 101 multiplications, 6 divisions, 0 square roots, 20 elementary
 /// functions, 6 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -703,7 +703,7 @@ pub struct ControlOutputs<T: Real> {
 /// `lambda = 0.1`, `iota = 0.1`, `iota_0 = 0.1`, `b = 2`, `eta_noise = 0.1`, `taubar = 1`,
 /// `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 2`, `iota_phi = 0.01`.
 ///
-/// Operations: 515 additions, 764 multiplications, 10 divisions, 4 square roots, 17 elementary
+/// Operations: 515 additions, 766 multiplications, 9 divisions, 4 square roots, 17 elementary
 /// functions, 18 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -1119,7 +1119,7 @@ pub fn law<T: Real>(
 /// `lambda = 0.1`, `iota = 0.1`, `iota_0 = 0.1`, `b = 2`, `eta_noise = 0.1`, `taubar = 1`,
 /// `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 2`, `iota_phi = 0.01`.
 ///
-/// Operations: 520 additions, 795 multiplications, 12 divisions, 4 square roots, 26 elementary
+/// Operations: 520 additions, 797 multiplications, 11 divisions, 4 square roots, 26 elementary
 /// functions, 21 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: d604afce7015495512540355742c8d8659771e28e167841e46fce388891741be
+// SHA-256 of the text below: ee0ebfc815c26e2a49123930539cc1e6898e052b2e0d71d4c7fa17d51ed61e4c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// lyapunov: 1928 additions, 2395 multiplications, 20 divisions, 3 square roots, 30 elementary functions, 34 comparisons and selections
+// lyapunov: 1928 additions, 2399 multiplications, 18 divisions, 3 square roots, 30 elementary functions, 34 comparisons and selections
 
 //! `nsv_attitude`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -28,7 +28,7 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 1928 additions, 2395 multiplications, 20 divisions, 3 square roots, 30
+/// Operations: 1928 additions, 2399 multiplications, 18 divisions, 3 square roots, 30
 /// elementary functions, 34 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(

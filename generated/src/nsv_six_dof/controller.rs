@@ -1,7 +1,7 @@
-// SHA-256 of the text below: fc285ce8ae935d3d45d8163dc79600f569572c32ff428df562665781e53a136b
+// SHA-256 of the text below: 07994893c7976f59d461c84e4c468dcc2076412890cf9cdea2b4922401e25468
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// initial: 87 additions, 132 multiplications, 7 divisions, 0 square roots, 12 elementary functions, 43 comparisons and selections
-// control: 547 additions, 828 multiplications, 12 divisions, 4 square roots, 18 elementary functions, 58 comparisons and selections
+// initial: 87 additions, 134 multiplications, 6 divisions, 0 square roots, 12 elementary functions, 43 comparisons and selections
+// control: 547 additions, 830 multiplications, 11 divisions, 4 square roots, 18 elementary functions, 58 comparisons and selections
 
 //! `nsv_six_dof`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -370,7 +370,7 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 87 additions, 132 multiplications, 7 divisions, 0 square roots, 12 elementary
+/// Operations: 87 additions, 134 multiplications, 6 divisions, 0 square roots, 12 elementary
 /// functions, 43 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -775,7 +775,7 @@ pub struct ControlOutputs<T: Real> {
 /// `lambda = 0.1`, `iota = 0.1`, `iota_0 = 0.1`, `b = 2`, `eta_noise = 0.1`, `taubar = 1`,
 /// `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 2`, `iota_phi = 0.01`.
 ///
-/// Operations: 515 additions, 764 multiplications, 10 divisions, 4 square roots, 17 elementary
+/// Operations: 515 additions, 766 multiplications, 9 divisions, 4 square roots, 17 elementary
 /// functions, 18 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -1191,7 +1191,7 @@ pub fn law<T: Real>(
 /// `lambda = 0.1`, `iota = 0.1`, `iota_0 = 0.1`, `b = 2`, `eta_noise = 0.1`, `taubar = 1`,
 /// `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 2`, `iota_phi = 0.01`.
 ///
-/// Operations: 547 additions, 828 multiplications, 12 divisions, 4 square roots, 18 elementary
+/// Operations: 547 additions, 830 multiplications, 11 divisions, 4 square roots, 18 elementary
 /// functions, 58 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 0df102904767cd5d1c2c64dfb5cc5763ffb1f09c701c5a0123eb67c818a181ce
+// SHA-256 of the text below: 1cbb9083596c1d98fe58c3f61e374d51219a1721fd1081d975204a6624ec25a4
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// lyapunov: 1967 additions, 2430 multiplications, 20 divisions, 3 square roots, 24 elementary functions, 110 comparisons and selections
+// lyapunov: 1967 additions, 2434 multiplications, 18 divisions, 3 square roots, 24 elementary functions, 110 comparisons and selections
 
 //! `nsv_six_dof`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -28,7 +28,7 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 1967 additions, 2430 multiplications, 20 divisions, 3 square roots, 24
+/// Operations: 1967 additions, 2434 multiplications, 18 divisions, 3 square roots, 24
 /// elementary functions, 110 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(

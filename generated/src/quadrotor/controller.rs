@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 440f2a9dd632b8c87d8245428f38a5b4ef7e1fd9d4ceba198b27995e13a2a0b1
+// SHA-256 of the text below: 27cc048d150d95d360ecbe8db570beece7e20ebd806c3238f535151f86ee495a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// initial: 31 additions, 74 multiplications, 6 divisions, 0 square roots, 16 elementary functions, 3 comparisons and selections
-// control: 279 additions, 421 multiplications, 14 divisions, 3 square roots, 20 elementary functions, 13 comparisons and selections
+// initial: 31 additions, 76 multiplications, 5 divisions, 0 square roots, 16 elementary functions, 3 comparisons and selections
+// control: 279 additions, 423 multiplications, 13 divisions, 3 square roots, 20 elementary functions, 13 comparisons and selections
 
 //! `quadrotor`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -341,7 +341,7 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 31 additions, 74 multiplications, 6 divisions, 0 square roots, 16 elementary
+/// Operations: 31 additions, 76 multiplications, 5 divisions, 0 square roots, 16 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) -> State<T> {
@@ -670,7 +670,7 @@ pub struct ControlOutputs<T: Real> {
 /// `iota = 1`, `iota_0 = 0.1`, `b = 1`, `eta_noise = 0.01`, `taubar = 1`, `lambda_sigma = 0.1`,
 /// `varsigma = 1`, `kappa_phi = 0.5`, `iota_phi = 0.2`.
 ///
-/// Operations: 260 additions, 361 multiplications, 7 divisions, 2 square roots, 12 elementary
+/// Operations: 260 additions, 363 multiplications, 6 divisions, 2 square roots, 12 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -965,7 +965,7 @@ pub fn law<T: Real>(
 /// `iota = 1`, `iota_0 = 0.1`, `b = 1`, `eta_noise = 0.01`, `taubar = 1`, `lambda_sigma = 0.1`,
 /// `varsigma = 1`, `kappa_phi = 0.5`, `iota_phi = 0.2`.
 ///
-/// Operations: 279 additions, 421 multiplications, 14 divisions, 3 square roots, 20 elementary
+/// Operations: 279 additions, 423 multiplications, 13 divisions, 3 square roots, 20 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 310104a2857bfd3584a3ba10c4fcbcf155d515cc5c17c1bd794be3af249db826
+// SHA-256 of the text below: 92d7da0efcce580f91d3f97c60b1c16584331f6be5640970c7c11f649e6f4cc7
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// lyapunov: 1005 additions, 1202 multiplications, 22 divisions, 2 square roots, 20 elementary functions, 19 comparisons and selections
+// lyapunov: 1005 additions, 1206 multiplications, 20 divisions, 2 square roots, 20 elementary functions, 19 comparisons and selections
 
 //! `quadrotor`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -28,7 +28,7 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 1005 additions, 1202 multiplications, 22 divisions, 2 square roots, 20
+/// Operations: 1005 additions, 1206 multiplications, 20 divisions, 2 square roots, 20
 /// elementary functions, 19 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(

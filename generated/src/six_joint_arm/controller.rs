@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 6fea301b1cd03a5e9d336e6060db6023fb27068c0e0f9691ba27dae6e7391925
+// SHA-256 of the text below: 7adebed922990e979f42d02b74c400fa78c0754e505f886fccf643c67b4dccad
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 27 additions, 65 multiplications, 3 divisions, 0 square roots, 10 elementary functions, 3 comparisons and selections
-// control: 240 additions, 316 multiplications, 7 divisions, 0 square roots, 27 elementary functions, 16 comparisons and selections
+// control: 229 additions, 295 multiplications, 4 divisions, 0 square roots, 27 elementary functions, 16 comparisons and selections
 
 //! `six_joint_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -12,7 +12,7 @@
 use super::params::Params;
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use nsv_runtime::ahead::OfTime;
-use nsv_runtime::linear::{Matrix, Vector};
+use nsv_runtime::linear::Vector;
 use nsv_runtime::real::{Mask, Part, Real};
 use nsv_runtime::status::Status;
 
@@ -407,28 +407,28 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Prepared<T> {
-    /// `k_8`.
-    pub k_8: T,
-    /// `k_4`.
-    pub k_4: T,
-    /// `M_33`.
-    pub M_33: T,
-    /// `k_9`.
-    pub k_9: T,
-    /// Part of `M_23`.
-    pub M_23_1: T,
     /// `k_1`.
     pub k_1: T,
     /// `k_2`.
     pub k_2: T,
     /// `k_3`.
     pub k_3: T,
+    /// `k_4`.
+    pub k_4: T,
     /// `k_5`.
     pub k_5: T,
     /// `k_7`.
     pub k_7: T,
     /// Part of `M_13`.
     pub M_13_1: T,
+    /// `k_8`.
+    pub k_8: T,
+    /// `k_9`.
+    pub k_9: T,
+    /// Part of `M_23`.
+    pub M_23_1: T,
+    /// `M_33`.
+    pub M_33: T,
     /// Part of `M_11_2`.
     pub M_11_2_1: T,
     /// Part of `M_11_2`.
@@ -448,36 +448,36 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let real = T::from_f64;
 
     // -- plant model --
-    let k_8 = real(6.79) + params.load * real(0.37402685);
-    let k_4 = real(0.744) + real(2.0) * params.load * real(0.4318) * real(0.4331);
-    let t1 = params.load * real(0.18757560999999998);
-    let M_33 = real(1.16) + t1;
-    let k_9 = real(0.333) + t1;
     let k_1 = real(2.57) + params.load * real(0.022530010000000003);
     let k_2 = real(1.38) + params.load * real(0.18645124000000002);
+    let t1 = params.load * real(0.18757560999999998);
     let k_3 = real(0.3) + t1;
+    let k_4 = real(0.744) + real(2.0) * params.load * real(0.4318) * real(0.4331);
     let t2 = params.load * real(0.1501);
     let k_5 = real(0.69) + t2 * real(0.4318);
     let k_7 = real(0.134) + t2 * real(0.4331);
+    let k_8 = real(6.79) + params.load * real(0.37402685);
+    let k_9 = real(0.333) + t1;
+    let M_33 = real(1.16) + t1;
     let t3 = params.load * real(9.81);
     let pull_2 = real(8.4) + t3 * real(0.4331);
-    let M_23_1 = real(0.5) * k_4;
     let M_13_1 = -k_7;
+    let M_23_1 = real(0.5) * k_4;
     let M_11_2_1 = real(-2.0) * k_2;
     let M_11_2_2 = real(2.0) * k_3;
     let F2_1 = -(real(37.2) + t3 * real(0.4318));
     Prepared {
-        k_8,
-        k_4,
-        M_33,
-        k_9,
-        M_23_1,
         k_1,
         k_2,
         k_3,
+        k_4,
         k_5,
         k_7,
         M_13_1,
+        k_8,
+        k_9,
+        M_23_1,
+        M_33,
         M_11_2_1,
         M_11_2_2,
         F2_1,
@@ -605,7 +605,7 @@ pub struct ControlOutputs<T: Real> {
 /// Gains of block 2, `rates`, which are numbers in the formulas: `K = 40`, `kbar = 20`, `C = 50`,
 /// `S = 100`, `eta_1 = 1`.
 ///
-/// Operations: 221 additions, 262 multiplications, 6 divisions, 0 square roots, 19 elementary
+/// Operations: 210 additions, 241 multiplications, 3 divisions, 0 square roots, 19 elementary
 /// functions, 16 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -619,31 +619,26 @@ pub fn law<T: Real>(
     let real = T::from_f64;
 
     // -- plant model --
-    let q3 = x1[2];
+    let q2 = x1[1];
     let q5 = x1[4];
     let q4 = x1[3];
-    let q2 = x1[1];
+    let q3 = x1[2];
     let t1 = q2 + q3;
     let t2 = Vector([t1, q2, q3, q4, q5]);
-    let [sin_t1, sin_q2, sin_q3, sin_q4, sin_q5] = t2.sin().0;
-    let s_23 = sin_t1;
-    let s_2 = sin_q2;
-    let M_22 = prepared.k_8 + prepared.k_4 * sin_q3;
-    let M_23 = prepared.k_9 + prepared.M_23_1 * sin_q3;
-    let A_11 = M_22 * prepared.M_33 - M_23 * M_23;
     let [cos_t1, cos_q2, cos_q3, cos_q4, cos_q5] = t2.cos().0;
     let c_2 = cos_q2;
     let c_23 = cos_t1;
+    let [sin_t1, sin_q2, sin_q3, sin_q4, sin_q5] = t2.sin().0;
+    let s_23 = sin_t1;
+    let s_2 = sin_q2;
     let t3 = prepared.k_4 * c_2;
     let M_11 = prepared.k_1 + prepared.k_2 * (c_2 * c_2) + prepared.k_3 * (s_23 * s_23)
         + t3 * s_23;
     let k_6 = real(0.0238);
     let M_12 = prepared.k_5 * s_2 + k_6 * c_2 - prepared.k_7 * c_23;
     let M_13 = prepared.M_13_1 * c_23;
-    let A_12 = M_13 * M_23 - M_12 * prepared.M_33;
-    let A_13 = M_12 * M_23 - M_13 * M_22;
-    let det_M = M_11 * A_11 + M_12 * A_12 + M_13 * A_13;
-    let A_23 = M_12 * M_13 - M_11 * M_23;
+    let M_22 = prepared.k_8 + prepared.k_4 * sin_q3;
+    let M_23 = prepared.k_9 + prepared.M_23_1 * sin_q3;
     let t4 = prepared.M_11_2_2 * s_23 * c_23;
     let M_11_2 = prepared.M_11_2_1 * s_2 * c_2 + t4
         + prepared.k_4 * (real(2.0) * q2 + q3).cos();
@@ -683,37 +678,40 @@ pub fn law<T: Real>(
     let dry = t12 * params.dry_scale;
 
     // -- known dynamics of block 2 (rates) (11) --
-    let t13 = real(1.0) / det_M;
-    let t14 = A_11 * t13;
-    let t15 = A_12 * t13;
-    let t16 = A_13 * t13;
-    let t17 = (M_11 * prepared.M_33 - M_13 * M_13) * t13;
-    let t18 = A_23 * t13;
-    let t19 = (M_11 * M_22 - M_12 * M_12) * t13;
-    let t20 = v2 * v2;
-    let t21 = (M_11_2 * v2 + M_11_3 * v3) * v1 + M_12_2 * t20;
-    let t22 = v1 * v1;
-    let t23 = prepared.k_4 * cos_q3 * (v2 + real(0.5) * v3) * v3
-        - real(0.5) * M_11_2 * t22;
-    let t24 = prepared.pull_2 * s_23;
-    let t25 = Vector([
-        t21 + t5 * (real(2.0) * v2 + v3) * v3,
-        t23 + (prepared.F2_1 * c_2 - t24 + real(1.02) * s_2),
-        real(-0.5) * M_11_3 * t22 - prepared.M_23_1 * cos_q3 * t20
-            + (real(0.25) * c_23 - t24),
+    let t13 = M_22 * prepared.M_33 - M_23 * M_23;
+    let t14 = M_23 * M_13 - prepared.M_33 * M_12;
+    let t15 = M_12 * M_23 - M_13 * M_22;
+    let t16 = real(1.0) / (M_11 * t13 + M_12 * t14 + M_13 * t15);
+    let t17 = t13 * t16;
+    let t18 = t14 * t16;
+    let t19 = t15 * t16;
+    let t20 = (prepared.M_33 * M_11 - M_13 * M_13) * t16;
+    let t21 = (M_13 * M_12 - M_11 * M_23) * t16;
+    let t22 = (M_11 * M_22 - M_12 * M_12) * t16;
+    let t23 = v2 * v2;
+    let t24 = (M_11_2 * v2 + M_11_3 * v3) * v1 + M_12_2 * t23;
+    let t25 = v1 * v1;
+    let t26 = prepared.k_4 * cos_q3 * (v2 + real(0.5) * v3) * v3
+        - real(0.5) * M_11_2 * t25;
+    let t27 = prepared.pull_2 * s_23;
+    let t28 = Vector([
+        t24 + t5 * (real(2.0) * v2 + v3) * v3,
+        t26 + (prepared.F2_1 * c_2 - t27 + real(1.02) * s_2),
+        real(-0.5) * M_11_3 * t25 - prepared.M_23_1 * cos_q3 * t23
+            + (real(0.25) * c_23 - t27),
         real(0.028) * s_23 * sin_q4 * sin_q5,
         real(-0.028) * (c_23 * sin_q5 + s_23 * cos_q4 * cos_q5),
         real(0.0),
     ]);
-    let t26 = t25 + dry;
+    let t29 = t28 + dry;
     // F_2(x_1 .. x_2)
     let F2 = Vector([
-        -t14 * t26[0] - t15 * t26[1] - t16 * t26[2],
-        -t15 * t26[0] - t17 * t26[1] - t18 * t26[2],
-        -t16 * t26[0] - t18 * t26[1] - t19 * t26[2],
-        real(-5.0) * t26[3],
-        real(-5.555555555555555) * t26[4],
-        real(-5.2631578947368425) * t26[5],
+        -t17 * t29[0] - t18 * t29[1] - t19 * t29[2],
+        -t18 * t29[0] - t20 * t29[1] - t21 * t29[2],
+        -t19 * t29[0] - t21 * t29[1] - t22 * t29[2],
+        real(-5.0) * t29[3],
+        real(-5.555555555555555) * t29[4],
+        real(-5.2631578947368425) * t29[5],
     ]);
 
     // -- error variable of block 1 (14) --
@@ -723,9 +721,9 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t27 = s1 * clock.E1_free_1;
+    let t30 = s1 * clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t27 * t27);
+    let E1_free = real(FRAC_PI_2) * (t30 * t30);
     // E_1 >= pi/2 - delta
     let violated1 = E1_free.ge(real(1.5697963267948967));
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
@@ -734,16 +732,16 @@ pub fn law<T: Real>(
     let cosE1 = E1.cos();
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
-    let t28 = s1 * sec2E1;
+    let t31 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * t28;
+    let c1 = e1 * t31;
 
     // -- norms of block 1 --
     // ||G_1||^2
     let G_norm2_1 = real(6.0);
 
     // -- robust feedback of block 1 (31) (63) --
-    let t29 = real(3.5)
+    let t32 = real(3.5)
         * T::select(
             E1_free.lt(real(1e-300)),
             real(1.0),
@@ -751,20 +749,20 @@ pub fn law<T: Real>(
         ) + real(2.0);
     // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1 * (t29 + t28 * real(3.0));
+    let Lam1 = e1 * (t32 + t31 * real(3.0));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t30 = state.zeta1 * real(20.0);
+    let t33 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t30 - clock.y_r_dot + Lam1;
+    let bracket1 = t33 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t30;
+    let zeta1_dot = state.zeta2 - t33;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -783,47 +781,48 @@ pub fn law<T: Real>(
     let D_hat2 = state.th2 + x2 * real(100.0);
 
     // -- robust feedback of block 2 (31) (63) --
-    let t31 = G_norm2_1 * s_c1;
+    let t34 = G_norm2_1 * s_c1;
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
     // eta_3 of the outer block (38)
-    let Lam2 = e2 * (real(50.0) + s2 * real(0.5) + t31 * t31 * real(0.25));
+    let Lam2 = e2 * (real(50.0) + s2 * real(0.5) + t34 * t34 * real(0.25));
 
     // -- control (64) of block 2 --
-    let t32 = state.zeta2 * real(50.0);
+    let t35 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 - h1_dot + t32 + D_hat2 + Lam2;
-    let t33 = Matrix::rows([[t14, t15, t16], [t15, t17, t18], [t16, t18, t19]])
-        .solve(Vector([bracket2[0], bracket2[1], bracket2[2]]));
-    let t34 = bracket2[3] * real(0.2);
-    let t35 = bracket2[4] * real(0.18);
-    let t36 = bracket2[5] * real(0.18999999999999997);
-    let t37 = Vector([t33[0], t33[1], t33[2], t34, t35, t36]);
+    let bracket2 = F2 - h1_dot + t35 + D_hat2 + Lam2;
+    let t36 = M_11 * bracket2[0] + M_12 * bracket2[1] + M_13 * bracket2[2];
+    let t37 = M_12 * bracket2[0] + M_22 * bracket2[1] + M_23 * bracket2[2];
+    let t38 = M_13 * bracket2[0] + M_23 * bracket2[1] + prepared.M_33 * bracket2[2];
+    let t39 = real(0.2) * bracket2[3];
+    let t40 = real(0.18) * bracket2[4];
+    let t41 = real(0.19) * bracket2[5];
+    let t42 = Vector([t36, t37, t38, t39, t40, t41]);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t37;
+    let u = -t42;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 6>::from_f64([-97.6, -186.4, -89.4, -24.2, -20.1, -21.3]))
         .min(Vector::<T, 6>::from_f64([97.6, 186.4, 89.4, 24.2, 20.1, 21.3]));
 
     // -- auxiliary system of block 2 (13) (E1) --
-    let t38 = u_sat + t37;
-    let t39 = Vector([
-        t14 * t38[0] + t15 * t38[1] + t16 * t38[2],
-        t15 * t38[0] + t17 * t38[1] + t18 * t38[2],
-        t16 * t38[0] + t18 * t38[1] + t19 * t38[2],
-        real(5.0) * t38[3],
-        real(5.555555555555555) * t38[4],
-        real(5.2631578947368425) * t38[5],
+    let t43 = u_sat + t42;
+    let t44 = Vector([
+        t17 * t43[0] + t18 * t43[1] + t19 * t43[2],
+        t18 * t43[0] + t20 * t43[1] + t21 * t43[2],
+        t19 * t43[0] + t21 * t43[1] + t22 * t43[2],
+        real(5.0) * t43[3],
+        real(5.555555555555555) * t43[4],
+        real(5.2631578947368425) * t43[5],
     ]);
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = t39 - t32;
+    let zeta2_dot = t44 - t35;
 
     // -- states of block 2, one sample later --
-    let t40 = Vector([
-        t14 * u_sat[0] + t15 * u_sat[1] + t16 * u_sat[2],
-        t15 * u_sat[0] + t17 * u_sat[1] + t18 * u_sat[2],
-        t16 * u_sat[0] + t18 * u_sat[1] + t19 * u_sat[2],
+    let t45 = Vector([
+        t17 * u_sat[0] + t18 * u_sat[1] + t19 * u_sat[2],
+        t18 * u_sat[0] + t20 * u_sat[1] + t21 * u_sat[2],
+        t19 * u_sat[0] + t21 * u_sat[1] + t22 * u_sat[2],
         real(5.0) * u_sat[3],
         real(5.555555555555555) * u_sat[4],
         real(5.2631578947368425) * u_sat[5],
@@ -841,7 +840,7 @@ pub fn law<T: Real>(
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 (21): th_2' = -S_2 (D_hat_2 + F_2
     // + G_2 sat(u) + A_hat_2)
     state.th2 = state.th2
-        - (D_hat2 + F2 + t40) * real(100.0) * real(0.0009516258196404043);
+        - (D_hat2 + F2 + t45) * real(100.0) * real(0.0009516258196404043);
     ControlOutputs {
         u,
         u_sat,
@@ -864,7 +863,7 @@ pub fn law<T: Real>(
 /// Gains of block 2, `rates`, which are numbers in the formulas: `K = 40`, `kbar = 20`, `C = 50`,
 /// `S = 100`, `eta_1 = 1`.
 ///
-/// Operations: 240 additions, 316 multiplications, 7 divisions, 0 square roots, 27 elementary
+/// Operations: 229 additions, 295 multiplications, 4 divisions, 0 square roots, 27 elementary
 /// functions, 16 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

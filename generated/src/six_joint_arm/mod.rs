@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 45127e0b44f9bfc537e45dc67a095e70623de2a4a8f4870ceacb71957253e6e3
+// SHA-256 of the text below: d699298c50df69607ea1de130860f64ea8813e00b81c2e90d3a92e7b08852b16
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! Six-joint arm with an unknown load
@@ -14,7 +14,7 @@ pub use params::Params;
 pub use simulator::Simulator;
 
 /// SHA-256 of the specification.
-pub const SPEC_HASH: &str = "e7e26501eabebcc551c5a20f6cf6291dc3f98ec9ff94704b5eb6dcf9470130fd";
+pub const SPEC_HASH: &str = "723b6f2dd2fabbb7d760940b291b7ebad4b28ec0ea538934ff49cd2f90911cc4";
 
 /// Version of the generator.
 pub const GENERATOR: &str = "0.1.0";

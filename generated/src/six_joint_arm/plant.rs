@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 76887cf4fea15d3d4a4845122f9df4a50950c01c23cb976915ba4db74a61a95e
+// SHA-256 of the text below: f868a2c2893784e4f31a9963d2b4b26557a308a8b995b7b59e9be6a51731f3ac
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // plant: 77 additions, 139 multiplications, 1 divisions, 0 square roots, 23 elementary functions, 0 comparisons and selections
 
@@ -90,28 +90,28 @@ impl<T: Real> Part for Drift<'_, T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Prepared<T> {
-    /// `k_8`.
-    pub k_8: T,
-    /// `k_4`.
-    pub k_4: T,
-    /// `M_33`.
-    pub M_33: T,
-    /// `k_9`.
-    pub k_9: T,
-    /// Part of `M_23`.
-    pub M_23_1: T,
     /// `k_1`.
     pub k_1: T,
     /// `k_2`.
     pub k_2: T,
     /// `k_3`.
     pub k_3: T,
+    /// `k_4`.
+    pub k_4: T,
     /// `k_5`.
     pub k_5: T,
     /// `k_7`.
     pub k_7: T,
     /// Part of `M_13`.
     pub M_13_1: T,
+    /// `k_8`.
+    pub k_8: T,
+    /// `k_9`.
+    pub k_9: T,
+    /// Part of `M_23`.
+    pub M_23_1: T,
+    /// `M_33`.
+    pub M_33: T,
     /// Part of `M_11_2`.
     pub M_11_2_1: T,
     /// Part of `M_11_2`.
@@ -131,36 +131,36 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let real = T::from_f64;
 
     // -- plant model --
-    let k_8 = real(6.79) + params.load * real(0.37402685);
-    let k_4 = real(0.744) + real(2.0) * params.load * real(0.4318) * real(0.4331);
-    let t1 = params.load * real(0.18757560999999998);
-    let M_33 = real(1.16) + t1;
-    let k_9 = real(0.333) + t1;
     let k_1 = real(2.57) + params.load * real(0.022530010000000003);
     let k_2 = real(1.38) + params.load * real(0.18645124000000002);
+    let t1 = params.load * real(0.18757560999999998);
     let k_3 = real(0.3) + t1;
+    let k_4 = real(0.744) + real(2.0) * params.load * real(0.4318) * real(0.4331);
     let t2 = params.load * real(0.1501);
     let k_5 = real(0.69) + t2 * real(0.4318);
     let k_7 = real(0.134) + t2 * real(0.4331);
+    let k_8 = real(6.79) + params.load * real(0.37402685);
+    let k_9 = real(0.333) + t1;
+    let M_33 = real(1.16) + t1;
     let t3 = params.load * real(9.81);
     let pull_2 = real(8.4) + t3 * real(0.4331);
-    let M_23_1 = real(0.5) * k_4;
     let M_13_1 = -k_7;
+    let M_23_1 = real(0.5) * k_4;
     let M_11_2_1 = real(-2.0) * k_2;
     let M_11_2_2 = real(2.0) * k_3;
     let F2_plant_1 = -(real(37.2) + t3 * real(0.4318));
     Prepared {
-        k_8,
-        k_4,
-        M_33,
-        k_9,
-        M_23_1,
         k_1,
         k_2,
         k_3,
+        k_4,
         k_5,
         k_7,
         M_13_1,
+        k_8,
+        k_9,
+        M_23_1,
+        M_33,
         M_11_2_1,
         M_11_2_2,
         F2_plant_1,
@@ -254,25 +254,20 @@ pub fn dynamics<T: Real>(
     let q5 = x[4];
     let t1 = q2 + q3;
     let t2 = Vector([t1, q2, q3, q4, q5]);
-    let [sin_t1, sin_q2, sin_q3, sin_q4, sin_q5] = t2.sin().0;
-    let s_23 = sin_t1;
-    let s_2 = sin_q2;
-    let M_22 = prepared.k_8 + prepared.k_4 * sin_q3;
-    let M_23 = prepared.k_9 + prepared.M_23_1 * sin_q3;
-    let A_11 = M_22 * prepared.M_33 - M_23 * M_23;
     let [cos_t1, cos_q2, cos_q3, cos_q4, cos_q5] = t2.cos().0;
     let c_2 = cos_q2;
     let c_23 = cos_t1;
+    let [sin_t1, sin_q2, sin_q3, sin_q4, sin_q5] = t2.sin().0;
+    let s_23 = sin_t1;
+    let s_2 = sin_q2;
     let t3 = prepared.k_4 * c_2;
     let M_11 = prepared.k_1 + prepared.k_2 * (c_2 * c_2) + prepared.k_3 * (s_23 * s_23)
         + t3 * s_23;
     let k_6 = real(0.0238);
     let M_12 = prepared.k_5 * s_2 + k_6 * c_2 - prepared.k_7 * c_23;
     let M_13 = prepared.M_13_1 * c_23;
-    let A_12 = M_13 * M_23 - M_12 * prepared.M_33;
-    let A_13 = M_12 * M_23 - M_13 * M_22;
-    let det_M = M_11 * A_11 + M_12 * A_12 + M_13 * A_13;
-    let A_23 = M_12 * M_13 - M_11 * M_23;
+    let M_22 = prepared.k_8 + prepared.k_4 * sin_q3;
+    let M_23 = prepared.k_9 + prepared.M_23_1 * sin_q3;
     let t4 = prepared.M_11_2_2 * s_23 * c_23;
     let M_11_2 = prepared.M_11_2_1 * s_2 * c_2 + t4
         + prepared.k_4 * (real(2.0) * q2 + q3).cos();
@@ -306,48 +301,51 @@ pub fn dynamics<T: Real>(
     let dry = t12 * params.dry_scale;
 
     // -- true dynamics of block 2 (rates) (11) --
-    let t13 = real(1.0) / det_M;
-    let t14 = A_11 * t13;
-    let t15 = A_12 * t13;
-    let t16 = A_13 * t13;
-    let t17 = (M_11 * prepared.M_33 - M_13 * M_13) * t13;
-    let t18 = A_23 * t13;
-    let t19 = (M_11 * M_22 - M_12 * M_12) * t13;
-    let t20 = v2 * v2;
-    let t21 = (M_11_2 * v2 + M_11_3 * v3) * v1 + M_12_2 * t20;
-    let t22 = v1 * v1;
-    let t23 = prepared.k_4 * cos_q3 * (v2 + real(0.5) * v3) * v3
-        - real(0.5) * M_11_2 * t22;
-    let t24 = prepared.pull_2 * s_23;
-    let t25 = Vector([
-        t21 + t5 * (real(2.0) * v2 + v3) * v3,
-        t23 + (prepared.F2_plant_1 * c_2 - t24 + real(1.02) * s_2),
-        real(-0.5) * M_11_3 * t22 - prepared.M_23_1 * cos_q3 * t20
-            + (real(0.25) * c_23 - t24),
+    let t13 = M_22 * prepared.M_33 - M_23 * M_23;
+    let t14 = M_23 * M_13 - prepared.M_33 * M_12;
+    let t15 = M_12 * M_23 - M_13 * M_22;
+    let t16 = real(1.0) / (M_11 * t13 + M_12 * t14 + M_13 * t15);
+    let t17 = t13 * t16;
+    let t18 = t14 * t16;
+    let t19 = t15 * t16;
+    let t20 = (prepared.M_33 * M_11 - M_13 * M_13) * t16;
+    let t21 = (M_13 * M_12 - M_11 * M_23) * t16;
+    let t22 = (M_11 * M_22 - M_12 * M_12) * t16;
+    let t23 = v2 * v2;
+    let t24 = (M_11_2 * v2 + M_11_3 * v3) * v1 + M_12_2 * t23;
+    let t25 = v1 * v1;
+    let t26 = prepared.k_4 * cos_q3 * (v2 + real(0.5) * v3) * v3
+        - real(0.5) * M_11_2 * t25;
+    let t27 = prepared.pull_2 * s_23;
+    let t28 = Vector([
+        t24 + t5 * (real(2.0) * v2 + v3) * v3,
+        t26 + (prepared.F2_plant_1 * c_2 - t27 + real(1.02) * s_2),
+        real(-0.5) * M_11_3 * t25 - prepared.M_23_1 * cos_q3 * t23
+            + (real(0.25) * c_23 - t27),
         real(0.028) * s_23 * sin_q4 * sin_q5,
         real(-0.028) * (c_23 * sin_q5 + s_23 * cos_q4 * cos_q5),
         real(0.0),
     ]);
-    let t26 = t25 + dry;
+    let t29 = t28 + dry;
     // F_2 with the plant's parameters
     let F2_plant = Vector([
-        -t14 * t26[0] - t15 * t26[1] - t16 * t26[2],
-        -t15 * t26[0] - t17 * t26[1] - t18 * t26[2],
-        -t16 * t26[0] - t18 * t26[1] - t19 * t26[2],
-        real(-5.0) * t26[3],
-        real(-5.555555555555555) * t26[4],
-        real(-5.2631578947368425) * t26[5],
+        -t17 * t29[0] - t18 * t29[1] - t19 * t29[2],
+        -t18 * t29[0] - t20 * t29[1] - t21 * t29[2],
+        -t19 * t29[0] - t21 * t29[1] - t22 * t29[2],
+        real(-5.0) * t29[3],
+        real(-5.555555555555555) * t29[4],
+        real(-5.2631578947368425) * t29[5],
     ]);
-    let t27 = Vector([
-        t14 * u_sat[0] + t15 * u_sat[1] + t16 * u_sat[2],
-        t15 * u_sat[0] + t17 * u_sat[1] + t18 * u_sat[2],
-        t16 * u_sat[0] + t18 * u_sat[1] + t19 * u_sat[2],
+    let t30 = Vector([
+        t17 * u_sat[0] + t18 * u_sat[1] + t19 * u_sat[2],
+        t18 * u_sat[0] + t20 * u_sat[1] + t21 * u_sat[2],
+        t19 * u_sat[0] + t21 * u_sat[1] + t22 * u_sat[2],
         real(5.0) * u_sat[3],
         real(5.555555555555555) * u_sat[4],
         real(5.2631578947368425) * u_sat[5],
     ]);
     // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + t27 + clock.d2;
+    let x2_flow = F2_plant + t30 + clock.d2;
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // dx/dt without noise

@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 5c8d857a8c83094305774f43bdcf747cf874c7f7be810ff62ee4bab6e6ee8bd5
+// SHA-256 of the text below: 2523378316f812911ac089dc9fa8976e78c37c16a014b5100706893796002e60
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// initial: 40 additions, 63 multiplications, 5 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
-// control: 271 additions, 385 multiplications, 11 divisions, 3 square roots, 11 elementary functions, 13 comparisons and selections
+// initial: 40 additions, 65 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
+// control: 274 additions, 386 multiplications, 8 divisions, 3 square roots, 11 elementary functions, 13 comparisons and selections
 
 //! `surface_vessel`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -353,7 +353,7 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 40 additions, 63 multiplications, 5 divisions, 0 square roots, 7 elementary
+/// Operations: 40 additions, 65 multiplications, 4 divisions, 0 square roots, 7 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) -> State<T> {
@@ -480,25 +480,21 @@ pub struct Prepared<T> {
     pub m_11: T,
     /// `m_22`.
     pub m_22: T,
-    /// `inverse_M`.
-    pub inverse_M: Matrix<T, 3, 3>,
-    /// Part of `F2`.
-    pub F2_1: Matrix<T, 3, 3>,
+    /// `M`.
+    pub M: Matrix<T, 3, 3>,
+    /// `G_2(x_1 .. x_2)`
+    pub G2: Matrix<T, 3, 3>,
     /// `Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)`
     pub Psi2: T,
     /// Part of `Lam2`.
     pub Lam2_1: T,
-    /// Part of `u`.
-    pub u_1: T,
-    /// Part of `u`.
-    pub u_2: Matrix<T, 2, 2>,
     /// `phi_min = sqrt(Psi_2 dt / 0.1) (E11)`
     pub phi2_min: T,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 32 additions, 61 multiplications, 4 divisions, 1 square roots, 0 elementary
+/// Operations: 31 additions, 56 multiplications, 2 divisions, 1 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
@@ -506,21 +502,27 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
     // -- plant model --
     let m_11 = real(23.8) + params.added_scale * real(2.0);
-    let m_33 = real(1.76) + params.added_scale;
     let m_22 = real(23.8) + params.added_scale * real(10.0);
-    let det_M = m_22 * m_33 - real(1.19858704);
+    let m_23 = real(1.0948);
+    let m_33 = real(1.76) + params.added_scale;
+    let M = Matrix::rows([
+        [m_11, real(0.0), real(0.0)],
+        [real(0.0), m_22, m_23],
+        [real(0.0), m_23, m_33],
+    ]);
+
+    // -- known dynamics of block 2 (velocity) (11) --
     let t1 = real(1.0) / m_11;
-    let t2 = real(1.0) / det_M;
+    let t2 = real(1.0) / (m_22 * m_33 - real(1.19858704));
     let t3 = m_33 * t2;
     let t4 = real(-1.0948) * t2;
     let t5 = m_22 * t2;
-    let inverse_M = Matrix::rows([
+    // G_2(x_1 .. x_2)
+    let G2 = Matrix::rows([
         [t1, real(0.0), real(0.0)],
         [real(0.0), t3, t4],
         [real(0.0), t4, t5],
     ]);
-
-    // -- known dynamics of block 2 (velocity) (11) --
     let t6 = t1 * real(0.02);
     let t7 = t3 * real(0.02);
     let t8 = t4 * real(0.005);
@@ -559,21 +561,14 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     // -- states of block 2, one sample later --
     // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
     let phi2_min = (Psi2 * real(0.19999999999999998)).sqrt();
-    let F2_1 = -inverse_M;
     let Lam2_1 = H_norm2_2 * Ybar_norm2;
-    let u_1 = real(1.0) / t1;
-    let t12 = real(1.0) / (t3 * t5 - t4 * t4);
-    let t13 = -t4 * t12;
-    let u_2 = Matrix::rows([[t5 * t12, t13], [t13, t3 * t12]]);
     Prepared {
         m_11,
         m_22,
-        inverse_M,
-        F2_1,
+        M,
+        G2,
         Psi2,
         Lam2_1,
-        u_1,
-        u_2,
         phi2_min,
     }
 }
@@ -684,7 +679,7 @@ pub struct ControlOutputs<T: Real> {
 /// `eta_noise = 0.1`, `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 0.1`, `kappa_phi = 0.5`,
 /// `iota_phi = 0.02`.
 ///
-/// Operations: 234 additions, 310 multiplications, 6 divisions, 2 square roots, 8 elementary
+/// Operations: 238 additions, 316 multiplications, 5 divisions, 2 square roots, 8 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -730,10 +725,6 @@ pub fn law<T: Real>(
         [t5, t4, real(0.0)],
         [real(0.0), real(0.0), real(1.0)],
     ]);
-
-    // -- known dynamics of block 2 (velocity) (11) --
-    // F_2(x_1 .. x_2)
-    let F2 = prepared.F2_1 * resistance;
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -853,12 +844,10 @@ pub fn law<T: Real>(
     // -- control (64) of block 2 --
     let t19 = state.zeta2 * real(10.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 + A_hat2 - h1_dot + t19 + D_hat2 + Lam2;
-    let t20 = bracket2[0] * prepared.u_1;
-    let t21 = prepared.u_2 * Vector([bracket2[1], bracket2[2]]);
-    let t22 = Vector([t20, t21[0], t21[1]]);
+    let bracket2 = A_hat2 - prepared.G2 * resistance - h1_dot + t19 + D_hat2 + Lam2;
+    let t20 = prepared.M * bracket2;
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t22;
+    let u = -t20;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 3>::from_f64([-2.0, -2.0, -1.5]))
@@ -866,10 +855,10 @@ pub fn law<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = prepared.inverse_M * (u_sat + t22) - t19;
+    let zeta2_dot = prepared.G2 * (u_sat + t20) - t19;
 
     // -- observer dynamics of block 2 (50) --
-    let t23 = Vector([
+    let t21 = Vector([
         w_hat2[1],
         real(-36.0) * w_hat2[0] + real(-1.2) * w_hat2[1],
         w_hat2[3],
@@ -877,7 +866,7 @@ pub fn law<T: Real>(
         w_hat2[5],
         real(-36.0) * w_hat2[4] + real(-1.2) * w_hat2[5],
     ]);
-    let t24 = Vector([
+    let t22 = Vector([
         real(-3.0) * Lam2[0],
         real(22.8) * Lam2[0],
         real(-3.0) * Lam2[1],
@@ -887,7 +876,7 @@ pub fn law<T: Real>(
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
     // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
-    let th2_dot = t23 + t24;
+    let th2_dot = t21 + t22;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
@@ -903,7 +892,7 @@ pub fn law<T: Real>(
     let phi2_decay = t17 + real(0.5);
 
     // -- states of block 2, one sample later --
-    let t25 = Vector([
+    let t23 = Vector([
         real(0.019829465934243364) * th2_dot[0]
             + real(0.000682818118818716) * th2_dot[1],
         real(-0.006145363069368444) * th2_dot[0]
@@ -946,7 +935,7 @@ pub fn law<T: Real>(
     // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.018126924692201812);
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
-    state.th2 = state.th2 + t25;
+    state.th2 = state.th2 + t23;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
     // = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state
@@ -1000,7 +989,7 @@ pub fn law<T: Real>(
 /// `eta_noise = 0.1`, `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 0.1`, `kappa_phi = 0.5`,
 /// `iota_phi = 0.02`.
 ///
-/// Operations: 271 additions, 385 multiplications, 11 divisions, 3 square roots, 11 elementary
+/// Operations: 274 additions, 386 multiplications, 8 divisions, 3 square roots, 11 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

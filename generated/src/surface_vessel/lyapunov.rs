@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 075a93b99f41c561e9f38b1ecb942f19baf3f64fe54a5987967203a92816e7e8
+// SHA-256 of the text below: d7503d45d029ac2dcbec8b4221083138d4852f8730123b85b6eeefc9526f531d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// lyapunov: 747 additions, 945 multiplications, 17 divisions, 2 square roots, 13 elementary functions, 19 comparisons and selections
+// lyapunov: 744 additions, 939 multiplications, 13 divisions, 2 square roots, 13 elementary functions, 19 comparisons and selections
 
 //! `surface_vessel`: Lyapunov function and its generator.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -28,7 +28,7 @@ pub struct LyapunovOutputs<T: Real> {
 /// The Lyapunov function V and its Ito generator LV (2) along the plant with parameters
 /// `plant`, under the controller with parameters `params`.
 ///
-/// Operations: 747 additions, 945 multiplications, 17 divisions, 2 square roots, 13 elementary
+/// Operations: 744 additions, 939 multiplications, 13 divisions, 2 square roots, 13 elementary
 /// functions, 19 comparisons and selections.
 #[inline(always)]
 pub fn lyapunov<T: Real>(
@@ -42,16 +42,16 @@ pub fn lyapunov<T: Real>(
 ) -> LyapunovOutputs<T> {
     let real = T::from_f64;
     let LyapunovValues1 {
-        t12,
-        t13,
-        t14,
+        t7,
+        t8,
+        t9,
         G1,
         sway,
         r,
         surge,
         d_11,
-        t9,
-        t10,
+        t4,
+        t5,
         t20,
         t21,
         t22,
@@ -114,7 +114,7 @@ pub fn lyapunov<T: Real>(
     let W2_dot = (P2.outer(t42.hadamard(c2)) - state.W2 * real(0.1)) * real(10.0);
 
     // -- observer dynamics of block 2 (50) --
-    let t59 = Vector([
+    let t55 = Vector([
         w_hat2[1],
         real(-36.0) * w_hat2[0] + real(-1.2) * w_hat2[1],
         w_hat2[3],
@@ -122,7 +122,7 @@ pub fn lyapunov<T: Real>(
         w_hat2[5],
         real(-36.0) * w_hat2[4] + real(-1.2) * w_hat2[5],
     ]);
-    let t60 = Vector([
+    let t56 = Vector([
         real(-3.0) * Lam2[0],
         real(22.8) * Lam2[0],
         real(-3.0) * Lam2[1],
@@ -132,7 +132,7 @@ pub fn lyapunov<T: Real>(
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
     // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
-    let th2_dot = t59 + t60;
+    let th2_dot = t55 + t56;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
@@ -154,43 +154,34 @@ pub fn lyapunov<T: Real>(
     );
 
     // -- true dynamics of block 1 (pose) (11) --
-    let t61 = real(0.1) * t;
-    let t62 = t61.sin();
-    let t63 = t61.cos();
+    let t57 = real(0.1) * t;
+    let t58 = t57.sin();
+    let t59 = t57.cos();
     // d_1(t)
     let d1 = Vector([
-        real(0.03) + real(0.01) * t62,
-        real(-0.02) + real(0.01) * t63,
+        real(0.03) + real(0.01) * t58,
+        real(-0.02) + real(0.01) * t59,
         real(0.0),
     ]);
-    let t64 = G1 * x2;
+    let t60 = G1 * x2;
     // F_1 + G_1 x_2 + d_1
-    let x1_flow = t64 + d1;
+    let x1_flow = t60 + d1;
 
     // -- true dynamics of block 2 (velocity) (11) --
-    let t65 = real(23.8) + plant.added_scale * real(2.0);
-    let t66 = real(1.0) / t65;
-    let t67 = real(1.76) + plant.added_scale;
-    let t68 = real(23.8) + plant.added_scale * real(10.0);
-    let t69 = real(1.0) / (t68 * t67 - real(1.19858704));
-    let t70 = t67 * t69;
-    let t71 = real(-1.0948) * t69;
-    let t72 = t68 * t69;
+    let t61 = real(23.8) + plant.added_scale * real(2.0);
+    let t62 = real(23.8) + plant.added_scale * real(10.0);
+    let t63 = real(1.76) + plant.added_scale;
+    let t64 = real(1.0) / t61;
+    let t65 = real(1.0) / (t62 * t63 - real(1.19858704));
+    let t66 = t63 * t65;
+    let t67 = real(-1.0948) * t65;
+    let t68 = t62 * t65;
     // G_2 with the plant's parameters
     let G2_plant = Matrix::rows([
-        [t66, real(0.0), real(0.0)],
-        [real(0.0), t70, t71],
-        [real(0.0), t71, t72],
+        [t64, real(0.0), real(0.0)],
+        [real(0.0), t66, t67],
+        [real(0.0), t67, t68],
     ]);
-    let t73 = t68 * sway + real(1.0948) * r;
-    let t74 = t65 * surge;
-    let t75 = Vector([
-        plant.damping_scale * d_11 * surge - t73 * r,
-        t74 * r + plant.damping_scale * t9,
-        t73 * surge - t74 * sway + plant.damping_scale * t10,
-    ]);
-    // F_2 with the plant's parameters
-    let F2_plant = -G2_plant * t75;
     // d_2 = L_2 w_2 (12)
     let d2 = Vector([w2[1], w2[3], w2[5]]);
     // w_2' = M_2 w_2 (12)
@@ -202,14 +193,21 @@ pub fn lyapunov<T: Real>(
         w2[5],
         real(-36.0) * w2[4] + real(-1.2) * w2[5],
     ]);
+    let t69 = t62 * sway + real(1.0948) * r;
+    let t70 = t61 * surge;
+    let t71 = Vector([
+        plant.damping_scale * d_11 * surge - t69 * r,
+        t70 * r + plant.damping_scale * t4,
+        t69 * surge - t70 * sway + plant.damping_scale * t5,
+    ]);
     // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + G2_plant * u_sat + d2;
+    let x2_flow = G2_plant * (u_sat - t71) + d2;
 
     // -- Lyapunov function of block 1 (23) (52) --
-    let t76 = t26 * t26 * real(0.15915494309189535);
-    let t77 = E1.tan();
+    let t72 = t26 * t26 * real(0.15915494309189535);
+    let t73 = E1.tan();
     // k_1^4/(2 pi) tan E_1
-    let V_T1 = t76 * t77;
+    let V_T1 = t72 * t73;
     // D_1 - D_hat_1
     let D_error1 = d1 - D_hat1;
     // 1/2 ||theta_1 - th_1||^2
@@ -224,9 +222,9 @@ pub fn lyapunov<T: Real>(
     // -- Lyapunov function of block 2 (23) (52) --
     // k_2^4/(2 pi) tan E_2
     let V_T2 = t47 * real(0.25);
-    let t78 = t43 * state.W2;
+    let t74 = t43 * state.W2;
     // tr(W_2^T W_2)/(2 Gamma_2)
-    let V_W2 = (t78[(0, 0)] + t78[(1, 1)] + t78[(2, 2)]) * real(0.05);
+    let V_W2 = (t74[(0, 0)] + t74[(1, 1)] + t74[(2, 2)]) * real(0.05);
     // w_2 - w_hat_2
     let w_error2 = w2 - w_hat2;
     // 1/2 ||theta_2 - th_2||^2
@@ -235,34 +233,34 @@ pub fn lyapunov<T: Real>(
     let V_zeta2 = state.zeta2.sum_squares() * real(0.5);
     // eps_hat_2^2/(2 iota_20)
     let V_eps2 = state.eps2 * state.eps2 * real(5.0);
-    let t79 = real(3.0) - state.sigma2;
+    let t75 = real(3.0) - state.sigma2;
     // (sigma_bar_2 - sigma_hat_2)^2/(2 taubar_2)
-    let V_sigma2 = t79 * t79 * real(0.5);
+    let V_sigma2 = t75 * t75 * real(0.5);
     // phi_2^2/2
     let V_phi2 = t50 * real(0.5);
 
     // -- Lyapunov function (52) --
-    let t80 = V_T1 + V_D1 + V_zeta1 + V_chi1 + V_T2 + V_W2 + V_D2 + V_zeta2 + V_eps2;
+    let t76 = V_T1 + V_D1 + V_zeta1 + V_chi1 + V_T2 + V_W2 + V_D2 + V_zeta2 + V_eps2;
     // V, sum of the parts above
-    let V = t80 + V_sigma2 + V_phi2;
+    let V = t76 + V_sigma2 + V_phi2;
 
     // -- Ito generator (2) --
-    let t81 = t70 * real(0.02);
-    let t82 = t71 * real(0.02);
+    let t77 = t66 * real(0.02);
+    let t78 = t67 * real(0.02);
     // column 2 of HSigma2
-    let HSigma2_2 = Vector([real(0.0), t81, t82]);
-    let t83 = t71 * real(0.005);
-    let t84 = t72 * real(0.005);
+    let HSigma2_2 = Vector([real(0.0), t77, t78]);
+    let t79 = t67 * real(0.005);
+    let t80 = t68 * real(0.005);
     // column 3 of HSigma2
-    let HSigma2_3 = Vector([real(0.0), t83, t84]);
+    let HSigma2_3 = Vector([real(0.0), t79, t80]);
     // e1' along the flow
     let e1_flow = x1_flow - y_r_dot - zeta1_dot;
-    let t85 = e1_flow.dot(e1);
+    let t81 = e1_flow.dot(e1);
     // s1' along the flow
-    let s1_flow = t85 + t85;
-    let t86 = (t28 + t28) * (s1_flow * t27 - t28 * t27 * ((k1 + k1) * k1_dot));
+    let s1_flow = t81 + t81;
+    let t82 = (t28 + t28) * (s1_flow * t27 - t28 * t27 * ((k1 + k1) * k1_dot));
     // E1_free' along the flow
-    let E1_free_flow = real(FRAC_PI_2) * t86;
+    let E1_free_flow = real(FRAC_PI_2) * t82;
     // E1' along the flow
     let E1_flow = T::select(
         E1_free.lt(real(1.5697963267948967)),
@@ -270,88 +268,88 @@ pub fn lyapunov<T: Real>(
         real(0.0),
     );
     // V_T1' along the flow
-    let V_T1_flow = t77 * (real(4.0) * (t26 * k1) * k1_dot * real(0.15915494309189535))
-        + t76 * (E1_flow / t29);
+    let V_T1_flow = t73 * (real(4.0) * (t26 * k1) * k1_dot * real(0.15915494309189535))
+        + t72 * (E1_flow / t29);
     // d1'
     let d1_dot = Vector([
-        real(0.01) * (t63 * real(0.1)),
-        -(real(0.01) * (t62 * real(0.1))),
+        real(0.01) * (t59 * real(0.1)),
+        -(real(0.01) * (t58 * real(0.1))),
         real(0.0),
     ]);
     // D_hat1' along the flow
-    let D_hat1_flow = t31.hadamard(x1_flow) - t31.hadamard(D_hat1 + t64);
+    let D_hat1_flow = t31.hadamard(x1_flow) - t31.hadamard(D_hat1 + t60);
     // D_error1' along the flow
     let D_error1_flow = d1_dot - D_hat1_flow;
-    let t87 = D_error1_flow.dot(D_error1);
+    let t83 = D_error1_flow.dot(D_error1);
     // V_D1' along the flow
-    let V_D1_flow = (t87 + t87) * real(0.5);
-    let t88 = zeta1_dot.dot(state.zeta1);
+    let V_D1_flow = (t83 + t83) * real(0.5);
+    let t84 = zeta1_dot.dot(state.zeta1);
     // V_zeta1' along the flow
-    let V_zeta1_flow = (t88 + t88) * real(0.5);
-    let t89 = real(0.05) * (real(10.0) * (real(-0.1) * t22));
+    let V_zeta1_flow = (t84 + t84) * real(0.5);
+    let t85 = real(0.05) * (real(10.0) * (real(-0.1) * t22));
     // y_r''
     let y_r_dot2 = Vector([
-        real(4.0) * (t21 * t89 - t23 * t25),
-        real(4.0) * (t23 * t24 + t20 * t89),
-        t89,
+        real(4.0) * (t21 * t85 - t23 * t25),
+        real(4.0) * (t23 * t24 + t20 * t85),
+        t85,
     ]);
-    let t90 = real(1.5697963267948967) * t34;
-    let t91 = real(1.0).lt(t90);
-    let t92 = T::select(t91, real(1.0), t90);
-    let t93 = T::select(E1.eq(real(0.0)), real(1.0), t33 / E1);
-    let t94 = t92 * (kernel::sin_cos_over_d1(E1) * E1_flow)
-        + T::select(t91, real(0.0), -(t93 * (t90 * t34 * E1_free_flow)));
-    let t95 = t93 * t92;
+    let t86 = real(1.5697963267948967) * t34;
+    let t87 = real(1.0).lt(t86);
+    let t88 = T::select(t87, real(1.0), t86);
+    let t89 = T::select(E1.eq(real(0.0)), real(1.0), t33 / E1);
+    let t90 = t88 * (kernel::sin_cos_over_d1(E1) * E1_flow)
+        + T::select(t87, real(0.0), -(t89 * (t86 * t34 * E1_free_flow)));
+    let t91 = t89 * t88;
     // Lam0_1' along the flow
     let Lam0_1_flow = Vector([
-        real(0.55) * e1[0] * t94 + t95 * (real(0.55) * e1_flow[0])
+        real(0.55) * e1[0] * t90 + t91 * (real(0.55) * e1_flow[0])
             + real(0.25) * e1_flow[0],
-        real(0.55) * e1[1] * t94 + t95 * (real(0.55) * e1_flow[1])
+        real(0.55) * e1[1] * t90 + t91 * (real(0.55) * e1_flow[1])
             + real(0.25) * e1_flow[1],
-        real(0.75) * e1[2] * t94 + t95 * (real(0.75) * e1_flow[2])
+        real(0.75) * e1[2] * t90 + t91 * (real(0.75) * e1_flow[2])
             + real(0.25) * e1_flow[2],
     ]);
     // cosE1' along the flow
     let cosE1_flow = -(t32 * E1_flow);
-    let t96 = e1
+    let t92 = e1
         * (s1_flow * sec2E1 - s1 * (sec2E1 * sec2E1 * ((cosE1 + cosE1) * cosE1_flow)));
     // c1' along the flow
-    let c1_flow = t96 + e1_flow * t30;
+    let c1_flow = t92 + e1_flow * t30;
     // Lam1_disturbance' along the flow
     let Lam1_disturbance_flow = c1_flow * real(0.5);
-    let t97 = t13 * x1_flow[2];
-    let t98 = -t97;
-    let t99 = t12 * x1_flow[2];
-    let t100 = t12 + t12;
-    let t101 = t100 * t98 - (t14 - t13) * t99 + (t13 + t13) * t99;
+    let t93 = t8 * x1_flow[2];
+    let t94 = -t93;
+    let t95 = t7 * x1_flow[2];
+    let t96 = t7 + t7;
+    let t97 = t96 * t94 - (t9 - t8) * t95 + (t8 + t8) * t95;
     // G_norm2_1' along the flow
-    let G_norm2_1_flow = t101 - t100 * t97;
+    let G_norm2_1_flow = t97 - t96 * t93;
     // Lam1_filter' along the flow
     let Lam1_filter_flow = c1 * (real(0.5) * G_norm2_1_flow) + c1_flow * t36;
     // Lam1' along the flow
     let Lam1_flow = Lam0_1_flow + Lam1_disturbance_flow + Lam1_filter_flow;
     // bracket1' along the flow
     let bracket1_flow = t37.hadamard(zeta1_dot) - y_r_dot2 + D_hat1_flow + Lam1_flow;
-    let t102 = bracket1_flow
-        - Vector([t98 * t40[0] - t99 * t40[1], t99 * t40[0] - t97 * t40[1], real(0.0)]);
-    let t103 = t39.solve(Vector([t102[0], t102[1]]));
+    let t98 = bracket1_flow
+        - Vector([t94 * t40[0] - t95 * t40[1], t95 * t40[0] - t93 * t40[1], real(0.0)]);
+    let t99 = t39.solve(Vector([t98[0], t98[1]]));
     // chi1' along the flow
-    let chi1_flow = h1_dot + Vector([t103[0], t103[1], t102[2]]);
-    let t104 = chi1_flow.dot(chi1);
+    let chi1_flow = h1_dot + Vector([t99[0], t99[1], t98[2]]);
+    let t100 = chi1_flow.dot(chi1);
     // V_chi1' along the flow
-    let V_chi1_flow = (t104 + t104) * real(0.5);
+    let V_chi1_flow = (t100 + t100) * real(0.5);
     // e2' along the flow
     let e2_flow = x2_flow - h1_dot - zeta2_dot;
-    let t105 = e2_flow.dot(e2);
+    let t101 = e2_flow.dot(e2);
     // s2' along the flow
-    let s2_flow = t105 + t105;
-    let t106 = s2_flow * s2;
+    let s2_flow = t101 + t101;
+    let t102 = s2_flow * s2;
     // V_T2' along the flow
-    let V_T2_flow = (t106 + t106) * real(0.25);
-    let t107 = W2_dot.transpose() * state.W2 + t43 * W2_dot;
+    let V_T2_flow = (t102 + t102) * real(0.25);
+    let t103 = W2_dot.transpose() * state.W2 + t43 * W2_dot;
     // V_W2' along the flow
-    let V_W2_flow = (t107[(0, 0)] + t107[(1, 1)] + t107[(2, 2)]) * real(0.05);
-    let t108 = Vector([
+    let V_W2_flow = (t103[(0, 0)] + t103[(1, 1)] + t103[(2, 2)]) * real(0.05);
+    let t104 = Vector([
         real(-3.0) * e2_flow[0],
         real(22.8) * e2_flow[0],
         real(-3.0) * e2_flow[1],
@@ -360,88 +358,88 @@ pub fn lyapunov<T: Real>(
         real(22.8) * e2_flow[2],
     ]);
     // w_hat2' along the flow
-    let w_hat2_flow = th2_dot + t108;
+    let w_hat2_flow = th2_dot + t104;
     // w_error2' along the flow
     let w_error2_flow = w2_flow - w_hat2_flow;
-    let t109 = w_error2_flow.dot(w_error2);
+    let t105 = w_error2_flow.dot(w_error2);
     // V_D2' along the flow
-    let V_D2_flow = (t109 + t109) * real(0.5);
-    let t110 = zeta2_dot.dot(state.zeta2);
+    let V_D2_flow = (t105 + t105) * real(0.5);
+    let t106 = zeta2_dot.dot(state.zeta2);
     // V_zeta2' along the flow
-    let V_zeta2_flow = (t110 + t110) * real(0.5);
-    let t111 = eps2_dot * state.eps2;
+    let V_zeta2_flow = (t106 + t106) * real(0.5);
+    let t107 = eps2_dot * state.eps2;
     // V_eps2' along the flow
-    let V_eps2_flow = (t111 + t111) * real(5.0);
+    let V_eps2_flow = (t107 + t107) * real(5.0);
     // V_sigma2' along the flow
-    let V_sigma2_flow = (-sigma2_dot * t79 - t79 * sigma2_dot) * real(0.5);
-    let t112 = phi2_dot * state.phi2;
+    let V_sigma2_flow = (-sigma2_dot * t75 - t75 * sigma2_dot) * real(0.5);
+    let t108 = phi2_dot * state.phi2;
     // V_phi2' along the flow
-    let V_phi2_flow = (t112 + t112) * real(0.5);
-    let t113 = t66 * real(0.02);
-    let t114 = t113 * e2[0];
+    let V_phi2_flow = (t108 + t108) * real(0.5);
+    let t109 = t64 * real(0.02);
+    let t110 = t109 * e2[0];
     // D^1 s2 along noise1
-    let s2_noise1_ = t114 + t114;
-    let t115 = t113 * t113;
+    let s2_noise1_ = t110 + t110;
+    let t111 = t109 * t109;
     // D^2 s2 along noise1
-    let s2_noise1_2 = t115 + t115;
-    let t116 = s2_noise1_2 * s2 + s2_noise1_ * s2_noise1_;
+    let s2_noise1_2 = t111 + t111;
+    let t112 = s2_noise1_2 * s2 + s2_noise1_ * s2_noise1_;
     // D^2 V_T2 along noise1
-    let V_T2_noise1_2 = (t116 + t116) * real(0.25);
-    let t117 = real(-3.0) * t113;
-    let t118 = real(22.8) * t113;
-    let t119 = t117 * t117 + t118 * t118;
+    let V_T2_noise1_2 = (t112 + t112) * real(0.25);
+    let t113 = real(-3.0) * t109;
+    let t114 = real(22.8) * t109;
+    let t115 = t113 * t113 + t114 * t114;
     // D^2 V_D2 along noise1
-    let V_D2_noise1_2 = (t119 + t119) * real(0.5);
-    let t120 = HSigma2_2.dot(e2);
+    let V_D2_noise1_2 = (t115 + t115) * real(0.5);
+    let t116 = HSigma2_2.dot(e2);
     // D^1 s2 along noise2
-    let s2_noise2_ = t120 + t120;
-    let t121 = HSigma2_2.sum_squares();
+    let s2_noise2_ = t116 + t116;
+    let t117 = HSigma2_2.sum_squares();
     // D^2 s2 along noise2
-    let s2_noise2_2 = t121 + t121;
-    let t122 = s2_noise2_2 * s2 + s2_noise2_ * s2_noise2_;
+    let s2_noise2_2 = t117 + t117;
+    let t118 = s2_noise2_2 * s2 + s2_noise2_ * s2_noise2_;
     // D^2 V_T2 along noise2
-    let V_T2_noise2_2 = (t122 + t122) * real(0.25);
+    let V_T2_noise2_2 = (t118 + t118) * real(0.25);
     // D^1 w_hat2 along noise2
     let w_hat2_noise2_ = Vector([
         real(-0.0),
         real(0.0),
-        real(-3.0) * t81,
-        real(22.8) * t81,
-        real(-3.0) * t82,
-        real(22.8) * t82,
+        real(-3.0) * t77,
+        real(22.8) * t77,
+        real(-3.0) * t78,
+        real(22.8) * t78,
     ]);
-    let t123 = w_hat2_noise2_.sum_squares();
+    let t119 = w_hat2_noise2_.sum_squares();
     // D^2 V_D2 along noise2
-    let V_D2_noise2_2 = (t123 + t123) * real(0.5);
-    let t124 = HSigma2_3.dot(e2);
+    let V_D2_noise2_2 = (t119 + t119) * real(0.5);
+    let t120 = HSigma2_3.dot(e2);
     // D^1 s2 along noise3
-    let s2_noise3_ = t124 + t124;
-    let t125 = HSigma2_3.sum_squares();
+    let s2_noise3_ = t120 + t120;
+    let t121 = HSigma2_3.sum_squares();
     // D^2 s2 along noise3
-    let s2_noise3_2 = t125 + t125;
-    let t126 = s2_noise3_2 * s2 + s2_noise3_ * s2_noise3_;
+    let s2_noise3_2 = t121 + t121;
+    let t122 = s2_noise3_2 * s2 + s2_noise3_ * s2_noise3_;
     // D^2 V_T2 along noise3
-    let V_T2_noise3_2 = (t126 + t126) * real(0.25);
+    let V_T2_noise3_2 = (t122 + t122) * real(0.25);
     // D^1 w_hat2 along noise3
     let w_hat2_noise3_ = Vector([
         real(-0.0),
         real(0.0),
-        real(-3.0) * t83,
-        real(22.8) * t83,
-        real(-3.0) * t84,
-        real(22.8) * t84,
+        real(-3.0) * t79,
+        real(22.8) * t79,
+        real(-3.0) * t80,
+        real(22.8) * t80,
     ]);
-    let t127 = w_hat2_noise3_.sum_squares();
+    let t123 = w_hat2_noise3_.sum_squares();
     // D^2 V_D2 along noise3
-    let V_D2_noise3_2 = (t127 + t127) * real(0.5);
-    let t128 = V_T1_flow + V_D1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow + V_W2_flow
+    let V_D2_noise3_2 = (t123 + t123) * real(0.5);
+    let t124 = V_T1_flow + V_D1_flow + V_zeta1_flow + V_chi1_flow + V_T2_flow + V_W2_flow
         + V_D2_flow + V_zeta2_flow + V_eps2_flow;
-    let t129 = t128 + V_sigma2_flow + V_phi2_flow + V_T2_noise1_2 * real(0.5)
+    let t125 = t124 + V_sigma2_flow + V_phi2_flow + V_T2_noise1_2 * real(0.5)
         + V_D2_noise1_2 * real(0.5) + V_T2_noise2_2 * real(0.5);
-    let t130 = t129 + V_D2_noise2_2 * real(0.5) + V_T2_noise3_2 * real(0.5)
+    let t126 = t125 + V_D2_noise2_2 * real(0.5) + V_T2_noise3_2 * real(0.5)
         + V_D2_noise3_2 * real(0.5) + real(0.0008) + real(0.0008);
     // LV = V_t + V_x f + 1/2 sum_j g_j^T V_xx g_j
-    let LV = t130 + real(0.0032);
+    let LV = t126 + real(0.0032);
     LyapunovOutputs { V, LV }
 }
 
@@ -456,16 +454,16 @@ struct LyapunovPart1<'a, T: Real> {
 
 /// What is used of the values of [`LyapunovPart1`].
 struct LyapunovValues1<T: Real> {
-    t12: T,
-    t13: T,
-    t14: T,
+    t7: T,
+    t8: T,
+    t9: T,
     G1: Matrix<T, 3, 3>,
     sway: T,
     r: T,
     surge: T,
     d_11: T,
-    t9: T,
-    t10: T,
+    t4: T,
+    t5: T,
     t20: T,
     t21: T,
     t22: T,
@@ -527,19 +525,13 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // -- plant model --
         let psi = x1[2];
         let m_11 = real(23.8) + params.added_scale * real(2.0);
-        let m_33 = real(1.76) + params.added_scale;
         let m_22 = real(23.8) + params.added_scale * real(10.0);
         let m_23 = real(1.0948);
-        let det_M = m_22 * m_33 - real(1.19858704);
-        let t1 = real(1.0) / m_11;
-        let t2 = real(1.0) / det_M;
-        let t3 = m_33 * t2;
-        let t4 = real(-1.0948) * t2;
-        let t5 = m_22 * t2;
-        let inverse_M = Matrix::rows([
-            [t1, real(0.0), real(0.0)],
-            [real(0.0), t3, t4],
-            [real(0.0), t4, t5],
+        let m_33 = real(1.76) + params.added_scale;
+        let M = Matrix::rows([
+            [m_11, real(0.0), real(0.0)],
+            [real(0.0), m_22, m_23],
+            [real(0.0), m_23, m_33],
         ]);
         let sway = x2[1];
         let r = x2[2];
@@ -547,42 +539,51 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let surge = x2[0];
         let d_11 = real(0.72253) - real(-1.32742) * surge.abs()
             - real(-5.86643) * (surge * surge);
-        let t6 = sway.abs();
-        let t7 = r.abs();
-        let d_22 = real(0.88965) - real(-36.47287) * t6 - real(-0.805) * t7;
-        let d_23 = real(7.25) - real(-0.845) * t6 - real(-3.45) * t7;
-        let d_32 = real(-0.0313) - real(3.95645) * t6 - real(0.13) * t7;
-        let d_33 = real(1.9) - real(0.08) * t6 - real(-0.75) * t7;
-        let t8 = m_11 * surge;
-        let t9 = d_22 * sway + d_23 * r;
-        let t10 = d_32 * sway + d_33 * r;
+        let t1 = sway.abs();
+        let t2 = r.abs();
+        let d_22 = real(0.88965) - real(-36.47287) * t1 - real(-0.805) * t2;
+        let d_23 = real(7.25) - real(-0.845) * t1 - real(-3.45) * t2;
+        let d_32 = real(-0.0313) - real(3.95645) * t1 - real(0.13) * t2;
+        let d_33 = real(1.9) - real(0.08) * t1 - real(-0.75) * t2;
+        let t3 = m_11 * surge;
+        let t4 = d_22 * sway + d_23 * r;
+        let t5 = d_32 * sway + d_33 * r;
         let resistance = Vector([
             params.damping_scale * d_11 * surge - sway_momentum * r,
-            t8 * r + params.damping_scale * t9,
-            sway_momentum * surge - t8 * sway + params.damping_scale * t10,
+            t3 * r + params.damping_scale * t4,
+            sway_momentum * surge - t3 * sway + params.damping_scale * t5,
         ]);
-        let t11 = (real(-0.1) * t).exp();
-        let turn = real(0.05) * (t - real(10.0) * (real(1.0) - t11));
+        let t6 = (real(-0.1) * t).exp();
+        let turn = real(0.05) * (t - real(10.0) * (real(1.0) - t6));
 
         // -- known dynamics of block 1 (pose) (11) --
-        let t12 = psi.cos();
-        let t13 = psi.sin();
-        let t14 = -t13;
+        let t7 = psi.cos();
+        let t8 = psi.sin();
+        let t9 = -t8;
         // G_1(x_1 .. x_1)
         let G1 = Matrix::rows([
-            [t12, t14, real(0.0)],
-            [t13, t12, real(0.0)],
+            [t7, t9, real(0.0)],
+            [t8, t7, real(0.0)],
             [real(0.0), real(0.0), real(1.0)],
         ]);
 
         // -- known dynamics of block 2 (velocity) (11) --
-        // F_2(x_1 .. x_2)
-        let F2 = -inverse_M * resistance;
-        let t15 = t1 * real(0.02);
-        let t16 = t3 * real(0.02);
-        let t17 = t4 * real(0.005);
-        let t18 = t4 * real(0.02);
-        let t19 = t5 * real(0.005);
+        let t10 = real(1.0) / m_11;
+        let t11 = real(1.0) / (m_22 * m_33 - real(1.19858704));
+        let t12 = m_33 * t11;
+        let t13 = real(-1.0948) * t11;
+        let t14 = m_22 * t11;
+        // G_2(x_1 .. x_2)
+        let G2 = Matrix::rows([
+            [t10, real(0.0), real(0.0)],
+            [real(0.0), t12, t13],
+            [real(0.0), t13, t14],
+        ]);
+        let t15 = t10 * real(0.02);
+        let t16 = t12 * real(0.02);
+        let t17 = t13 * real(0.005);
+        let t18 = t13 * real(0.02);
+        let t19 = t14 * real(0.005);
         // H_2(x_1 .. x_2)
         let H2 = Matrix::rows([
             [t15, real(0.0), real(0.0)],
@@ -597,14 +598,14 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let t21 = turn.cos();
         // y_r(t)
         let y_r = Vector([real(4.0) * t20, real(4.0) * (real(1.0) - t21), turn]);
-        let t22 = t11 * real(-0.1);
+        let t22 = t6 * real(-0.1);
         let t23 = real(0.05) * (one + real(10.0) * t22);
         let t24 = t21 * t23;
         let t25 = t20 * t23;
         // y_r'
         let y_r_dot = Vector([real(4.0) * t24, real(4.0) * t25, t23]);
         // k_1(t)
-        let k1 = real(0.25) * t11 + real(0.02);
+        let k1 = real(0.25) * t6 + real(0.02);
         // k1'
         let k1_dot = real(0.25) * t22;
 
@@ -661,7 +662,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let t38 = t37.hadamard(state.zeta1);
         // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
         let bracket1 = t38 - y_r_dot + D_hat1 + Lam1;
-        let t39 = Matrix::rows([[t12, t14], [t13, t12]]);
+        let t39 = Matrix::rows([[t7, t9], [t8, t7]]);
         let t40 = t39.solve(Vector([bracket1[0], bracket1[1]]));
         let t41 = Vector([t40[0], t40[1], bracket1[2]]);
         // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
@@ -757,15 +758,10 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // -- control (64) of block 2 --
         let t53 = state.zeta2 * real(10.0);
         // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-        let bracket2 = F2 + A_hat2 - h1_dot + t53 + D_hat2 + Lam2;
-        let t54 = bracket2[0] * (real(1.0) / t1);
-        let t55 = real(1.0) / (t3 * t5 - t4 * t4);
-        let t56 = -t4 * t55;
-        let t57 = Matrix::rows([[t5 * t55, t56], [t56, t3 * t55]])
-            * Vector([bracket2[1], bracket2[2]]);
-        let t58 = Vector([t54, t57[0], t57[1]]);
+        let bracket2 = A_hat2 - G2 * resistance - h1_dot + t53 + D_hat2 + Lam2;
+        let t54 = M * bracket2;
         // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-        let u = -t58;
+        let u = -t54;
         // sat(u), each component limited to +-u_max (8)
         let u_sat = u
             .max(Vector::<T, 3>::from_f64([-2.0, -2.0, -1.5]))
@@ -773,18 +769,18 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
 
         // -- auxiliary system of block 2 (13) (E1) --
         // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-        let zeta2_dot = inverse_M * (u_sat + t58) - t53;
+        let zeta2_dot = G2 * (u_sat + t54) - t53;
         LyapunovValues1 {
-            t12,
-            t13,
-            t14,
+            t7,
+            t8,
+            t9,
             G1,
             sway,
             r,
             surge,
             d_11,
-            t9,
-            t10,
+            t4,
+            t5,
             t20,
             t21,
             t22,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 5172d2798fbce9a518101d59b46bd0312058b7898ae6cd0ea3ddb35e7ce00f17
+// SHA-256 of the text below: c370f8e19a25f6b753a574a2cad5228da541c9752464d13186a75b63d95265cb
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! Surface vessel in waves and a current
@@ -15,7 +15,7 @@ pub use params::Params;
 pub use simulator::Simulator;
 
 /// SHA-256 of the specification.
-pub const SPEC_HASH: &str = "7709ac9dadc6e0d55c9f2766fd114c93b77a2eb45a027fca7fc9fa1a44d38c56";
+pub const SPEC_HASH: &str = "070c6a87874f0fd0a576f8108da86a1435992ca46f999b1dc349b93292bfdfa9";
 
 /// Version of the generator.
 pub const GENERATOR: &str = "0.1.0";

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 1402436b1ecf0a46f7dfec775a1803012ea007aa7b2f78e7cb27407ca7fd5d8d
+// SHA-256 of the text below: 9799eaef0653a4edd43de2eebddc6fa23f635d1de3b716a2a4cfd63a264320de
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// plant: 53 additions, 73 multiplications, 2 divisions, 0 square roots, 4 elementary functions, 0 comparisons and selections
+// plant: 47 additions, 64 multiplications, 2 divisions, 0 square roots, 4 elementary functions, 0 comparisons and selections
 
 //! `surface_vessel`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -179,10 +179,8 @@ pub struct Prepared<T> {
     pub m_11: T,
     /// `m_22`.
     pub m_22: T,
-    /// `inverse_M`.
-    pub inverse_M: Matrix<T, 3, 3>,
-    /// Part of `F2_plant`.
-    pub F2_plant_1: Matrix<T, 3, 3>,
+    /// `G_2 with the plant's parameters`
+    pub G2_plant: Matrix<T, 3, 3>,
     /// `columns: one per Wiener process`
     pub diffusion: Matrix<T, 12, 6>,
 }
@@ -197,15 +195,17 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
     // -- plant model --
     let m_11 = real(23.8) + params.added_scale * real(2.0);
-    let m_33 = real(1.76) + params.added_scale;
     let m_22 = real(23.8) + params.added_scale * real(10.0);
-    let det_M = m_22 * m_33 - real(1.19858704);
+    let m_33 = real(1.76) + params.added_scale;
+
+    // -- true dynamics of block 2 (velocity) (11) --
     let t1 = real(1.0) / m_11;
-    let t2 = real(1.0) / det_M;
+    let t2 = real(1.0) / (m_22 * m_33 - real(1.19858704));
     let t3 = m_33 * t2;
     let t4 = real(-1.0948) * t2;
     let t5 = m_22 * t2;
-    let inverse_M = Matrix::rows([
+    // G_2 with the plant's parameters
+    let G2_plant = Matrix::rows([
         [t1, real(0.0), real(0.0)],
         [real(0.0), t3, t4],
         [real(0.0), t4, t5],
@@ -225,12 +225,10 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
         sparse[(11, 5)] = real(0.08);
         sparse
     };
-    let F2_plant_1 = -inverse_M;
     Prepared {
         m_11,
         m_22,
-        inverse_M,
-        F2_plant_1,
+        G2_plant,
         diffusion,
     }
 }
@@ -292,7 +290,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 47 additions, 59 multiplications, 0 divisions, 0 square roots, 2 elementary
+/// Operations: 41 additions, 50 multiplications, 0 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -345,12 +343,10 @@ pub fn dynamics<T: Real>(
     let x1_flow = G1_plant * x2 + clock.d1;
 
     // -- true dynamics of block 2 (velocity) (11) --
-    // F_2 with the plant's parameters
-    let F2_plant = prepared.F2_plant_1 * resistance;
     // d_2 = L_2 w_2 (12)
     let d2 = Vector([x[7], x[9], x[11]]);
     // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + prepared.inverse_M * u_sat + d2;
+    let x2_flow = prepared.G2_plant * (u_sat - resistance) + d2;
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // dx/dt without noise
@@ -378,7 +374,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 53 additions, 73 multiplications, 2 divisions, 0 square roots, 4 elementary
+/// Operations: 47 additions, 64 multiplications, 2 divisions, 0 square roots, 4 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(

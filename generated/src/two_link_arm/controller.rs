@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 0c5b9a091097d3fa933bd7aab3dbafdee2fe59304b4b37c815cef4d02b5467c2
+// SHA-256 of the text below: 542c691c114a2fe756e8e38906709e690698fe6e45ba1dd1399bbafb3fc0813f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 11 additions, 27 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
-// control: 184 additions, 276 multiplications, 7 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
+// control: 184 additions, 275 multiplications, 7 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
 
 //! `two_link_arm`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -410,18 +410,18 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Prepared<T> {
-    /// `a_2`.
-    pub a_2: T,
-    /// `a_3`.
-    pub a_3: T,
-    /// `a_4`.
-    pub a_4: T,
     /// `a_1`.
     pub a_1: T,
+    /// `a_3`.
+    pub a_3: T,
     /// Part of `M_11`.
     pub M_11_1: T,
+    /// `a_4`.
+    pub a_4: T,
     /// Part of `M_11`.
     pub M_11_2: T,
+    /// `a_2`.
+    pub a_2: T,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
@@ -434,20 +434,20 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
     // -- plant model --
     let t1 = params.m_e * real(0.36);
-    let a_2 = real(0.25) + t1;
+    let a_1 = real(0.62) + t1 + params.m_e;
     let t2 = params.m_e * real(0.6);
     let a_3 = t2 * real(0.8660254037844386);
     let a_4 = t2 * real(0.5);
-    let a_1 = real(0.62) + t1 + params.m_e;
+    let a_2 = real(0.25) + t1;
     let M_11_1 = real(2.0) * a_3;
     let M_11_2 = real(2.0) * a_4;
     Prepared {
-        a_2,
-        a_3,
-        a_4,
         a_1,
+        a_3,
         M_11_1,
+        a_4,
         M_11_2,
+        a_2,
     }
 }
 
@@ -558,7 +558,7 @@ pub struct ControlOutputs<T: Real> {
 /// diag((1 0), (1 1 0))`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`, `iota_0 = 0.1`,
 /// `b = 1`.
 ///
-/// Operations: 178 additions, 259 multiplications, 5 divisions, 0 square roots, 8 elementary
+/// Operations: 178 additions, 258 multiplications, 5 divisions, 0 square roots, 8 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -574,19 +574,19 @@ pub fn law<T: Real>(
     let q2 = x1[1];
     let t1 = q2.cos();
     let t2 = q2.sin();
-    let M_12 = prepared.a_2 + prepared.a_3 * t1 + prepared.a_4 * t2;
     let M_11 = prepared.a_1 + prepared.M_11_1 * t1 + prepared.M_11_2 * t2;
-    let det_M = M_11 * prepared.a_2 - M_12 * M_12;
-    let t3 = -M_12;
-    let inverse_M = Matrix::rows([[prepared.a_2, t3], [t3, M_11]]) * (real(1.0) / det_M);
+    let M_12 = prepared.a_2 + prepared.a_3 * t1 + prepared.a_4 * t2;
+    let M = Matrix::rows([[M_11, M_12], [M_12, prepared.a_2]]);
     let coriolis = prepared.a_3 * t2 - prepared.a_4 * t1;
     let v2 = x2[1];
     let v1 = x2[0];
     let torque = Vector([-v2 * v1 - (v1 + v2) * v2, v1 * v1]) * coriolis;
 
     // -- known dynamics of block 2 (rates) (11) --
-    // F_2(x_1 .. x_2)
-    let F2 = -inverse_M * torque;
+    let t3 = real(1.0) / (M_11 * prepared.a_2 - M_12 * M_12);
+    let t4 = -M_12 * t3;
+    // G_2(x_1 .. x_2)
+    let G2 = Matrix::rows([[prepared.a_2 * t3, t4], [t4, M_11 * t3]]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -595,9 +595,9 @@ pub fn law<T: Real>(
     // -- barrier of block 1 (23) (26) --
     // s_1 = e_1^T e_1
     let s1 = e1.sum_squares();
-    let t4 = s1 * clock.E1_free_1;
+    let t5 = s1 * clock.E1_free_1;
     // pi s_1^2 / (2 k_1^4), before the clamp
-    let E1_free = real(FRAC_PI_2) * (t4 * t4);
+    let E1_free = real(FRAC_PI_2) * (t5 * t5);
     // E_1 >= pi/2 - delta
     let violated1 = E1_free.ge(real(1.5697963267948967));
     // E_1 = pi s_1^2 / (2 k_1^4), at most pi/2 - delta
@@ -610,36 +610,36 @@ pub fn law<T: Real>(
     // -- barrier of block 2 (23) (26) --
     // s_2 = e_2^T e_2
     let s2 = e2.sum_squares();
-    let t5 = s2 * clock.E2_free_1;
+    let t6 = s2 * clock.E2_free_1;
     // pi s_2^2 / (2 k_2^4), before the clamp
-    let E2_free = real(FRAC_PI_2) * (t5 * t5);
+    let E2_free = real(FRAC_PI_2) * (t6 * t6);
     // E_2 = pi s_2^2 / (2 k_2^4), at most pi/2 - delta
     let E2 = E2_free.min(real(1.5697963267948967));
-    let t6 = Vector([E1, E2]);
-    let [cos_E1, cos_E2] = t6.cos().0;
+    let t7 = Vector([E1, E2]);
+    let [cos_E1, cos_E2] = t7.cos().0;
     // cos E_2
     let cosE2 = cos_E2;
     // E_2 >= pi/2 - delta
     let violated2 = E2_free.ge(real(1.5697963267948967));
-    let t7 = cosE2 * cosE2;
+    let t8 = cosE2 * cosE2;
     // 1 / cos^2 E_2
-    let sec2E2 = real(1.0) / t7;
-    let t8 = s2 * sec2E2;
+    let sec2E2 = real(1.0) / t8;
+    let t9 = s2 * sec2E2;
     // c_2 = s_2 e_2^T / cos^2 E_2
-    let c2 = e2 * t8;
+    let c2 = e2 * t9;
 
     // -- barrier of block 1 (23) (26) --
     // cos E_1
     let cosE1 = cos_E1;
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
-    let t9 = s1 * sec2E1;
+    let t10 = s1 * sec2E1;
     // c_1 = s_1 e_1^T / cos^2 E_1
-    let c1 = e1 * t9;
+    let c1 = e1 * t10;
 
     // -- robust feedback of block 1 (31) (63) --
-    let [sin_E1, sin_E2] = t6.sin().0;
-    let t10 = real(5.0)
+    let [sin_E1, sin_E2] = t7.sin().0;
+    let t11 = real(5.0)
         * T::select(
             E1_free.lt(real(1e-300)),
             real(1.0),
@@ -647,20 +647,20 @@ pub fn law<T: Real>(
         ) + real(4.0);
     // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
-    let Lam1 = e1 * (t10 + t9 * real(0.5));
+    let Lam1 = e1 * (t11 + t10 * real(0.5));
     // ||c_1||^2
     let s_c1 = c1.sum_squares();
 
     // -- virtual control (31) of block 1 --
-    let t11 = state.zeta1 * real(20.0);
+    let t12 = state.zeta1 * real(20.0);
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = t11 - clock.y_r_dot + Lam1;
+    let bracket1 = t12 - clock.y_r_dot + Lam1;
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
     // -- auxiliary system of block 1 (13) (E1) --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
-    let zeta1_dot = state.zeta2 - t11;
+    let zeta1_dot = state.zeta2 - t12;
 
     // -- dynamic surface filter of block 1 (33) --
     // h_1' = (alpha_1 - h_1) / Fl_1
@@ -688,29 +688,29 @@ pub fn law<T: Real>(
     let D_hat2 = Vector([w_hat2[0], w_hat2[2] + w_hat2[3]]);
 
     // -- robust feedback of block 2 (31) (63) --
-    let t12 = e2.tanh();
+    let t13 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
-    let Lam2_error_bound = t12 * state.eps2;
-    let t13 = real(10.0)
+    let Lam2_error_bound = t13 * state.eps2;
+    let t14 = real(10.0)
         * T::select(
             E2_free.lt(real(1e-300)),
             real(1.0),
             sin_E2 * cosE2 * (real(1.0) / E2_free),
         ) + real(8.0);
-    let t14 = t13 + t8 * real(0.9999999999999998) + real(0.5) * sec2E2
-        + s_c1 * s_c1 * real(0.25) * t7;
+    let t15 = t14 + t9 * real(0.9999999999999998) + real(0.5) * sec2E2
+        + s_c1 * s_c1 * real(0.25) * t8;
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b)
     // (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
-    let Lam2 = e2 * t14 + Lam2_error_bound;
+    let Lam2 = e2 * t15 + Lam2_error_bound;
 
     // -- control (64) of block 2 --
-    let t15 = state.zeta2 * real(50.0);
+    let t16 = state.zeta2 * real(50.0);
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 + A_hat2 - h1_dot + t15 + D_hat2 + Lam2;
-    let t16 = Matrix::rows([[M_11, M_12], [M_12, prepared.a_2]]) * bracket2;
+    let bracket2 = A_hat2 - G2 * torque - h1_dot + t16 + D_hat2 + Lam2;
+    let t17 = M * bracket2;
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t16;
+    let u = -t17;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
@@ -718,10 +718,10 @@ pub fn law<T: Real>(
 
     // -- auxiliary system of block 2 (13) (E1) --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = inverse_M * (u_sat + t16) - t15;
+    let zeta2_dot = G2 * (u_sat + t17) - t16;
 
     // -- observer dynamics of block 2 (50) --
-    let t17 = Vector([
+    let t18 = Vector([
         real(12.0) * Lam2[0],
         real(36.0) * Lam2[0],
         real(8.0) * Lam2[1],
@@ -736,11 +736,11 @@ pub fn law<T: Real>(
         real(0.0),
         real(3.0) * w_hat2[4],
         real(-3.0) * w_hat2[3],
-    ]) + t17;
+    ]) + t18;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
-    let eps2_dot = real(0.1) * (t8 * e2.dot(t12) - state.eps2);
+    let eps2_dot = real(0.1) * (t9 * e2.dot(t13) - state.eps2);
 
     // -- status --
     // some E_i >= pi/2 - delta
@@ -805,7 +805,7 @@ pub fn law<T: Real>(
 /// diag((1 0), (1 1 0))`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`, `iota_0 = 0.1`,
 /// `b = 1`.
 ///
-/// Operations: 184 additions, 276 multiplications, 7 divisions, 0 square roots, 11 elementary
+/// Operations: 184 additions, 275 multiplications, 7 divisions, 0 square roots, 11 elementary
 /// functions, 13 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 07ad135b85aa95db5dc8bfc14dd00997aa3dd6ca241a3ff992b8b7644adab01e
+// SHA-256 of the text below: 38a7b4b937825384193718484c5474978df4647d82f04057f5f50240f0d0b9f2
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// plant: 20 additions, 33 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
+// plant: 18 additions, 28 multiplications, 1 divisions, 0 square roots, 2 elementary functions, 0 comparisons and selections
 
 //! `two_link_arm`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -68,18 +68,18 @@ impl<T: Real> Part for Drift<'_, T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Prepared<T> {
-    /// `a_2`.
-    pub a_2: T,
-    /// `a_3`.
-    pub a_3: T,
-    /// `a_4`.
-    pub a_4: T,
     /// `a_1`.
     pub a_1: T,
+    /// `a_3`.
+    pub a_3: T,
     /// Part of `M_11`.
     pub M_11_1: T,
+    /// `a_4`.
+    pub a_4: T,
     /// Part of `M_11`.
     pub M_11_2: T,
+    /// `a_2`.
+    pub a_2: T,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
@@ -92,20 +92,20 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
 
     // -- plant model --
     let t1 = params.m_e * real(0.36);
-    let a_2 = real(0.25) + t1;
+    let a_1 = real(0.62) + t1 + params.m_e;
     let t2 = params.m_e * real(0.6);
     let a_3 = t2 * real(0.8660254037844386);
     let a_4 = t2 * real(0.5);
-    let a_1 = real(0.62) + t1 + params.m_e;
+    let a_2 = real(0.25) + t1;
     let M_11_1 = real(2.0) * a_3;
     let M_11_2 = real(2.0) * a_4;
     Prepared {
-        a_2,
-        a_3,
-        a_4,
         a_1,
+        a_3,
         M_11_1,
+        a_4,
         M_11_2,
+        a_2,
     }
 }
 
@@ -120,7 +120,7 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 17 additions, 27 multiplications, 1 divisions, 0 square roots, 2 elementary
+/// Operations: 15 additions, 22 multiplications, 1 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
@@ -136,21 +136,20 @@ pub fn dynamics<T: Real>(
     let q2 = x[1];
     let t1 = q2.cos();
     let t2 = q2.sin();
-    let M_12 = prepared.a_2 + prepared.a_3 * t1 + prepared.a_4 * t2;
     let M_11 = prepared.a_1 + prepared.M_11_1 * t1 + prepared.M_11_2 * t2;
-    let det_M = M_11 * prepared.a_2 - M_12 * M_12;
-    let t3 = -M_12;
-    let inverse_M = Matrix::rows([[prepared.a_2, t3], [t3, M_11]]) * (real(1.0) / det_M);
+    let M_12 = prepared.a_2 + prepared.a_3 * t1 + prepared.a_4 * t2;
     let coriolis = prepared.a_3 * t2 - prepared.a_4 * t1;
     let torque = Vector([-v2 * v1 - (v1 + v2) * v2, v1 * v1]) * coriolis;
 
     // -- true dynamics of block 2 (rates) (11) --
-    // F_2 with the plant's parameters
-    let F2_plant = -inverse_M * torque;
+    let t3 = real(1.0) / (M_11 * prepared.a_2 - M_12 * M_12);
+    let t4 = -M_12 * t3;
+    // G_2 with the plant's parameters
+    let G2_plant = Matrix::rows([[prepared.a_2 * t3, t4], [t4, M_11 * t3]]);
     // d_2 = L_2 w_2 (12)
     let d2 = Vector([x[4], x[6] + x[7]]);
     // F_2 + G_2 x_3 + d_2
-    let x2_flow = F2_plant + inverse_M * u_sat + d2;
+    let x2_flow = G2_plant * (u_sat - torque) + d2;
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
     // dx/dt without noise
@@ -170,7 +169,7 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 20 additions, 33 multiplications, 1 divisions, 0 square roots, 2 elementary
+/// Operations: 18 additions, 28 multiplications, 1 divisions, 0 square roots, 2 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(

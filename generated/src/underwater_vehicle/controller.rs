@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 1aaef2f8125f6cfad22a24d318e300c4afef92a8a810efb32db8888580f22323
+// SHA-256 of the text below: 39c68c088e0a6b5a44c51072d39a41d196e5b80aa4999c5a2a319e7882e451c1
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// initial: 89 additions, 150 multiplications, 9 divisions, 0 square roots, 19 elementary functions, 3 comparisons and selections
-// control: 714 additions, 1033 multiplications, 19 divisions, 3 square roots, 26 elementary functions, 19 comparisons and selections
+// initial: 77 additions, 155 multiplications, 6 divisions, 0 square roots, 19 elementary functions, 3 comparisons and selections
+// control: 708 additions, 1018 multiplications, 12 divisions, 3 square roots, 26 elementary functions, 19 comparisons and selections
 
 //! `underwater_vehicle`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -361,7 +361,7 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 89 additions, 150 multiplications, 9 divisions, 0 square roots, 19 elementary
+/// Operations: 77 additions, 155 multiplications, 6 divisions, 0 square roots, 19 elementary
 /// functions, 3 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
@@ -430,10 +430,6 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
 
-    // -- disturbance observer of block 1 (20) --
-    // D_hat_1 = th_1 + S_1 x_1
-    let D_hat1 = x1 - x1;
-
     // -- norms of block 1 --
     let t17 = Vector([phi, theta, psi]);
     let [cos_phi, cos_theta, cos_psi] = t17.cos().0;
@@ -475,7 +471,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
 
     // -- virtual control (31) of block 1 --
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
-    let bracket1 = D_hat1 - y_r_dot + Lam1;
+    let bracket1 = Lam1 - y_r_dot;
     let t39 = Matrix::rows([[t18, t20, t21], [t22, t24, t25], [-sin_theta, t26, t27]])
         .solve(Vector([bracket1[0], bracket1[1], bracket1[2]]));
     let t40 = Matrix::rows([[cos_phi, -sin_phi], [t31, t32]])
@@ -520,81 +516,79 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Prepared<T> {
-    /// Part of `F2`.
-    pub F2_1: T,
-    /// Part of `F2`.
-    pub F2_2: T,
-    /// Part of `F2`.
-    pub F2_3: T,
-    /// Part of `F2`.
-    pub F2_4: T,
-    /// Part of `F2`.
-    pub F2_5: T,
-    /// Part of `F2`.
-    pub F2_6: T,
-    /// Part of `F2`.
-    pub F2_7: T,
-    /// Part of `F2`.
-    pub F2_8: T,
+    /// `m_x`.
+    pub m_x: T,
+    /// `m_y`.
+    pub m_y: T,
+    /// `m_z`.
+    pub m_z: T,
+    /// `I`.
+    pub I: T,
+    /// Part of `H_norm2_2`.
+    pub H_norm2_2_1: T,
+    /// Part of `H_norm2_2`.
+    pub H_norm2_2_2: T,
+    /// Part of `H_norm2_2`.
+    pub H_norm2_2_3: T,
+    /// Part of `H_norm2_2`.
+    pub H_norm2_2_4: T,
+    /// Part of `H_norm2_2`.
+    pub H_norm2_2_5: T,
+    /// Part of `H_norm2_2`.
+    pub H_norm2_2_6: T,
+    /// Part of `H_norm2_2`.
+    pub H_norm2_2_7: T,
+    /// Part of `H_norm2_2`.
+    pub H_norm2_2_8: T,
     /// `Psi_2 = ||H_2||^4 ||Ybar_2||^2 varsigma_2^2/2 + 2 ||N_2||^2 + eta_noise ||S_2 H_2||^4 (62)`
     pub Psi2: T,
     /// Part of `Lam2`.
     pub Lam2_1: T,
-    /// Part of `u`.
-    pub u_1: Matrix<T, 2, 2>,
-    /// Part of `u`.
-    pub u_2: Matrix<T, 2, 2>,
-    /// Part of `u`.
-    pub u_3: T,
-    /// Part of `u`.
-    pub u_4: T,
     /// `phi_min = sqrt(Psi_2 dt / 0.1) (E11)`
     pub phi2_min: T,
 }
 
 /// What depends on the parameters alone: needed once for a run. See [`Prepared`].
 ///
-/// Operations: 38 additions, 89 multiplications, 8 divisions, 1 square roots, 0 elementary
+/// Operations: 36 additions, 79 multiplications, 4 divisions, 1 square roots, 0 elementary
 /// functions, 0 comparisons and selections.
 #[inline(always)]
 pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let real = T::from_f64;
 
     // -- plant model --
-    let I = real(0.16) + params.added_scale * real(0.12);
     let m_x = real(11.5) + params.added_scale * real(5.5);
-    let det_xq = m_x * I - real(0.0529);
     let m_y = real(11.5) + params.added_scale * real(12.7);
-    let det_yp = m_y * I - real(0.0529);
     let m_z = real(11.5) + params.added_scale * real(14.57);
+    let I = real(0.16) + params.added_scale * real(0.12);
 
     // -- noise terms of block 2 (58) (62) --
     // ||Ybar_2||^2
     let Ybar_square2 = real(54.0);
     // ||Ybar_2||, Ybar_2 = (4 pi/k_2^4) (sin E_2/cos^3 E_2) s_2 e_2 e_2^T + (3/cos^2 E_2) I (58)
     let Ybar_norm2 = real(7.3484692283495345);
-    let t1 = real(1.0) / det_xq;
-    let F2_1 = I * t1;
-    let F2_2 = real(-0.23) * t1;
-    let t2 = real(1.0) / det_yp;
-    let F2_3 = I * t2;
-    let F2_4 = real(0.23) * t2;
-    let F2_5 = real(1.0) / m_z;
-    let F2_6 = m_y * t2;
-    let F2_7 = m_x * t1;
-    let F2_8 = real(1.0) / I;
+    let t1 = real(1.0) / (m_x * I - real(0.0529));
+    let H_norm2_2_1 = I * t1;
+    let H_norm2_2_2 = real(-0.23) * t1;
+    let H_norm2_2_3 = m_x * t1;
+    let t2 = real(1.0) / (m_y * I - real(0.0529));
+    let H_norm2_2_4 = I * t2;
+    let H_norm2_2_5 = real(0.23) * t2;
+    let H_norm2_2_6 = m_y * t2;
+    let H_norm2_2_7 = real(1.0) / m_z;
+    let H_norm2_2_8 = real(1.0) / I;
 
     // -- noise terms of block 2 (58) (62) --
-    let t3 = F2_1 * real(0.1);
-    let t4 = F2_2 * real(0.01);
-    let t5 = F2_3 * real(0.1);
-    let t6 = F2_4 * real(0.01);
-    let t7 = F2_5 * real(0.1);
-    let t8 = F2_4 * real(0.1);
-    let t9 = F2_6 * real(0.01);
-    let t10 = F2_2 * real(0.1);
-    let t11 = F2_7 * real(0.01);
-    let t12 = F2_8 * real(0.01);
+    let t3 = H_norm2_2_1 * real(0.1);
+    let t4 = H_norm2_2_2 * real(0.01);
+    let t5 = H_norm2_2_4 * real(0.1);
+    let t6 = H_norm2_2_5 * real(0.01);
+    let t7 = H_norm2_2_7 * real(0.1);
+    let t8 = H_norm2_2_5 * real(0.1);
+    let t9 = H_norm2_2_6 * real(0.01);
+    let t10 = H_norm2_2_2 * real(0.1);
+    let t11 = H_norm2_2_3 * real(0.01);
+    let t12 = H_norm2_2_8 * real(0.01);
     let t13 = t3 * t3 + t4 * t4 + (t5 * t5 + t6 * t6);
     let t14 = t13 + t7 * t7 + (t8 * t8 + t9 * t9);
     // ||H_2||^2
@@ -633,29 +627,21 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
     let phi2_min = (Psi2 * real(0.09999999999999999)).sqrt();
     let Lam2_1 = H_norm2_2 * Ybar_norm2;
-    let t39 = real(1.0) / (F2_1 * F2_7 - F2_2 * F2_2);
-    let t40 = -F2_2 * t39;
-    let u_1 = Matrix::rows([[F2_7 * t39, t40], [t40, F2_1 * t39]]);
-    let t41 = real(1.0) / (F2_3 * F2_6 - F2_4 * F2_4);
-    let t42 = -F2_4 * t41;
-    let u_2 = Matrix::rows([[F2_6 * t41, t42], [t42, F2_3 * t41]]);
-    let u_3 = real(1.0) / F2_5;
-    let u_4 = real(1.0) / F2_8;
     Prepared {
-        F2_1,
-        F2_2,
-        F2_3,
-        F2_4,
-        F2_5,
-        F2_6,
-        F2_7,
-        F2_8,
+        m_x,
+        m_y,
+        m_z,
+        I,
+        H_norm2_2_1,
+        H_norm2_2_2,
+        H_norm2_2_3,
+        H_norm2_2_4,
+        H_norm2_2_5,
+        H_norm2_2_6,
+        H_norm2_2_7,
+        H_norm2_2_8,
         Psi2,
         Lam2_1,
-        u_1,
-        u_2,
-        u_3,
-        u_4,
         phi2_min,
     }
 }
@@ -778,7 +764,7 @@ pub struct ControlOutputs<T: Real> {
 /// `iota_0 = 0.1`, `b = 1`, `eta_noise = 0.1`, `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 1`,
 /// `kappa_phi = 0.5`, `iota_phi = 0.2`.
 ///
-/// Operations: 666 additions, 899 multiplications, 10 divisions, 2 square roots, 18 elementary
+/// Operations: 662 additions, 894 multiplications, 7 divisions, 2 square roots, 18 elementary
 /// functions, 19 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
@@ -795,6 +781,7 @@ pub fn law<T: Real>(
     let psi = x1[5];
     let theta = x1[4];
     let phi = x1[3];
+    let arm = real(0.23);
     let t1 = Vector([phi, theta, psi]);
     let [cos_phi, cos_theta, cos_psi] = t1.cos().0;
     let [sin_phi, sin_theta, sin_psi] = t1.sin().0;
@@ -841,19 +828,8 @@ pub fn law<T: Real>(
         heave * added_momentum[0] - surge * added_momentum[2],
         surge * added_momentum[1] - sway * added_momentum[0],
     ]);
-    let moment = Vector([t6 - real(9.81) * t3, real(9.81) * t2 - t5, real(0.0)])
-        * real(0.23) - t11 - drag_torque;
-
-    // -- known dynamics of block 2 (velocity) (11) --
-    // F_2(x_1 .. x_2)
-    let F2 = Vector([
-        prepared.F2_1 * force[0] + prepared.F2_2 * moment[1],
-        prepared.F2_3 * force[1] + prepared.F2_4 * moment[0],
-        prepared.F2_5 * force[2],
-        prepared.F2_4 * force[1] + prepared.F2_6 * moment[0],
-        prepared.F2_2 * force[0] + prepared.F2_7 * moment[1],
-        prepared.F2_8 * moment[2],
-    ]);
+    let moment = Vector([t6 - real(9.81) * t3, real(9.81) * t2 - t5, real(0.0)]) * arm
+        - t11 - drag_torque;
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -1007,35 +983,39 @@ pub fn law<T: Real>(
 
     // -- control (64) of block 2 --
     let t43 = state.zeta2 * real(10.0);
-    // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
-    let bracket2 = F2 + A_hat2 - h1_dot + t43 + D_hat2 + Lam2;
-    let t44 = prepared.u_1 * Vector([bracket2[0], bracket2[4]]);
-    let t45 = prepared.u_2 * Vector([bracket2[1], bracket2[3]]);
-    let t46 = bracket2[2] * prepared.u_3;
-    let t47 = bracket2[5] * prepared.u_4;
-    let t48 = Vector([t44[0], t45[0], t46, t45[1], t44[1], t47]);
+    let t44 = A_hat2 - h1_dot + t43 + D_hat2 + Lam2;
+    let t45 = Vector([
+        prepared.m_x * t44[0] + real(0.23) * t44[4],
+        prepared.m_y * t44[1] + real(-0.23) * t44[3],
+        prepared.m_z * t44[2],
+        real(-0.23) * t44[1] + prepared.I * t44[3],
+        real(0.23) * t44[0] + prepared.I * t44[4],
+        prepared.I * t44[5],
+    ]);
+    let t46 = t45
+        + Vector([force[0], force[1], force[2], moment[0], moment[1], moment[2]]);
     // u = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
-    let u = -t48;
+    let u = -t46;
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u
         .max(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]))
         .min(Vector::<T, 6>::from_f64([40.0, 40.0, 40.0, 5.0, 5.0, 5.0]));
 
     // -- auxiliary system of block 2 (13) (E1) --
-    let t49 = u_sat + t48;
-    let t50 = Vector([
-        prepared.F2_1 * t49[0] + prepared.F2_2 * t49[4],
-        prepared.F2_3 * t49[1] + prepared.F2_4 * t49[3],
-        prepared.F2_5 * t49[2],
-        prepared.F2_4 * t49[1] + prepared.F2_6 * t49[3],
-        prepared.F2_2 * t49[0] + prepared.F2_7 * t49[4],
-        prepared.F2_8 * t49[5],
+    let t47 = u_sat + t46;
+    let t48 = Vector([
+        prepared.H_norm2_2_1 * t47[0] + prepared.H_norm2_2_2 * t47[4],
+        prepared.H_norm2_2_4 * t47[1] + prepared.H_norm2_2_5 * t47[3],
+        prepared.H_norm2_2_7 * t47[2],
+        prepared.H_norm2_2_5 * t47[1] + prepared.H_norm2_2_6 * t47[3],
+        prepared.H_norm2_2_2 * t47[0] + prepared.H_norm2_2_3 * t47[4],
+        prepared.H_norm2_2_8 * t47[5],
     ]);
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
-    let zeta2_dot = t50 - t43;
+    let zeta2_dot = t48 - t43;
 
     // -- observer dynamics of block 2 (50) --
-    let t51 = Vector([
+    let t49 = Vector([
         w_hat2[1],
         real(-0.2) * w_hat2[1] - w_hat2[0],
         w_hat2[3],
@@ -1049,7 +1029,7 @@ pub fn law<T: Real>(
         w_hat2[11],
         real(-0.2) * w_hat2[11] - w_hat2[10],
     ]);
-    let t52 = Vector([
+    let t50 = Vector([
         real(-8.0) * Lam2[0],
         real(5.8) * Lam2[0],
         real(-8.0) * Lam2[1],
@@ -1065,7 +1045,7 @@ pub fn law<T: Real>(
     ]);
     // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
     // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
-    let th2_dot = t51 + t52;
+    let th2_dot = t49 + t50;
 
     // -- network error bound of block 2 (66) --
     // eps_hat_2' = iota_20 (s_2/cos^2 E_2 sum_j e_2j tanh(e_2j/b_2j) - eps_hat_2)
@@ -1081,7 +1061,7 @@ pub fn law<T: Real>(
     let phi2_decay = t41 + real(0.5);
 
     // -- states of block 1, one sample later --
-    let t53 = Vector([
+    let t51 = Vector([
         t14 * surge + t16 * sway + t17 * heave,
         t18 * surge + t20 * sway + t21 * heave,
         t3 * sway - sin_theta * surge + t4 * heave,
@@ -1091,7 +1071,7 @@ pub fn law<T: Real>(
     ]);
 
     // -- states of block 2, one sample later --
-    let t54 = Vector([
+    let t52 = Vector([
         real(0.0099985222988428) * th2_dot[0]
             + real(0.00044110044503657773) * th2_dot[1],
         real(-4.9011160559619754e-5) * th2_dot[0]
@@ -1125,13 +1105,13 @@ pub fn law<T: Real>(
     state.h1 = state.h1 + h1_dot * real(0.009516258196404044);
     // th1(t + dt) = th1 + g th1', g = (1 - exp(-a dt))/a, a = S_1 (21): th_1' = -S_1 (D_hat_1 + F_1
     // + G_1 x_2 + A_hat_1)
-    state.th1 = state.th1 - (D_hat1 + t53) * real(0.009950166250831947);
+    state.th1 = state.th1 - (D_hat1 + t51) * real(0.009950166250831947);
 
     // -- states of block 2, one sample later --
     // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.009516258196404044);
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
-    state.th2 = state.th2 + t54;
+    state.th2 = state.th2 + t52;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
     // = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state
@@ -1176,7 +1156,7 @@ pub fn law<T: Real>(
 /// `iota_0 = 0.1`, `b = 1`, `eta_noise = 0.1`, `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 1`,
 /// `kappa_phi = 0.5`, `iota_phi = 0.2`.
 ///
-/// Operations: 714 additions, 1033 multiplications, 19 divisions, 3 square roots, 26 elementary
+/// Operations: 708 additions, 1018 multiplications, 12 divisions, 3 square roots, 26 elementary
 /// functions, 19 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(

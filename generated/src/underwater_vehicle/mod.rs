@@ -1,4 +1,4 @@
-// SHA-256 of the text below: f35029202235050770b28fe036fe5d313b66b9803bca77e2fabf126e060f1607
+// SHA-256 of the text below: bd05840728127989e4440814ca1e9a062f50f340e572a7dd0e0a288a197869d7
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! Underwater vehicle in waves and a current
@@ -15,7 +15,7 @@ pub use params::Params;
 pub use simulator::Simulator;
 
 /// SHA-256 of the specification.
-pub const SPEC_HASH: &str = "d972773dfb13676aaaf2db69a5f101781863a9afbf9a773c4ea267afdcbe643c";
+pub const SPEC_HASH: &str = "a5d8a52b8dc0ce0bf099655425bb9ff59ac9de749fb4c06032e0ffe82095a2e4";
 
 /// Version of the generator.
 pub const GENERATOR: &str = "0.1.0";

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 8bd6eaa4c49e7971b6488189e53e79c269847960e24cd0a5fabc8e8e0137f5ea
+// SHA-256 of the text below: ff404548faf0747767cf75a072041c1758875d29ea5500eb582d1c682ae0109c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // plant: 83 additions, 136 multiplications, 5 divisions, 0 square roots, 13 elementary functions, 0 comparisons and selections
 
@@ -230,21 +230,19 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
     let real = T::from_f64;
 
     // -- plant model --
-    let I = real(0.16) + params.added_scale * real(0.12);
     let m_x = real(11.5) + params.added_scale * real(5.5);
-    let det_xq = m_x * I - real(0.0529);
     let m_y = real(11.5) + params.added_scale * real(12.7);
-    let det_yp = m_y * I - real(0.0529);
     let m_z = real(11.5) + params.added_scale * real(14.57);
-    let t1 = real(1.0) / det_xq;
+    let I = real(0.16) + params.added_scale * real(0.12);
+    let t1 = real(1.0) / (m_x * I - real(0.0529));
     let x2_flow_1 = I * t1;
     let x2_flow_2 = real(-0.23) * t1;
-    let t2 = real(1.0) / det_yp;
-    let x2_flow_3 = I * t2;
-    let x2_flow_4 = real(0.23) * t2;
-    let x2_flow_5 = real(1.0) / m_z;
+    let x2_flow_3 = m_x * t1;
+    let t2 = real(1.0) / (m_y * I - real(0.0529));
+    let x2_flow_4 = I * t2;
+    let x2_flow_5 = real(0.23) * t2;
     let x2_flow_6 = m_y * t2;
-    let x2_flow_7 = m_x * t1;
+    let x2_flow_7 = real(1.0) / m_z;
     let x2_flow_8 = real(1.0) / I;
 
     // -- packed plant state: x_1 .. x_n, then the exosystems --
@@ -253,13 +251,13 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
         let mut sparse = Matrix::<T, 24, 12>::zero();
         sparse[(6, 0)] = x2_flow_1 * real(0.1);
         sparse[(6, 4)] = x2_flow_2 * real(0.01);
-        sparse[(7, 1)] = x2_flow_3 * real(0.1);
-        sparse[(7, 3)] = x2_flow_4 * real(0.01);
-        sparse[(8, 2)] = x2_flow_5 * real(0.1);
-        sparse[(9, 1)] = x2_flow_4 * real(0.1);
+        sparse[(7, 1)] = x2_flow_4 * real(0.1);
+        sparse[(7, 3)] = x2_flow_5 * real(0.01);
+        sparse[(8, 2)] = x2_flow_7 * real(0.1);
+        sparse[(9, 1)] = x2_flow_5 * real(0.1);
         sparse[(9, 3)] = x2_flow_6 * real(0.01);
         sparse[(10, 0)] = x2_flow_2 * real(0.1);
-        sparse[(10, 4)] = x2_flow_7 * real(0.01);
+        sparse[(10, 4)] = x2_flow_3 * real(0.01);
         sparse[(11, 5)] = x2_flow_8 * real(0.01);
         sparse[(13, 6)] = real(0.1);
         sparse[(15, 7)] = real(0.1);
@@ -373,6 +371,7 @@ pub fn dynamics<T: Real>(
     let p = x[9];
     let q = x[10];
     let r = x[11];
+    let arm = real(0.23);
     let t1 = Vector([phi, theta, psi]);
     let [cos_phi, cos_theta, cos_psi] = t1.cos().0;
     let [sin_phi, sin_theta, sin_psi] = t1.sin().0;
@@ -413,8 +412,8 @@ pub fn dynamics<T: Real>(
         heave * added_momentum[0] - surge * added_momentum[2],
         surge * added_momentum[1] - sway * added_momentum[0],
     ]);
-    let moment = Vector([t6 - real(9.81) * t3, real(9.81) * t2 - t5, real(0.0)])
-        * real(0.23) - t11 - drag_torque;
+    let moment = Vector([t6 - real(9.81) * t3, real(9.81) * t2 - t5, real(0.0)]) * arm
+        - t11 - drag_torque;
 
     // -- true dynamics of block 2 (velocity) (11) --
     // d_2 = L_2 w_2 (12)
@@ -423,10 +422,10 @@ pub fn dynamics<T: Real>(
         + u_sat;
     let t13 = Vector([
         prepared.x2_flow_1 * t12[0] + prepared.x2_flow_2 * t12[4],
-        prepared.x2_flow_3 * t12[1] + prepared.x2_flow_4 * t12[3],
-        prepared.x2_flow_5 * t12[2],
-        prepared.x2_flow_4 * t12[1] + prepared.x2_flow_6 * t12[3],
-        prepared.x2_flow_2 * t12[0] + prepared.x2_flow_7 * t12[4],
+        prepared.x2_flow_4 * t12[1] + prepared.x2_flow_5 * t12[3],
+        prepared.x2_flow_7 * t12[2],
+        prepared.x2_flow_5 * t12[1] + prepared.x2_flow_6 * t12[3],
+        prepared.x2_flow_2 * t12[0] + prepared.x2_flow_3 * t12[4],
         prepared.x2_flow_8 * t12[5],
     ]);
     // F_2 + G_2 x_3 + d_2

@@ -171,6 +171,8 @@ pub enum Node {
     Dot(ExprId, ExprId),
     /// Cross product of two 3-vectors.
     Cross(ExprId, ExprId),
+    /// Solution x of A x = b, for a square matrix A and a vector or matrix b.
+    Solve(ExprId, ExprId),
     /// Polynomial data block applied to scalar arguments.
     Polynomial(PolynomialId, Vec<ExprId>),
     /// Derivative of a lookup table, so many times by each argument, at scalar arguments.
@@ -200,7 +202,8 @@ impl Node {
             | Node::Or(a, b)
             | Node::MatMul(a, b)
             | Node::Dot(a, b)
-            | Node::Cross(a, b) => vec![*a, *b],
+            | Node::Cross(a, b)
+            | Node::Solve(a, b) => vec![*a, *b],
             Node::If(a, b, c) => vec![*a, *b, *c],
             Node::Array(items) | Node::Polynomial(_, items) | Node::Table(_, _, items) => {
                 items.clone()

@@ -9,6 +9,7 @@ use super::arena::{
     ParameterId, PolynomialId, Shape, TableId,
 };
 use crate::interpolation::Interpolant;
+use crate::linear;
 use crate::model::Polynomial;
 
 /// Values of what an expression refers to; by default nothing has one.
@@ -229,6 +230,11 @@ impl Evaluator<'_> {
             }
             Node::Dot(a, b) => vec![sum(value(a).iter().zip(value(b)).map(|(x, y)| x * y))],
             Node::Cross(a, b) => cross(value(a), value(b)),
+            Node::Solve(a, b) => {
+                let mut x = value(b).to_vec();
+                linear::solve(value(a), self.size(*b).1, &mut x);
+                x
+            }
             Node::Number(_)
             | Node::Constant(_)
             | Node::Parameter(_)

@@ -103,3 +103,30 @@ fn special_pairs_follow_ieee_754() {
     check("atan2", &atan2);
     check("pow", &pow);
 }
+
+/// f(-x) is f(x) or -f(x), to the bit: the compiler takes signs out of functions.
+macro_rules! symmetric {
+    ($($function:ident)*) => {
+        #[test]
+        fn even_and_odd_functions_are_so_to_the_bit() {
+            for x in Arguments::of(0..SAMPLES) {
+                $(
+                    let (plus, minus): (f64, f64) = (Real::$function(x), Real::$function(-x));
+                    let even = matches!(stringify!($function), "cos" | "cosh" | "cos_fused" | "cosh_fused");
+                    let expected = if even { plus } else { -plus };
+                    let same = expected.to_bits() == minus.to_bits() || plus.is_nan() && minus.is_nan();
+                    assert!(same, "{} at {x:e}: {plus:e} and {minus:e}", stringify!($function));
+                    let narrow = x as f32;
+                    let (plus, minus): (f32, f32) = (Real::$function(narrow), Real::$function(-narrow));
+                    let expected = if even { plus } else { -plus };
+                    let same = expected.to_bits() == minus.to_bits() || plus.is_nan() && minus.is_nan();
+                    assert!(same, "{} at {narrow:e}: {plus:e} and {minus:e}", stringify!($function));
+                )*
+            }
+        }
+    };
+}
+
+symmetric! {
+    cos cos_fused cosh cosh_fused sin sin_fused tan tan_fused asin asin_fused atan atan_fused sinh sinh_fused tanh tanh_fused
+}

@@ -3,7 +3,7 @@
 use core::ops::{Index, IndexMut, Mul};
 
 use super::elementwise::{AddProduct, Mul as Times, Plus, elementwise, operators};
-use super::{Each, Each2, Each3, PARTIAL, Vector, add_to, dot, elimination, singular, sum};
+use super::{Each, Each2, Each3, Ldlt, PARTIAL, Vector, add_to, dot, elimination, singular, sum};
 use crate::real::Real;
 
 /// `R` rows and `C` columns of numbers.
@@ -31,6 +31,12 @@ impl<T: Real, const R: usize, const C: usize> Matrix<T, R, C> {
             i += 1;
         }
         matrix
+    }
+
+    /// Entries by columns.
+    #[inline(always)]
+    pub(super) fn of_columns(columns: [Vector<T, R>; C]) -> Self {
+        Self(columns)
     }
 
     /// Entries from literals, by rows.
@@ -317,7 +323,23 @@ impl<T: Real, const N: usize> Matrix<T, N, N> {
     ///   `x_i = (((b_i - a_i,i+1 x_i+1) - a_i,i+2 x_i+2) - ...) / a_ii`.
     #[inline(always)]
     pub fn solve(self, b: Vector<T, N>) -> Vector<T, N> {
-        elimination::solve(self.to_rows(), b.0)
+        self.solve_columns(Matrix([b])).0[0]
+    }
+
+    /// `A^-1 B`: [`Matrix::solve`] for each column.
+    #[inline(always)]
+    pub fn solve_columns<const K: usize>(self, b: Matrix<T, N, K>) -> Matrix<T, N, K> {
+        elimination::solve(self.to_rows(), b)
+    }
+
+    /// The factors of a symmetric matrix, `A = L D L^T` with `l_ii = 1`, of which the lower triangle is read.
+    ///
+    /// For each `k`, `r_k = 1 / a_kk`; for each `i > k`, `l_ik = a_ik r_k` and `a_ij = a_ij - l_ik a_jk` for `k < j <= i`. Half of the products
+    /// of an elimination of the whole matrix, and as exact as that with pivoting where the matrix is positive definite (Higham, "Accuracy
+    /// and Stability of Numerical Algorithms", 2002, section 10.1); elsewhere the factors are not used.
+    #[inline(always)]
+    pub fn ldlt(self) -> Ldlt<T, N> {
+        Ldlt::of(self)
     }
 }
 

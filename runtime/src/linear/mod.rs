@@ -12,10 +12,12 @@
 
 mod elementwise;
 mod elimination;
+mod ldlt;
 mod matrix;
 mod singular;
 mod vector;
 
+pub use ldlt::Ldlt;
 pub use matrix::Matrix;
 pub use vector::Vector;
 

@@ -1,4 +1,4 @@
-//! Products, solving and the singular vector of small dense arrays, row-major.
+//! Products and the singular vector of small dense arrays, row-major.
 
 /// Number of partial sums of a long sum.
 const PARTIAL: usize = 8;
@@ -74,71 +74,6 @@ pub(super) fn product(
         let (i, j) = (index / columns, index % columns);
         let pairs = (0..inner).map(|k| (a[i * inner + k], b[k * columns + j]));
         *entry = sum_of_products(pairs, fused);
-    }
-}
-
-/// x with A x = b for a square A: adjugate over determinant up to three rows, else elimination with partial pivoting.
-pub(super) fn solve(a: &[f64], b: &[f64], x: &mut [f64]) {
-    match (a, b) {
-        (&[a00], &[b0]) => x[0] = b0 / a00,
-        (&[a00, a01, a10, a11], &[b0, b1]) => {
-            let scale = 1.0 / (a00 * a11 - a01 * a10);
-            x[0] = (a11 * b0 - a01 * b1) * scale;
-            x[1] = (a00 * b1 - a10 * b0) * scale;
-        }
-        (&[a00, a01, a02, a10, a11, a12, a20, a21, a22], &[b0, b1, b2]) => {
-            let adjugate = [
-                [
-                    a11 * a22 - a12 * a21,
-                    a02 * a21 - a01 * a22,
-                    a01 * a12 - a02 * a11,
-                ],
-                [
-                    a12 * a20 - a10 * a22,
-                    a00 * a22 - a02 * a20,
-                    a02 * a10 - a00 * a12,
-                ],
-                [
-                    a10 * a21 - a11 * a20,
-                    a01 * a20 - a00 * a21,
-                    a00 * a11 - a01 * a10,
-                ],
-            ];
-            let scale = 1.0 / (a00 * adjugate[0][0] + a01 * adjugate[1][0] + a02 * adjugate[2][0]);
-            for (entry, row) in x.iter_mut().zip(adjugate) {
-                *entry = (row[0] * b0 + row[1] * b1 + row[2] * b2) * scale;
-            }
-        }
-        _ => eliminate(a.to_vec(), b.to_vec(), x),
-    }
-}
-
-/// Gaussian elimination; the pivot of a column is its first entry of largest magnitude.
-fn eliminate(mut a: Vec<f64>, mut b: Vec<f64>, x: &mut [f64]) {
-    let n = b.len();
-    for k in 0..n {
-        let pivot = (k + 1..n).fold(k, |best, i| {
-            if a[i * n + k].abs() > a[best * n + k].abs() {
-                i
-            } else {
-                best
-            }
-        });
-        for j in 0..n {
-            a.swap(k * n + j, pivot * n + j);
-        }
-        b.swap(k, pivot);
-        for i in k + 1..n {
-            let factor = a[i * n + k] / a[k * n + k];
-            for j in k + 1..n {
-                a[i * n + j] -= factor * a[k * n + j];
-            }
-            b[i] -= factor * b[k];
-        }
-    }
-    for i in (0..n).rev() {
-        let rest = (i + 1..n).fold(b[i], |rest, j| rest - a[i * n + j] * x[j]);
-        x[i] = rest / a[i * n + i];
     }
 }
 

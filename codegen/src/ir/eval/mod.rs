@@ -160,6 +160,7 @@ pub(crate) fn entries(ty: Type) -> usize {
     match ty {
         Type::Bool => 1,
         Type::Real(shape) => size(shape),
+        Type::Ldlt(rows) => rows * rows,
     }
 }
 

@@ -1,8 +1,10 @@
 //! One operation on the entries of its operands.
 
+use nsv_spec::linear::{solve, solve_symmetric};
+
 use crate::ir::basis::Monomial;
 use crate::ir::horner::Horner;
-use crate::ir::{BasisId, Op, Operator, Program, Shape, ValueId};
+use crate::ir::{BasisId, Op, Operator, Program, Shape, Type, ValueId};
 
 use super::{kernel, linear, scalar};
 
@@ -87,7 +89,15 @@ impl Tables {
             Op::SumSquares(a) => {
                 out[0] = linear::sum_of_squares(value(a), columns(program.shape(a)), program.fused)
             }
-            Op::Solve(a, b) => linear::solve(value(a), value(b), out),
+            Op::Solve(a, b) => {
+                out.copy_from_slice(value(b));
+                let solution = match program.ty(a) {
+                    Type::Ldlt(_) => solve_symmetric,
+                    _ => solve,
+                };
+                solution(value(a), columns(program.shape(b)), out)
+            }
+            Op::Ldlt(a) => out.copy_from_slice(value(a)),
             Op::SingularVector(a) => {
                 linear::singular_vector(value(a), columns(program.shape(a)), out)
             }

@@ -142,7 +142,8 @@ impl Generator {
 
     /// The entries of an array, and an array of them or of other scalars.
     fn append_taken_apart(&mut self) {
-        let Some(array) = self.value(|ty| ty != Type::Bool && ty != Type::Real(Shape::Scalar))
+        let Some(array) =
+            self.value(|ty| matches!(ty, Type::Real(shape) if shape != Shape::Scalar))
         else {
             return;
         };
@@ -180,7 +181,7 @@ impl Generator {
 
     /// Two multiples of one array, added.
     fn append_sum_of_multiples(&mut self) {
-        let array = self.value(|ty| ty != Type::Bool && ty != Type::Real(Shape::Scalar));
+        let array = self.value(|ty| matches!(ty, Type::Real(shape) if shape != Shape::Scalar));
         let (Some(array), Some(first), Some(second)) = (array, self.scalar(), self.scalar()) else {
             return;
         };
@@ -252,7 +253,7 @@ impl Generator {
                 let a = self.matrix()?;
                 Op::MatMul(
                     a,
-                    self.value(|ty| ty != Type::Bool && ty != Type::Real(Shape::Scalar))?,
+                    self.value(|ty| matches!(ty, Type::Real(shape) if shape != Shape::Scalar))?,
                 )
             }
             20 => Op::Transpose(self.matrix()?),
@@ -269,7 +270,12 @@ impl Generator {
                 Op::MulAdd(a, factor?, self.value(|other| other == ty)?)
             }
             23 => Op::SumSquares(self.real()?),
-            24 => Op::Solve(self.matrix()?, self.vector()?),
+            24 if self.random.below(3) == 0 => Op::Ldlt(self.matrix()?),
+            24 => {
+                let a =
+                    self.value(|ty| matches!(ty, Type::Real(Shape::Matrix(..)) | Type::Ldlt(_)))?;
+                Op::Solve(a, self.real()?)
+            }
             25 => Op::SingularVector(self.matrix()?),
             26 if self.random.below(2) == 0 => {
                 Op::Polynomial(PolynomialId(0), vec![self.scalar()?, self.scalar()?])
@@ -327,7 +333,7 @@ impl Generator {
     }
 
     fn real(&mut self) -> Option<ValueId> {
-        self.value(|ty| ty != Type::Bool)
+        self.value(|ty| matches!(ty, Type::Real(_)))
     }
 
     fn truth(&mut self) -> Option<ValueId> {
@@ -352,7 +358,8 @@ impl Generator {
             .expect("invariant: fewer than 2^32 instructions");
         for value in (0..count).map(ValueId) {
             let instruction = &mut self.program.instructions[value.0 as usize];
-            if matches!(instruction.op, Op::Input(_)) || self.random.below(7) > 0 {
+            let numbers = !matches!(instruction.op, Op::Input(_) | Op::Ldlt(_));
+            if !numbers || self.random.below(7) > 0 {
                 continue;
             }
             let name = format!("v{}", value.0);
@@ -362,9 +369,10 @@ impl Generator {
                 self.program.outputs.push((name, value));
             }
         }
-        self.program
-            .outputs
-            .push(("last".into(), ValueId(count - 1)));
+        let last = (0..count).rev().map(ValueId);
+        let mut outputs = last.filter(|&id| !matches!(self.program.ty(id), Type::Ldlt(_)));
+        let last = outputs.next().expect("invariant: a program has inputs");
+        self.program.outputs.push(("last".into(), last));
     }
 }
 

@@ -291,6 +291,22 @@ pub(super) const FUNCTIONS: &[Entry] = &[
         builtin: Builtin::Transpose,
     },
     Entry {
+        name: "solve",
+        arguments: &["a", "b"],
+        meaning: "`x` with `a*x = b`; not finite if `a` has no inverse",
+        rule: "a square matrix, then a vector or a matrix of as many rows; the terms of each equation are of one unit",
+        example: "solve(diag([1, 2, 3]), rates)",
+        builtin: Builtin::Solve,
+    },
+    Entry {
+        name: "inverse",
+        arguments: &["a"],
+        meaning: "the matrix whose product with `a` is 1 on the diagonal and 0 elsewhere; `inverse(a)*b` is `solve(a, b)`",
+        rule: "a square matrix; entry (j, i) is in the unit of unknown j over that of equation i",
+        example: "inverse(inertia)*cross(rates, inertia*rates)",
+        builtin: Builtin::Inverse,
+    },
+    Entry {
         name: "diag",
         arguments: &["v"],
         meaning: "square matrix with these entries on its diagonal and zeros elsewhere",

@@ -75,6 +75,11 @@ impl Elaborator<'_> {
                 let ((a, x), (b, y)) = self.reals(name, left, right)?;
                 self.typed(span, Node::Cross(a, b), typing::cross(&x, &y), arguments)
             }
+            (Builtin::Solve, &[matrix, right]) => {
+                let ((a, x), (b, y)) = self.reals(name, matrix, right)?;
+                self.typed(span, Node::Solve(a, b), typing::solution(&x, &y), arguments)
+            }
+            (Builtin::Inverse, &[matrix]) => self.inverse(span, matrix),
             (Builtin::Norm, &[argument]) => self.norm(span, argument),
             (Builtin::Fold(operator), &[argument]) => self.fold(span, name, operator, argument),
             (Builtin::Diagonal, &[argument]) => self.diagonal(span, argument),
@@ -166,6 +171,19 @@ impl Elaborator<'_> {
         folded.map(|(id, _)| id)
     }
 
+    /// inverse(a) = solve(a, I)
+    fn inverse(&mut self, span: Span, argument: NodeId) -> Option<ExprId> {
+        let (id, real) = self.real(argument, "argument of `inverse`")?;
+        let ty = match typing::inverse(&real) {
+            Ok(ty) => ty,
+            Err(fault) => return self.report(span, fault, &[argument]),
+        };
+        let one = self.literal(1.0, Dimension::ONE);
+        let rows = real.shape.size().0;
+        let identity = self.on_diagonal(vec![(one, Dimension::ONE); rows]);
+        Some(self.arena.intern(Node::Solve(id, identity), ty.into()))
+    }
+
     /// `diag(v)`
     fn diagonal(&mut self, span: Span, argument: NodeId) -> Option<ExprId> {
         let (id, real) = self.real(argument, "argument of `diag`")?;
@@ -181,24 +199,20 @@ impl Elaborator<'_> {
             );
             return self.report(span, fault, &[]);
         };
-        let zero = self.literal(0.0, Dimension::ANY);
-        let (mut entries, mut dimensions) = (Vec::new(), Vec::new());
-        for place in 0..rows * rows {
-            let (row, col) = (place / rows, place % rows);
-            let on = row == col;
-            entries.push(if on { self.entry(id, row, 0) } else { zero });
-            dimensions.push(if on {
-                real.dimensions[row]
-            } else {
-                Dimension::ANY
-            });
-        }
+        let entries = (0..rows).map(|row| (self.entry(id, row, 0), real.dimensions[row]));
+        let entries = entries.collect();
+        Some(self.on_diagonal(entries))
+    }
+
+    /// The matrix with these entries on its diagonal and zeros elsewhere.
+    fn on_diagonal(&mut self, diagonal: Vec<(ExprId, Dimension)>) -> ExprId {
+        let zero = (self.literal(0.0, Dimension::ANY), Dimension::ANY);
+        let rows = diagonal.len();
+        let places = (0..rows * rows).map(|place| (place / rows, place % rows));
+        let entry = |(row, col)| if row == col { diagonal[row] } else { zero };
+        let (entries, dimensions) = places.map(entry).unzip();
         let shape = Shape::Matrix(rows, rows);
-        self.typed(
-            span,
-            Node::Array(entries),
-            Ok(Real { shape, dimensions }),
-            &[],
-        )
+        self.arena
+            .intern(Node::Array(entries), Real { shape, dimensions }.into())
     }
 }

@@ -140,6 +140,10 @@ fn units() {
         dot(mixed, mixed)
         [[1, 0], [0, 1]]*mixed + pair
         [[1, 1], [0, 1]]*mixed
+        inverse([[1 kg, 1 kg*m], [1 kg, 1 kg*m^2]])
+        solve([[1 kg, 1 kg*m], [1 kg*m, 1 kg*m^2]], [1 N, 2 N])
+        solve([[1 m, 0], [0, 1 s]], [1, 2])/[1 1/s, 1 1/s]
+        inverse(inertia) + inertia
         x + t*2 m*g
         "
     ));
@@ -171,6 +175,12 @@ fn shapes() {
         norm(x)
         norm(inertia)
         transpose(x)
+        inverse(x)
+        inverse([[1, 2, 3], [4, 5, 6]])
+        solve(inertia, pair)
+        solve(inertia, 1)
+        solve(omega, omega)
+        inverse(each(i, 1, 17, each(j, 1, 17, i + j)))
         if(n > 0, omega, pair)
         if(n, 1, 2)
         n and n > 0

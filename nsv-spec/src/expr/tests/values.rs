@@ -146,6 +146,25 @@ fn arrays_are_row_major() {
     check("norm_1([-1, 2, -3]) + norm_inf([-1, 2, -3])", &[9.0]);
     check("diag([5, 7])", &[5.0, 0.0, 0.0, 7.0]);
     check("skew(omega)*[0, 0, 1] - cross(omega, [0, 0, 1])", &[0.0; 3]);
+    check("solve([[2, 0], [0, 4]], [1, 2])", &[0.5, 0.5]);
+    check(
+        "solve([[1, 2], [3, 4]], [[5, 6], [7, 8]])",
+        &[-3.0, -4.0, 4.0, 5.0],
+    );
+    check("inverse([[1, 2], [3, 4]])", &[-2.0, 1.0, 1.5, -0.5]);
+    // Units of a mass matrix: force and torque to acceleration and angular acceleration.
+    check(
+        "inverse([[2 kg, 1 kg*m], [1 kg*m, 1 kg*m^2]])*[1 N, 2 N*m] - [-1 m/s^2, 3 rad/s^2]",
+        &[0.0, 0.0],
+    );
+    check(
+        "solve(diag([2 kg, 4 kg*m^2]), [1 N, 0])/[1 m/s^2, 1 rad/s^2]",
+        &[0.5, 0.0],
+    );
+    check(
+        "solve([[0, 2, 0, 0], [4, 2, 0, 0], [0, 0, 1, 2], [0, 0, 2, 0]], [4, 8, 11, 6])",
+        &[1.0, 2.0, 3.0, 4.0],
+    );
     check(
         "inertia/(1 kg*m^2) - 1",
         &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0],

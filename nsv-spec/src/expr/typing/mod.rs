@@ -1,5 +1,6 @@
 //! The rules of shapes and dimensions: what type each operation makes of its operands' types.
 
+mod equations;
 mod linear;
 
 use super::arena::{Function, Shape, Type};
@@ -7,6 +8,8 @@ use super::syntax::Name;
 use crate::diagnostic::{Diagnostic, Rule, Suggestion};
 use crate::suggest::Meant;
 use crate::unit::Dimension;
+pub(crate) use equations::MAX_UNKNOWNS;
+pub(super) use equations::{inverse, solution};
 pub(super) use linear::{cross, dot, matrix_product, transpose};
 
 /// Why an operation has no type; the caller knows the place.
@@ -301,7 +304,7 @@ fn power_of_array(shape: Shape) -> Fault {
     Fault::new(
         Rule::E0501,
         message,
-        "write `v*v` for squares of entries, `M*M` for a matrix product, `dot(v, v)` for a sum of squares",
+        "write `v*v` for squares of entries, `M*M` for a matrix product, `inverse(M)` for a matrix to the power -1, `dot(v, v)` for a sum of squares",
     )
 }
 
