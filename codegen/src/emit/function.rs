@@ -252,6 +252,9 @@ impl Function<'_> {
         for &id in temporaries.filter(|id| !packed.contains_key(id)) {
             variables[id.0 as usize].get_or_insert_with(|| match program.instruction(id).op {
                 Op::Family(family, _) => scope.claim(&program.families[family.0 as usize].name),
+                Op::Ldlt(matrix) if plan.labels.contains_key(&matrix) => {
+                    scope.claim(&format!("{}_factors", plan.labels[&matrix]))
+                }
                 _ => scope.temporary(&mut next),
             });
         }
@@ -389,4 +392,31 @@ fn used_inputs(program: &Program, plan: &Plan) -> Vec<bool> {
         }
     }
     used
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::emit::standalone;
+    use crate::ir::Program;
+
+    #[test]
+    fn factors_of_a_matrix_are_named_after_it() {
+        let program: Program = "program mass
+input q: vec4
+origin \"plant\" \"\"
+%0: vec4 = input q
+%1: mat4x4 = outer %0, %0
+%2 M: mat4x4 = add %1, %1 @0
+%3: ldlt4 = ldlt %2
+%4: vec4 = solve %3, %0
+%5: vec4 = sin %4
+%6: mat4x4 = solve %3, %1
+%7: vec4 = matmul %6, %5
+output x = %7
+"
+        .parse()
+        .expect("a readable program");
+        program.assert_sound();
+        insta::assert_snapshot!(standalone(&program));
+    }
 }
