@@ -149,6 +149,7 @@ impl Context<'_> {
     /// The meaning of a formula at a place.
     pub(super) fn elaborate(&mut self, parsed: &Parsed, place: Place) -> Option<ExprId> {
         self.check_angles(parsed);
+        self.check_quotients(parsed);
         self.meaning(parsed, place)
     }
 

@@ -30,6 +30,7 @@ mod observer;
 mod pairing;
 mod parameters;
 mod plant;
+mod quotients;
 mod reference;
 mod scenario;
 mod scope;

@@ -17,6 +17,7 @@ const LONGEST: usize = 200;
 const DEEPEST: usize = 4;
 const MOST: usize = 4;
 const BY_ZERO: &str = "division by zero";
+const SINGULAR: &str = "has no inverse";
 
 impl Context<'_> {
     /// The fault of a formula that is not finite at a point (or, without one, as a constant), with the operation that makes it so
@@ -55,6 +56,10 @@ impl Context<'_> {
                 fault.help = Some(format!(
                     "write it so that the divisor is never 0{elsewhere}"
                 ));
+            }
+            if label.ends_with(SINGULAR) {
+                let help = "the equations depend on each other, or an unknown is in none of them";
+                fault.help = Some(help.to_owned());
             }
             if depth == 0 {
                 fault.span = Some(node.span);
@@ -133,6 +138,10 @@ impl Context<'_> {
                 .filter(|(_, value)| *value == 0.0)
                 .map(|(text, _)| format!("{BY_ZERO}: {text} is 0")),
             Kind::Call(name, arguments) => match arguments.as_slice() {
+                [matrix] | [matrix, _] if matches!(name.text.as_str(), "solve" | "inverse") => {
+                    let part = expr.part(matrix.index());
+                    Some(format!("{} {SINGULAR}", self.text(part.span())))
+                }
                 [only] => operand(*only).map(|(text, value)| {
                     let value = rounded(value);
                     match text == format!("`{value}`") {

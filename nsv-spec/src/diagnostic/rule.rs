@@ -154,6 +154,7 @@ codes! {
     W0003 "argument without use",
     W0010 "angle in degrees where a function takes radians",
     W0011 "number without a unit for a state in degrees",
+    W0012 "quotient by a matrix",
 }
 
 impl Rule {

@@ -215,6 +215,7 @@ impl<'a> Lexer<'a> {
         let message = format!("unexpected `{}`", self.text[range.clone()].escape_debug());
         let help = match found {
             Some((_, native)) => format!("write `{native}`"),
+            None if first == '\\' => "write `solve(M, b)` for the solution of `M*x = b`".to_owned(),
             None => "expressions are made of numbers, names, operators, functions and brackets"
                 .to_owned(),
         };

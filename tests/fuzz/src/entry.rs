@@ -172,7 +172,7 @@ thread_local! {
 pub type Asked = (&'static str, fn() -> Job);
 
 /// Formulas whose derivatives the tapes of [`export`] claim to be.
-pub const QUESTIONS: [Asked; 4] = [
+pub const QUESTIONS: [Asked; 5] = [
     (SPRING, || Job::Hessian {
         wrt: vec!["x".into()],
     }),
@@ -187,6 +187,10 @@ pub const QUESTIONS: [Asked; 4] = [
         order: 4,
         varying: vec!["v".into()],
     }),
+    (EQUATIONS, || Job::Rates {
+        order: 2,
+        varying: vec!["x".into()],
+    }),
 ];
 
 const SPRING: &str = "
@@ -199,6 +203,14 @@ const SPRING: &str = "
     %3: real = powi %2, 4
     %4: real = mul %3, %1
     output U = %4
+";
+const EQUATIONS: &str = "
+    program equations
+    input x: vec2
+    %0: vec2 = input x
+    %1: mat2x2 = outer %0, %0
+    %2: vec2 = solve %1, %0
+    output y = %2
 ";
 const LIFT: &str = "
     program lift
@@ -235,7 +247,7 @@ pub fn export(bytes: &[u8]) {
             Err(_) => return,
         },
     };
-    let (formula, job) = QUESTIONS[usize::from(*choice) % QUESTIONS.len()];
+    let (formula, job) = QUESTIONS[usize::from(choice.wrapping_sub(b'0')) % QUESTIONS.len()];
     let formula: Program = formula.parse().expect("a formula");
     let question = Question::new(&formula, &job());
     if let Ok(program) = decode(&question, &tape) {

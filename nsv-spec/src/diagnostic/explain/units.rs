@@ -151,4 +151,15 @@ pub(super) const ALL: &[(Rule, Explanation)] = &[
             ],
         ),
     ),
+    (
+        Rule::W0012,
+        plain(
+            "`+`, `-`, `/` work entry by entry, so that `1/M` is not the inverse of a matrix but its reciprocals. `inverse(M)` is the inverse, and `solve(M, b)` is `inverse(M)*b`.",
+            &[edit(
+                "-v/(1 s)",
+                "-(1/[[2, 1], [1, 2]])[1, 1]*v/(1 s)",
+                "-inverse([[2, 1], [1, 2]])[1, 1]*v/(1 s)",
+            )],
+        ),
+    ),
 ];
