@@ -64,9 +64,9 @@ impl<const P: usize> Axis<P> {
         interval
     }
 
-    /// Where arguments lie, for the derivative of an order by them.
+    /// Where an argument lies.
     #[inline(always)]
-    fn place<T: Real>(&self, x: T, order: usize) -> Place<T> {
+    pub fn place<T: Real>(&self, x: T) -> Place<T> {
         let [low, high] = self.ends().map(T::from_f64);
         let (below, above) = (x.lt(low), x.gt(high));
         let interval = self.interval(x);
@@ -75,15 +75,14 @@ impl<const P: usize> Axis<P> {
         Place {
             interval,
             s: T::select(below, low, T::select(above, high, x)) - start,
-            order,
             inside: x.ge(low).and(x.le(high)),
             outside: below.or(above),
         }
     }
 
-    /// Values of the splines that are not zero there.
+    /// Values there of the splines that are not zero, or of their derivatives of an order less than `P`.
     #[inline(always)]
-    fn weights<T: Real>(&self, place: &Place<T>) -> [T; P] {
+    pub fn weights<T: Real>(&self, place: &Place<T>, order: usize) -> [T; P] {
         let none = &const { [[f64::NAN; P]; P] };
         let splines = of_lanes::<T, _>(none, |lane| {
             self.splines.get(place.interval[lane]).unwrap_or(none)
@@ -91,7 +90,8 @@ impl<const P: usize> Axis<P> {
         let mut weights = [T::zero(); P];
         let mut k = 0;
         while k < P {
-            weights[k] = place.value(&of_lanes::<T, _>(&none[0], |lane| &splines[lane][k]));
+            let powers = of_lanes::<T, _>(&none[0], |lane| &splines[lane][k]);
+            weights[k] = place.value(&powers, order);
             k += 1;
         }
         weights
@@ -102,37 +102,53 @@ impl<const D: usize, const P: usize> Table<D, P> {
     /// The derivative `orders[j]` times by argument j, each order less than `P`; any number as argument, NaN gives NaN where the value depends on it.
     #[inline(always)]
     pub fn value<T: Real>(&self, orders: [usize; D], arguments: [T; D]) -> T {
-        let mut first = [0; MOST_LANES];
+        let mut places = [self.axes[D - 1].place(arguments[D - 1]); D];
         let mut weights = [[T::zero(); P]; D];
-        let mut inside = T::Mask::splat(true);
         let mut j = 0;
         while j + 1 < D {
-            let place = self.axes[j].place(arguments[j], orders[j]);
-            first = place.after(&first, self.axes[j].intervals() + P - 1);
-            weights[j] = self.axes[j].weights(&place);
-            inside = inside.and(place.inside);
+            places[j] = self.axes[j].place(arguments[j]);
+            weights[j] = self.axes[j].weights(&places[j], orders[j]);
             j += 1;
         }
-        let place = self.axes[j].place(arguments[j], orders[j]);
-        first = place.after(&first, self.axes[j].intervals());
-        let value = sum(self.curves(&first, &place), &weights);
+        self.at(&places, &weights, orders[j])
+    }
+
+    /// The value there, differentiated so often by the last argument, under the weights of the other axes' splines, which may be derivatives.
+    #[inline(always)]
+    pub fn at<T: Real>(&self, places: &[Place<T>; D], weights: &[[T; P]], order: usize) -> T {
+        let mut first = [0; MOST_LANES];
+        let mut inside = T::Mask::splat(true);
+        let mut j = 0;
+        while j < D {
+            let more = if j + 1 < D { P - 1 } else { 0 };
+            first = places[j].after(&first, self.axes[j].intervals() + more);
+            inside = inside.and(places[j].inside);
+            j += 1;
+        }
+        let value = sum::<T, D, P>(self.curves(&first, &places[D - 1], order), weights);
         if self.held {
             return value;
         }
-        T::select(inside.and(place.inside), value, T::from_f64(f64::NAN))
+        T::select(inside, value, T::from_f64(f64::NAN))
     }
 
     /// Values of the curves that share an interval of the last axis, from the first one on.
     #[inline(always)]
-    fn curves<T: Real>(&self, first: &OfLanes<usize>, place: &Place<T>) -> [T; MOST_CURVES] {
+    fn curves<T: Real>(
+        &self,
+        first: &OfLanes<usize>,
+        place: &Place<T>,
+        order: usize,
+    ) -> [T; MOST_CURVES] {
         let none = &const { [f64::NAN; P] };
         let mut curves = [T::zero(); MOST_CURVES];
         let mut number = 0;
         while number < P.pow(D as u32 - 1) {
             let offset = self.offset(number);
-            curves[number] = place.value(&of_lanes::<T, _>(none, |lane| {
+            let powers = of_lanes::<T, _>(none, |lane| {
                 self.curves.get(first[lane] + offset).unwrap_or(none)
-            }));
+            });
+            curves[number] = place.value(&powers, order);
             number += 1;
         }
         curves
@@ -153,13 +169,12 @@ impl<const D: usize, const P: usize> Table<D, P> {
     }
 }
 
-/// Where arguments lie on an axis.
-struct Place<T: Real> {
+/// Where an argument lies on an axis.
+#[derive(Clone, Copy, Debug)]
+pub struct Place<T: Real> {
     interval: OfLanes<usize>,
     /// From the start of the interval.
     s: T,
-    /// How often to differentiate.
-    order: usize,
     /// Between the ends, so that the table is defined.
     inside: T::Mask,
     /// Beyond an end, where derivatives are 0.
@@ -173,14 +188,14 @@ impl<T: Real> Place<T> {
         of_lanes::<T, _>(0, |lane| before[lane] * count + self.interval[lane])
     }
 
-    /// The value there of a polynomial, or of its derivative, by Horner's scheme; `powers` are those of each lane.
+    /// The value there of a polynomial, or of its derivative of an order, by Horner's scheme; `powers` are those of each lane.
     #[inline(always)]
-    fn value<const P: usize>(&self, powers: &OfLanes<&[f64; P]>) -> T {
+    fn value<const P: usize>(&self, powers: &OfLanes<&[f64; P]>, order: usize) -> T {
         let mut sum = T::zero();
         let mut m = P;
-        while m > self.order {
+        while m > order {
             m -= 1;
-            let (mut factor, mut k) = (1.0, m + 1 - self.order);
+            let (mut factor, mut k) = (1.0, m + 1 - order);
             while k <= m {
                 factor *= k as f64;
                 k += 1;
@@ -192,7 +207,7 @@ impl<T: Real> Place<T> {
                 sum * self.s + power
             };
         }
-        if self.order == 0 {
+        if order == 0 {
             return sum;
         }
         T::select(self.outside, T::zero(), sum)
@@ -203,7 +218,7 @@ impl<T: Real> Place<T> {
 #[inline(always)]
 fn sum<T: Real, const D: usize, const P: usize>(
     mut curves: [T; MOST_CURVES],
-    weights: &[[T; P]; D],
+    weights: &[[T; P]],
 ) -> T {
     let mut j = D - 1;
     while j > 0 {

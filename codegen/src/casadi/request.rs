@@ -170,6 +170,7 @@ impl Builder<'_> {
             Op::MulAdd(..)
             | Op::Solve(..)
             | Op::SingularVector(_)
+            | Op::TableFamily(..)
             | Op::Family(..)
             | Op::Basis(..)
             | Op::BasisRate(..)

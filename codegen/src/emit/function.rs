@@ -252,6 +252,9 @@ impl Function<'_> {
         for &id in temporaries.filter(|id| !packed.contains_key(id)) {
             variables[id.0 as usize].get_or_insert_with(|| match program.instruction(id).op {
                 Op::Family(family, _) => scope.claim(&program.families[family.0 as usize].name),
+                Op::TableFamily(family, _) => {
+                    scope.claim(&program.table_families[family.0 as usize].name)
+                }
                 _ => scope.temporary(&mut next),
             });
         }
@@ -277,6 +280,7 @@ impl Function<'_> {
                 polynomials,
                 tables: &self.tables.tables,
                 families,
+                table_families: self.tables.tables.family_names(program),
                 bases,
             },
             parameters,

@@ -1,5 +1,6 @@
 //! Operation counts of a program, as it is emitted: every arm of a selection is computed.
 
+use std::collections::BTreeSet;
 use std::fmt::{self, Display, Formatter};
 use std::iter::Sum;
 use std::ops::{Add, Mul};
@@ -9,8 +10,8 @@ use crate::ir::build::size;
 use crate::ir::eval::{SWEEPS, entries};
 use crate::ir::horner::Horner;
 use crate::ir::{
-    Function, Instruction, Kernel, MonomialBasis, Op, Operator, Program, Shape, TableData, Type,
-    ValueId,
+    Function, Instruction, Kernel, MonomialBasis, Op, Operator, Program, Shape, TableData,
+    TableFamily, TableMember, Type, ValueId,
 };
 
 /// How many scalar operations of each kind. Sign changes, absolute values, literals and moves count nothing.
@@ -188,7 +189,15 @@ fn operation(program: &Program, op: &Op, ty: Type) -> Cost {
                 ..NOTHING
             }
         }
-        Op::Table(id, ref orders, _) => table(&program.tables[id.0 as usize], orders),
+        Op::Table(id, ref orders, _) => {
+            let table = &program.tables[id.0 as usize];
+            places(table, &[orders]) + curves(table, orders)
+        }
+        Op::TableFamily(id, _) => {
+            let family = &program.table_families[id.0 as usize];
+            let members = family.members.iter();
+            places_of(program, family) + members.map(|of| table_member(program, of)).sum()
+        }
         Op::Family(id, _) => {
             let members = &program.families[id.0 as usize].members;
             members.iter().map(member).sum()
@@ -205,18 +214,43 @@ fn operation(program: &Program, op: &Op, ty: Type) -> Cost {
     }
 }
 
-/// On each axis the splines by Horner's scheme and two comparisons beside the search, which is not counted; then the sums.
-fn table(data: &TableData, orders: &[u32]) -> Cost {
+/// What the members of a family share.
+pub(super) fn places_of(program: &Program, family: &TableFamily) -> Cost {
+    let members = family.members.iter();
+    let orders: Vec<&[u32]> = members.map(|member| member.orders.as_slice()).collect();
+    let first = family.members[0].table;
+    places(&program.tables[first.0 as usize], &orders)
+}
+
+/// What a member of a family needs beside that.
+pub(super) fn table_member(program: &Program, member: &TableMember) -> Cost {
+    curves(&program.tables[member.table.0 as usize], &member.orders)
+}
+
+/// On each axis two comparisons beside the search, which is not counted, and on all but the last the splines by Horner's scheme, once for
+/// each order.
+fn places(data: &TableData, orders: &[&[u32]]) -> Cost {
     let degree = data.interpolant.degree.number() as u64;
-    let mut cost = NOTHING;
-    let mut sums = 1;
-    for &order in orders {
-        let steps = (degree + 1) * (degree - u64::from(order));
-        cost = cost + 2 * SELECTION + ADDITION + steps * (MULTIPLICATION + ADDITION);
-        cost = cost + sums * ((degree + 1) * MULTIPLICATION + degree * ADDITION);
-        sums *= degree + 1;
+    let axes = data.arguments.len();
+    let leading = (0..axes - 1).flat_map(|axis| {
+        let orders: BTreeSet<u32> = orders.iter().map(|orders| orders[axis]).collect();
+        orders.into_iter().map(u64::from)
+    });
+    let splines =
+        leading.map(|order| (degree + 1) * (degree - order) * (MULTIPLICATION + ADDITION));
+    axes as u64 * (2 * SELECTION + ADDITION) + splines.sum()
+}
+
+/// The curves along the last axis by Horner's scheme, and their sums.
+fn curves(data: &TableData, orders: &[u32]) -> Cost {
+    let degree = data.interpolant.degree.number() as u64;
+    let (mut cost, mut curves) = (NOTHING, 1);
+    for _ in 1..orders.len() {
+        cost = cost + curves * sum_of_products(degree + 1);
+        curves *= degree + 1;
     }
-    cost
+    let steps = degree - u64::from(orders[orders.len() - 1]);
+    cost + curves * steps * (MULTIPLICATION + ADDITION)
 }
 
 /// One call of a function.
