@@ -7,8 +7,6 @@ use crate::real::{Mask, Real};
 
 /// More lanes than any type has.
 const MOST_LANES: usize = 16;
-/// Most curves of a value: 4 x 4 for cubic splines of three arguments.
-const MOST_CURVES: usize = 16;
 
 /// One axis, for polynomials of `P` coefficients.
 #[derive(Clone, Copy, Debug)]
@@ -64,7 +62,7 @@ impl<const P: usize> Axis<P> {
         interval
     }
 
-    /// Where an argument lies.
+    /// Where an argument lies, on every axis of the same breaks.
     #[inline(always)]
     pub fn place<T: Real>(&self, x: T) -> Place<T> {
         let [low, high] = self.ends().map(T::from_f64);
@@ -113,7 +111,8 @@ impl<const D: usize, const P: usize> Table<D, P> {
         self.at(&places, &weights, orders[j])
     }
 
-    /// The value there, differentiated so often by the last argument, under the weights of the other axes' splines, which may be derivatives.
+    /// The value at places on its axes, under the weights of all axes but the last: a derivative of the `order` by the last argument, and by each
+    /// other one of the order that its weights have. Tables with the same axes share places and weights.
     #[inline(always)]
     pub fn at<T: Real>(&self, places: &[Place<T>; D], weights: &[[T; P]], order: usize) -> T {
         let mut first = [0; MOST_LANES];
@@ -125,33 +124,35 @@ impl<const D: usize, const P: usize> Table<D, P> {
             inside = inside.and(places[j].inside);
             j += 1;
         }
-        let value = sum::<T, D, P>(self.curves(&first, &places[D - 1], order), weights);
+        let value = self.sum(&first, &places[D - 1], weights, order);
         if self.held {
             return value;
         }
         T::select(inside, value, T::from_f64(f64::NAN))
     }
 
-    /// Values of the curves that share an interval of the last axis, from the first one on.
+    /// The sum of the curves that share an interval of the last axis, from the first one on, under the products of the weights.
     #[inline(always)]
-    fn curves<T: Real>(
+    fn sum<T: Real>(
         &self,
         first: &OfLanes<usize>,
         place: &Place<T>,
+        weights: &[[T; P]],
         order: usize,
-    ) -> [T; MOST_CURVES] {
+    ) -> T {
         let none = &const { [f64::NAN; P] };
-        let mut curves = [T::zero(); MOST_CURVES];
+        let mut sums = [T::zero(); D];
         let mut number = 0;
         while number < P.pow(D as u32 - 1) {
             let offset = self.offset(number);
             let powers = of_lanes::<T, _>(none, |lane| {
                 self.curves.get(first[lane] + offset).unwrap_or(none)
             });
-            curves[number] = place.value(&powers, order);
+            sums[D - 1] = place.value(&powers, order);
+            add(&mut sums, weights, number);
             number += 1;
         }
-        curves
+        sums[0]
     }
 
     /// How far a curve is from the first one: the splines of a later axis count faster.
@@ -214,28 +215,23 @@ impl<T: Real> Place<T> {
     }
 }
 
-/// The sum of the curves under the products of the weights, of all axes but the last.
+/// Adds the curve of a number, which stands in the last place, to the sum over the splines of the axis before, and that sum, if it is
+/// complete, to the one before it, and so on. One by one, the curves need not all be kept.
 #[inline(always)]
-fn sum<T: Real, const D: usize, const P: usize>(
-    mut curves: [T; MOST_CURVES],
+fn add<T: Real, const D: usize, const P: usize>(
+    sums: &mut [T; D],
     weights: &[[T; P]],
-) -> T {
-    let mut j = D - 1;
-    while j > 0 {
+    number: usize,
+) {
+    let (mut rest, mut is_complete, mut j) = (number, true, D - 1);
+    while j > 0 && is_complete {
         j -= 1;
-        let mut number = 0;
-        while number < P.pow(j as u32) {
-            let mut sum = weights[j][0] * curves[number * P];
-            let mut k = 1;
-            while k < P {
-                sum = sum + weights[j][k] * curves[number * P + k];
-                k += 1;
-            }
-            curves[number] = sum;
-            number += 1;
-        }
+        let spline = rest % P;
+        let term = weights[j][spline] * sums[j + 1];
+        sums[j] = if spline == 0 { term } else { sums[j] + term };
+        is_complete = spline == P - 1;
+        rest /= P;
     }
-    curves[0]
 }
 
 /// What each lane has, in the first places.
@@ -285,6 +281,33 @@ mod tests {
             assert_eq!(PLANE.value([1, 0], [x, y]), 10.0);
             assert_eq!(PLANE.value([0, 1], [x, y]), 1.0);
             assert_eq!(PLANE.value([1, 1], [x, y]), 0.0);
+        }
+    }
+
+    #[test]
+    fn at_one_place_tables_have_the_values_that_they_have_alone() {
+        let strict = Table {
+            curves: &[
+                [0.5, 3.0],
+                [2.0, -1.0],
+                [0.0, 0.25],
+                [7.0, 1.5],
+                [-4.0, 0.0],
+                [1.0, 2.0],
+            ],
+            held: false,
+            ..PLANE
+        };
+        for (x, y) in [(0.25, 2.0), (1.0, 1.0), (3.5, 0.5), (2.0, f64::NAN)] {
+            let places = [LINE.place(x), LAST.place(y)];
+            for (of_x, of_y) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                let weights = [LINE.weights(&places[0], of_x)];
+                for table in [PLANE, strict] {
+                    let alone = table.value([of_x, of_y], [x, y]);
+                    let together = table.at(&places, &weights, of_y);
+                    assert_eq!(together.to_bits(), alone.to_bits(), "{x} {y}");
+                }
+            }
         }
     }
 

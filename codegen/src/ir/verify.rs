@@ -293,6 +293,7 @@ mod tests {
 input x: vec2
 polynomial f(a) = 2.0 [1]
 table k(a) = breaks [0.0, 1.0], linear clamp [2.0, 3.0]
+tables m(a) = k [0], k [1]
 family h(a) = p [1.0, -0.0], q [2.0]
 basis b(a, c) = [0, 0], [1, 0]
 origin \"group\" \"y = 2 x\"
@@ -304,6 +305,7 @@ origin \"group\" \"y = 2 x\"
 %5: vec2 = basis b, %0
 %6: vec2 = family h, %3
 %7: real = table k 1, %3
+%8: vec2 = tables m, %3
 output y = %2
 ";
 
@@ -335,6 +337,27 @@ output y = %2
             "table k 1, %3",
             "table k 2, %3",
             &["%7 has operands that do not fit its operation"],
+        );
+        for family in [
+            "k [0], k [0]",
+            "k [0], k [2]",
+            "k [0], k [0, 1]",
+            "k [0], #1 [0]",
+            "",
+        ] {
+            let expected: &[&str] = match family {
+                "" => &[
+                    "family of tables `m` is malformed",
+                    "%8 is declared vec2, but is vec0",
+                ],
+                _ => &["family of tables `m` is malformed"],
+            };
+            check("k [0], k [1]", family, expected);
+        }
+        check(
+            "tables m, %3",
+            "tables m, %3, %3",
+            &["%8 has operands that do not fit its operation"],
         );
         check(
             "mul %0, %1",
@@ -424,8 +447,8 @@ output y = %2
         );
         check(
             "output y = %2",
-            "output y = %8",
-            &["output `y` is %8, which does not exist"],
+            "output y = %9",
+            &["output `y` is %9, which does not exist"],
         );
         check("2.0 [1]", "2.0 [1, 1]", &["polynomial `f` is malformed"]);
         check("2.0 [1]", "NaN [1]", &["polynomial `f` is malformed"]);

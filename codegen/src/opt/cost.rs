@@ -395,6 +395,33 @@ mod tests {
     }
 
     #[test]
+    fn tables_at_one_place_count_it_once() {
+        // The place: two comparisons and a difference on each axis. Splines: four of three steps. The value: four
+        // curves of three steps, and the sum of four products.
+        let (place, splines, value) = ([2, 0, 4], [12, 12, 0], [15, 16, 0]);
+        // Derivatives have a step less.
+        let (splines_d1, value_d1) = ([8, 8, 0], [11, 12, 0]);
+        let check = |calls: &str, parts: &[[u64; 3]]| {
+            let numbers = vec![1.0; 20];
+            let text = format!(
+                "input x: vec2\ntable f(a, b) = breaks [0.0, 1.0, 2.0], breaks [0.0, 1.0], cubic clamp {numbers:?}\n\
+                 tables at(a, b) = f [0, 0], f [1, 0], f [0, 1]\n%0: vec2 = input x\n%1: real = element %0, 0, 0\n\
+                 %2: real = element %0, 1, 0\n%3: {calls}, %1, %2\noutput y = %3"
+            );
+            let program: Program = text.parse().unwrap();
+            program.assert_sound();
+            let sum = |at: usize| parts.iter().map(|part| part[at]).sum::<u64>();
+            let cost = count(&program);
+            let counts = [cost.additions, cost.multiplications, cost.selections];
+            assert_eq!(counts, [0, 1, 2].map(sum), "{calls}");
+        };
+        check("real = table f 0 0", &[place, splines, value]);
+        check("real = table f 1 0", &[place, splines_d1, value]);
+        let together = [place, splines, splines_d1, value, value, value_d1];
+        check("vec3 = tables at", &together);
+    }
+
+    #[test]
     fn solving_counts_its_method() {
         let of = |n: usize| {
             let (a, b) = (
