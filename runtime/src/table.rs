@@ -7,8 +7,6 @@ use crate::real::{Mask, Real};
 
 /// More lanes than any type has.
 const MOST_LANES: usize = 16;
-/// Most curves of a value: 4 x 4 for cubic splines of three arguments.
-const MOST_CURVES: usize = 16;
 
 /// One axis, for polynomials of `P` coefficients.
 #[derive(Clone, Copy, Debug)]
@@ -64,9 +62,9 @@ impl<const P: usize> Axis<P> {
         interval
     }
 
-    /// Where arguments lie, for the derivative of an order by them.
+    /// Where an argument lies, on every axis of the same breaks.
     #[inline(always)]
-    fn place<T: Real>(&self, x: T, order: usize) -> Place<T> {
+    pub fn place<T: Real>(&self, x: T) -> Place<T> {
         let [low, high] = self.ends().map(T::from_f64);
         let (below, above) = (x.lt(low), x.gt(high));
         let interval = self.interval(x);
@@ -75,15 +73,14 @@ impl<const P: usize> Axis<P> {
         Place {
             interval,
             s: T::select(below, low, T::select(above, high, x)) - start,
-            order,
             inside: x.ge(low).and(x.le(high)),
             outside: below.or(above),
         }
     }
 
-    /// Values of the splines that are not zero there.
+    /// Values there of the splines that are not zero, or of their derivatives of an order less than `P`.
     #[inline(always)]
-    fn weights<T: Real>(&self, place: &Place<T>) -> [T; P] {
+    pub fn weights<T: Real>(&self, place: &Place<T>, order: usize) -> [T; P] {
         let none = &const { [[f64::NAN; P]; P] };
         let splines = of_lanes::<T, _>(none, |lane| {
             self.splines.get(place.interval[lane]).unwrap_or(none)
@@ -91,7 +88,8 @@ impl<const P: usize> Axis<P> {
         let mut weights = [T::zero(); P];
         let mut k = 0;
         while k < P {
-            weights[k] = place.value(&of_lanes::<T, _>(&none[0], |lane| &splines[lane][k]));
+            let powers = of_lanes::<T, _>(&none[0], |lane| &splines[lane][k]);
+            weights[k] = place.value(&powers, order);
             k += 1;
         }
         weights
@@ -102,40 +100,59 @@ impl<const D: usize, const P: usize> Table<D, P> {
     /// The derivative `orders[j]` times by argument j, each order less than `P`; any number as argument, NaN gives NaN where the value depends on it.
     #[inline(always)]
     pub fn value<T: Real>(&self, orders: [usize; D], arguments: [T; D]) -> T {
-        let mut first = [0; MOST_LANES];
+        let mut places = [self.axes[D - 1].place(arguments[D - 1]); D];
         let mut weights = [[T::zero(); P]; D];
-        let mut inside = T::Mask::splat(true);
         let mut j = 0;
         while j + 1 < D {
-            let place = self.axes[j].place(arguments[j], orders[j]);
-            first = place.after(&first, self.axes[j].intervals() + P - 1);
-            weights[j] = self.axes[j].weights(&place);
-            inside = inside.and(place.inside);
+            places[j] = self.axes[j].place(arguments[j]);
+            weights[j] = self.axes[j].weights(&places[j], orders[j]);
             j += 1;
         }
-        let place = self.axes[j].place(arguments[j], orders[j]);
-        first = place.after(&first, self.axes[j].intervals());
-        let value = sum(self.curves(&first, &place), &weights);
+        self.at(&places, &weights, orders[j])
+    }
+
+    /// The value at places on its axes, under the weights of all axes but the last: a derivative of the `order` by the last argument, and by each
+    /// other one of the order that its weights have. Tables with the same axes share places and weights.
+    #[inline(always)]
+    pub fn at<T: Real>(&self, places: &[Place<T>; D], weights: &[[T; P]], order: usize) -> T {
+        let mut first = [0; MOST_LANES];
+        let mut inside = T::Mask::splat(true);
+        let mut j = 0;
+        while j < D {
+            let more = if j + 1 < D { P - 1 } else { 0 };
+            first = places[j].after(&first, self.axes[j].intervals() + more);
+            inside = inside.and(places[j].inside);
+            j += 1;
+        }
+        let value = self.sum(&first, &places[D - 1], weights, order);
         if self.held {
             return value;
         }
-        T::select(inside.and(place.inside), value, T::from_f64(f64::NAN))
+        T::select(inside, value, T::from_f64(f64::NAN))
     }
 
-    /// Values of the curves that share an interval of the last axis, from the first one on.
+    /// The sum of the curves that share an interval of the last axis, from the first one on, under the products of the weights.
     #[inline(always)]
-    fn curves<T: Real>(&self, first: &OfLanes<usize>, place: &Place<T>) -> [T; MOST_CURVES] {
+    fn sum<T: Real>(
+        &self,
+        first: &OfLanes<usize>,
+        place: &Place<T>,
+        weights: &[[T; P]],
+        order: usize,
+    ) -> T {
         let none = &const { [f64::NAN; P] };
-        let mut curves = [T::zero(); MOST_CURVES];
+        let mut sums = [T::zero(); D];
         let mut number = 0;
         while number < P.pow(D as u32 - 1) {
             let offset = self.offset(number);
-            curves[number] = place.value(&of_lanes::<T, _>(none, |lane| {
+            let powers = of_lanes::<T, _>(none, |lane| {
                 self.curves.get(first[lane] + offset).unwrap_or(none)
-            }));
+            });
+            sums[D - 1] = place.value(&powers, order);
+            add(&mut sums, weights, number);
             number += 1;
         }
-        curves
+        sums[0]
     }
 
     /// How far a curve is from the first one: the splines of a later axis count faster.
@@ -153,13 +170,12 @@ impl<const D: usize, const P: usize> Table<D, P> {
     }
 }
 
-/// Where arguments lie on an axis.
-struct Place<T: Real> {
+/// Where an argument lies on an axis.
+#[derive(Clone, Copy, Debug)]
+pub struct Place<T: Real> {
     interval: OfLanes<usize>,
     /// From the start of the interval.
     s: T,
-    /// How often to differentiate.
-    order: usize,
     /// Between the ends, so that the table is defined.
     inside: T::Mask,
     /// Beyond an end, where derivatives are 0.
@@ -173,14 +189,14 @@ impl<T: Real> Place<T> {
         of_lanes::<T, _>(0, |lane| before[lane] * count + self.interval[lane])
     }
 
-    /// The value there of a polynomial, or of its derivative, by Horner's scheme; `powers` are those of each lane.
+    /// The value there of a polynomial, or of its derivative of an order, by Horner's scheme; `powers` are those of each lane.
     #[inline(always)]
-    fn value<const P: usize>(&self, powers: &OfLanes<&[f64; P]>) -> T {
+    fn value<const P: usize>(&self, powers: &OfLanes<&[f64; P]>, order: usize) -> T {
         let mut sum = T::zero();
         let mut m = P;
-        while m > self.order {
+        while m > order {
             m -= 1;
-            let (mut factor, mut k) = (1.0, m + 1 - self.order);
+            let (mut factor, mut k) = (1.0, m + 1 - order);
             while k <= m {
                 factor *= k as f64;
                 k += 1;
@@ -192,35 +208,30 @@ impl<T: Real> Place<T> {
                 sum * self.s + power
             };
         }
-        if self.order == 0 {
+        if order == 0 {
             return sum;
         }
         T::select(self.outside, T::zero(), sum)
     }
 }
 
-/// The sum of the curves under the products of the weights, of all axes but the last.
+/// Adds the curve of a number, which stands in the last place, to the sum over the splines of the axis before, and that sum, if it is
+/// complete, to the one before it, and so on. One by one, the curves need not all be kept.
 #[inline(always)]
-fn sum<T: Real, const D: usize, const P: usize>(
-    mut curves: [T; MOST_CURVES],
-    weights: &[[T; P]; D],
-) -> T {
-    let mut j = D - 1;
-    while j > 0 {
+fn add<T: Real, const D: usize, const P: usize>(
+    sums: &mut [T; D],
+    weights: &[[T; P]],
+    number: usize,
+) {
+    let (mut rest, mut is_complete, mut j) = (number, true, D - 1);
+    while j > 0 && is_complete {
         j -= 1;
-        let mut number = 0;
-        while number < P.pow(j as u32) {
-            let mut sum = weights[j][0] * curves[number * P];
-            let mut k = 1;
-            while k < P {
-                sum = sum + weights[j][k] * curves[number * P + k];
-                k += 1;
-            }
-            curves[number] = sum;
-            number += 1;
-        }
+        let spline = rest % P;
+        let term = weights[j][spline] * sums[j + 1];
+        sums[j] = if spline == 0 { term } else { sums[j] + term };
+        is_complete = spline == P - 1;
+        rest /= P;
     }
-    curves[0]
 }
 
 /// What each lane has, in the first places.
@@ -270,6 +281,33 @@ mod tests {
             assert_eq!(PLANE.value([1, 0], [x, y]), 10.0);
             assert_eq!(PLANE.value([0, 1], [x, y]), 1.0);
             assert_eq!(PLANE.value([1, 1], [x, y]), 0.0);
+        }
+    }
+
+    #[test]
+    fn at_one_place_tables_have_the_values_that_they_have_alone() {
+        let strict = Table {
+            curves: &[
+                [0.5, 3.0],
+                [2.0, -1.0],
+                [0.0, 0.25],
+                [7.0, 1.5],
+                [-4.0, 0.0],
+                [1.0, 2.0],
+            ],
+            held: false,
+            ..PLANE
+        };
+        for (x, y) in [(0.25, 2.0), (1.0, 1.0), (3.5, 0.5), (2.0, f64::NAN)] {
+            let places = [LINE.place(x), LAST.place(y)];
+            for (of_x, of_y) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                let weights = [LINE.weights(&places[0], of_x)];
+                for table in [PLANE, strict] {
+                    let alone = table.value([of_x, of_y], [x, y]);
+                    let together = table.at(&places, &weights, of_y);
+                    assert_eq!(together.to_bits(), alone.to_bits(), "{x} {y}");
+                }
+            }
         }
     }
 

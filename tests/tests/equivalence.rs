@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use nsv_codegen::ir::eval::Evaluator;
 use nsv_codegen::ir::{Program, Values};
 use nsv_codegen::lower::Programs;
-use nsv_codegen::opt::{Kind, PASSES, optimise};
+use nsv_codegen::opt::{Kind, LAST, PASSES, optimise};
 use nsv_runtime::noise::Noise;
 use nsv_spec::model::Model;
 use nsv_tests::compiled::{Emitted, Module, modules};
@@ -63,7 +63,8 @@ fn stages(program: &Program) -> Vec<(String, Program)> {
     ];
     let mut present = program.clone();
     for round in 1..=2 {
-        for pass in PASSES.iter().filter(|pass| pass.kind == Kind::Exact) {
+        let passes = PASSES.iter().chain(&LAST);
+        for pass in passes.filter(|pass| pass.kind == Kind::Exact) {
             let next = (pass.run)(present.clone());
             if next != present {
                 stages.push((format!("{}, round {round}", pass.name), next.clone()));

@@ -171,6 +171,7 @@ impl Builder<'_> {
             Op::MulAdd(..)
             | Op::Ldlt(_)
             | Op::SingularVector(_)
+            | Op::TableFamily(..)
             | Op::Family(..)
             | Op::Basis(..)
             | Op::BasisRate(..)

@@ -71,8 +71,10 @@ pub(crate) struct Names<'a> {
     pub(crate) polynomials: Vec<TokenStream>,
     /// Functions of the tables.
     pub(crate) tables: &'a Tables,
-    /// Each family, by position.
+    /// Each family of polynomials, by position.
     pub(crate) families: Vec<Option<FamilyNames>>,
+    /// Each family of tables, by position.
+    pub(crate) table_families: Vec<Option<FamilyNames>>,
     /// Functions of each basis, by position: value, rate, second rate.
     pub(crate) bases: Vec<[TokenStream; 3]>,
 }
@@ -163,10 +165,9 @@ impl Names<'_> {
                     .path(self.program, &self.program.instruction(id).op);
                 self.call(&function, arguments)
             }
-            Op::Family(_, z) => {
-                let names = self.family(id).expect("invariant: the value of a family");
-                let function = &names.function;
-                self.call(&quote!(polynomials::#function), &[*z])
+            op @ (Op::Family(..) | Op::TableFamily(..)) => {
+                let family = self.family(id).expect("invariant: the value of a family");
+                self.call(&family.path(), &op.operands())
             }
             Op::Basis(basis, z) => self.call(&self.bases[basis.0 as usize][0], &[*z]),
             Op::BasisRate(basis, z, rate) => {
@@ -192,6 +193,7 @@ impl Names<'_> {
     pub(crate) fn family(&self, id: ValueId) -> Option<&FamilyNames> {
         match self.program.instruction(id).op {
             Op::Family(family, _) => self.families[family.0 as usize].as_ref(),
+            Op::TableFamily(family, _) => self.table_families[family.0 as usize].as_ref(),
             _ => None,
         }
     }

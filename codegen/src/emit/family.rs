@@ -6,13 +6,15 @@ use quote::{format_ident, quote};
 
 use crate::emit::comment::{code, docs, prose};
 use crate::emit::literal::row;
-use crate::emit::names::{Fields, Scope, type_name};
+use crate::emit::names::{Scope, ident, type_name};
 use crate::emit::types::index;
 use crate::ir::PolynomialFamily;
 
 /// Names of a family in emitted code.
 #[derive(Clone, Debug)]
 pub(crate) struct FamilyNames {
+    /// The module that it is in.
+    pub(crate) module: Ident,
     /// The function.
     pub(crate) function: Ident,
     /// The struct of its values.
@@ -22,22 +24,36 @@ pub(crate) struct FamilyNames {
 }
 
 impl FamilyNames {
-    /// Names that `functions` and `types` have not given yet.
+    /// Names in a module that `functions` and `types` have not given yet, for a family of this name with members of these.
     pub(crate) fn new(
-        family: &PolynomialFamily,
+        module: &str,
+        family: &str,
+        members: impl Iterator<Item = String>,
         functions: &mut Scope,
         types: &mut Scope,
     ) -> FamilyNames {
-        let fields = Fields::new(family.members.iter().map(|member| member.name.as_str()));
-        let members = family.members.iter();
-        let function = functions.claim(&family.name);
+        let mut fields = Scope::default();
+        let function = functions.claim(family);
         FamilyNames {
+            module: ident(module),
             ty: types.claim(&type_name(&function.to_string())),
             function,
-            fields: members
-                .map(|member| fields.get(&member.name).clone())
-                .collect(),
+            fields: members.map(|member| fields.claim(&member)).collect(),
         }
+    }
+
+    /// Path of the function.
+    pub(crate) fn path(&self) -> TokenStream {
+        let FamilyNames {
+            module, function, ..
+        } = self;
+        quote!(#module::#function)
+    }
+
+    /// Path of the struct of its values.
+    pub(crate) fn type_path(&self) -> TokenStream {
+        let FamilyNames { module, ty, .. } = self;
+        quote!(#module::#ty)
     }
 }
 
@@ -54,6 +70,7 @@ pub(crate) fn items<'s>(
         function,
         ty,
         fields,
+        ..
     } = names;
     let members = family.members.iter().zip(fields).map(|(member, field)| {
         let source = source(&member.name).map(|source| format!(", source: {}", prose(source)));

@@ -255,6 +255,9 @@ impl Function<'_> {
                 Op::Ldlt(matrix) if plan.labels.contains_key(&matrix) => {
                     scope.claim(&format!("{}_factors", plan.labels[&matrix]))
                 }
+                Op::TableFamily(family, _) => {
+                    scope.claim(&program.table_families[family.0 as usize].name)
+                }
                 _ => scope.temporary(&mut next),
             });
         }
@@ -280,6 +283,7 @@ impl Function<'_> {
                 polynomials,
                 tables: &self.tables.tables,
                 families,
+                table_families: self.tables.tables.family_names(program),
                 bases,
             },
             parameters,

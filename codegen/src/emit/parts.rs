@@ -258,8 +258,8 @@ impl Whole<'_> {
         let variable = variable.expect("invariant: the value has a variable");
         let ty = match self.names.family(id) {
             Some(family) => {
-                let ty = &family.ty;
-                quote!(polynomials::#ty<T>)
+                let ty = family.type_path();
+                quote!(#ty<T>)
             }
             None => type_of(self.function.program.ty(id)),
         };

@@ -118,8 +118,7 @@ fn bound(program: &Program, live: &[bool], labels: &BTreeMap<ValueId, String>) -
         }
         weights[index] = weigh(&instruction.op, &mut weights, &mut bound);
         // The values of a family have names, which are taken from a variable.
-        let family = matches!(instruction.op, Op::Family(..));
-        bound[index] |= uses[index] > 1 || repeated[index] || family;
+        bound[index] |= uses[index] > 1 || repeated[index] || instruction.op.is_family();
         if bound[index] {
             weights[index] = 1;
         }

@@ -68,7 +68,9 @@ impl Library {
             Op::Family(id, _) => {
                 let family = &program.families[id.0 as usize];
                 if self.families.iter().all(|(known, _)| known != family) {
-                    let names = FamilyNames::new(family, scope, types);
+                    let members = family.members.iter().map(|member| member.name.clone());
+                    let module = "polynomials";
+                    let names = FamilyNames::new(module, &family.name, members, scope, types);
                     self.families.push((family.clone(), names));
                 }
                 return;

@@ -13,12 +13,11 @@ pub(crate) mod mnemonic;
 pub mod print;
 pub mod random;
 pub mod read;
+mod tables;
 mod typing;
 pub mod verify;
 
 use std::collections::BTreeMap;
-
-use nsv_spec::interpolation::Interpolant;
 
 /// A value: the instruction that makes it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -32,6 +31,10 @@ pub struct PolynomialId(pub u32);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct TableId(pub u32);
 
+/// Index into [`Program::table_families`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct TableFamilyId(pub u32);
+
 /// Index into [`Program::bases`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct BasisId(pub u32);
@@ -41,6 +44,7 @@ pub struct BasisId(pub u32);
 pub struct FamilyId(pub u32);
 
 pub use nsv_spec::expr::arena::{Comparison, Function, Operator, Shape};
+pub use tables::{TableData, TableFamily, TableMember};
 
 /// Type of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -121,6 +125,8 @@ pub enum Op {
     Polynomial(PolynomialId, Vec<ValueId>),
     /// Derivative of a lookup table at scalar arguments, so many times by each ([`nsv_spec::interpolation`]).
     Table(TableId, Vec<u32>, Vec<ValueId>),
+    /// All members of a family of tables at the same scalar arguments: a vector of the family's length.
+    TableFamily(TableFamilyId, Vec<ValueId>),
     /// All polynomials of a family at one scalar argument, each by its own Horner scheme: a vector of the family's length.
     Family(FamilyId, ValueId),
     /// Monomial basis of an input vector: a vector of the basis' length.
@@ -173,17 +179,6 @@ pub struct PolynomialData {
     pub terms: Vec<(f64, Vec<u32>)>,
 }
 
-/// A lookup table.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TableData {
-    /// Name, a Rust identifier.
-    pub name: String,
-    /// Argument names.
-    pub arguments: Vec<String>,
-    /// The function.
-    pub interpolant: Interpolant,
-}
-
 /// Polynomials of one argument that are evaluated together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PolynomialFamily {
@@ -234,6 +229,8 @@ pub struct Program {
     pub polynomials: Vec<PolynomialData>,
     /// Lookup tables used.
     pub tables: Vec<TableData>,
+    /// Families of lookup tables used.
+    pub table_families: Vec<TableFamily>,
     /// Polynomial families used.
     pub families: Vec<PolynomialFamily>,
     /// Bases used.
@@ -258,6 +255,11 @@ impl Program {
 }
 
 impl Op {
+    /// Whether it gives the values of a family, which have names.
+    pub(crate) fn is_family(&self) -> bool {
+        matches!(self, Op::Family(..) | Op::TableFamily(..))
+    }
+
     /// Operands, in order.
     pub fn operands(&self) -> Vec<ValueId> {
         match self {
@@ -285,7 +287,10 @@ impl Op {
             Op::Select(a, b, c) | Op::MulAdd(a, b, c) | Op::BasisRate2(_, a, b, c) => {
                 vec![*a, *b, *c]
             }
-            Op::Array(items) | Op::Polynomial(_, items) | Op::Table(_, _, items) => items.clone(),
+            Op::Array(items)
+            | Op::Polynomial(_, items)
+            | Op::Table(_, _, items)
+            | Op::TableFamily(_, items) => items.clone(),
         }
     }
 
@@ -321,6 +326,9 @@ impl Op {
                 orders.clone(),
                 items.iter().map(|&item| f(item)).collect(),
             ),
+            Op::TableFamily(id, ref items) => {
+                Op::TableFamily(id, items.iter().map(|&item| f(item)).collect())
+            }
             Op::Family(id, a) => Op::Family(id, f(a)),
             Op::Basis(id, a) => Op::Basis(id, f(a)),
             Op::BasisRate(id, a, b) => Op::BasisRate(id, f(a), f(b)),

@@ -5,6 +5,7 @@
 //! input x1: vec3
 //! polynomial cl(alpha, mach) = -0.0819 [0, 0], 0.047 [0, 1]
 //! table thrust(mach) = breaks [0.0, 1.0, 2.0], linear clamp [3.0, 2.5, 1.0]
+//! tables at_mach(mach) = thrust [0], thrust [1]
 //! family at_alpha(alpha) = cd [0.5, -0.0, 1.0], cm [0.25, 1.0]
 //! basis basis1(p, q) = [0, 0], [1, 0], [0, 1]
 //! origin "error variables" "e_1 = x_1 - y_r  (14)"
@@ -21,7 +22,7 @@ use nsv_spec::interpolation::{Degree, Extrapolation};
 use super::mnemonic::{COMPARISONS, FUNCTIONS, KERNELS, OPERATORS, word};
 use super::{
     FamilyMember, Instruction, MonomialBasis, Op, Origin, PolynomialData, PolynomialFamily,
-    Program, Shape, TableData, Type, ValueId,
+    Program, Shape, TableData, TableId, TableMember, Type, ValueId,
 };
 
 impl Display for Program {
@@ -38,6 +39,14 @@ impl Display for Program {
         }
         for table in &self.tables {
             writeln!(f, "{table}")?;
+        }
+        for family in &self.table_families {
+            let member = |member: &TableMember| {
+                format!("{} {:?}", self.table_name(member.table), member.orders)
+            };
+            let members = list(family.members.iter().map(member));
+            let arguments = family.arguments.join(", ");
+            writeln!(f, "tables {}({arguments}) = {members}", family.name)?;
         }
         for family in &self.families {
             writeln!(f, "{family}")?;
@@ -128,10 +137,14 @@ impl Program {
                 }
             }
             Op::Table(id, orders, _) => {
-                let name = self.tables.get(id.0 as usize).map(|data| &data.name);
                 let orders: Vec<String> = orders.iter().map(u32::to_string).collect();
-                let name = named(name, id.0 as usize);
+                let name = self.table_name(*id);
                 format!("table {name} {}, {operands}", orders.join(" "))
+            }
+            Op::TableFamily(id, _) => {
+                let family = self.table_families.get(id.0 as usize);
+                let name = named(family.map(|family| &family.name), id.0 as usize);
+                format!("tables {name}, {operands}")
             }
             Op::Family(id, _) => {
                 let family = self.families.get(id.0 as usize);
@@ -146,6 +159,11 @@ impl Program {
                 format!("basis_rate2 {}, {operands}", self.basis_name(id.0 as usize))
             }
         }
+    }
+
+    fn table_name(&self, id: TableId) -> String {
+        let data = self.tables.get(id.0 as usize);
+        named(data.map(|data| &data.name), id.0 as usize)
     }
 
     fn basis_name(&self, index: usize) -> String {

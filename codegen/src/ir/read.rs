@@ -8,7 +8,8 @@ use nsv_spec::interpolation::{Degree, Extrapolation, Interpolant};
 use super::mnemonic::{COMPARISONS, FUNCTIONS, KERNELS, OPERATORS, item};
 use super::{
     BasisId, FamilyId, FamilyMember, Input, Instruction, MonomialBasis, Op, Origin, PolynomialData,
-    PolynomialFamily, PolynomialId, Program, Shape, TableData, TableId, Type, ValueId,
+    PolynomialFamily, PolynomialId, Program, Shape, TableData, TableFamily, TableFamilyId, TableId,
+    TableMember, Type, ValueId,
 };
 
 /// A line that is not a statement of the textual form.
@@ -96,6 +97,19 @@ impl Program {
                     interpolant,
                 });
             }
+            "tables" => {
+                let (name, arguments, items) = read_table(rest)?;
+                let member = |(table, orders): (&str, _)| {
+                    let table = self.read_table_id(table)?;
+                    Ok(TableMember { table, orders })
+                };
+                let members = items.into_iter().map(member).collect::<Expected<_>>()?;
+                self.table_families.push(TableFamily {
+                    name,
+                    arguments,
+                    members,
+                });
+            }
             "family" => {
                 let (name, arguments, items) = read_table(rest)?;
                 let member = |(name, coefficients): (&str, _)| FamilyMember {
@@ -159,6 +173,11 @@ impl Program {
         Ok(())
     }
 
+    fn read_table_id(&self, name: &str) -> Expected<TableId> {
+        let names = self.tables.iter().map(|data| &data.name);
+        Ok(TableId(index(position(names, name)?)?))
+    }
+
     fn read_op(&self, text: &str) -> Expected<Op> {
         let (mnemonic, rest) = text.split_once(' ').unwrap_or((text, ""));
         let items: Vec<&str> = rest.split(", ").filter(|item| !item.is_empty()).collect();
@@ -186,10 +205,14 @@ impl Program {
             }
             ("table", [head, arguments @ ..]) => {
                 let mut words = head.split(' ');
-                let name = words.next().ok_or("a table")?;
-                let id = position(self.tables.iter().map(|data| &data.name), name)?;
+                let id = self.read_table_id(words.next().ok_or("a table")?)?;
                 let orders = words.map(number).collect::<Expected<_>>()?;
-                Op::Table(TableId(index(id)?), orders, values(arguments)?)
+                Op::Table(id, orders, values(arguments)?)
+            }
+            ("tables", [name, arguments @ ..]) => {
+                let names = self.table_families.iter().map(|family| &family.name);
+                let id = TableFamilyId(index(position(names, name)?)?);
+                Op::TableFamily(id, values(arguments)?)
             }
             ("family", [name, z]) => {
                 let id = position(self.families.iter().map(|family| &family.name), name)?;

@@ -39,14 +39,15 @@ impl Program {
             }
             Op::Table(id, ref orders, ref arguments) => {
                 let table = self.tables.get(id.0 as usize)?;
-                let degree = table.interpolant.degree.number();
-                let differentiable = orders.iter().all(|&order| order as usize <= degree);
-                let count = table.arguments.len();
-                (arguments.len() == count
-                    && orders.len() == count
-                    && differentiable
+                (arguments.len() == table.arguments.len()
+                    && table.is_differentiable(orders)
                     && self.all_scalar(arguments))
                 .then_some(SCALAR)
+            }
+            Op::TableFamily(id, ref arguments) => {
+                let family = self.table_families.get(id.0 as usize)?;
+                (arguments.len() == family.arguments.len() && self.all_scalar(arguments))
+                    .then_some(Type::Real(Shape::Vector(family.members.len())))
             }
             Op::Family(id, z) => {
                 let family = self.families.get(id.0 as usize)?;

@@ -5,7 +5,7 @@ use std::fmt::{self, Display, Formatter};
 
 use super::build::size;
 use super::print::is_word;
-use super::{FamilyMember, Instruction, Op, Program, Shape, TableData, Type, ValueId};
+use super::{FamilyMember, Instruction, Op, Program, Shape, Type, ValueId};
 
 /// A broken condition; instructions are meant by their value.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,7 +30,7 @@ pub enum Violation {
     NoSuchOrigin { value: ValueId },
     /// A name that is not made of letters, digits, `_`, `.` and `/`.
     NotAWord { name: String },
-    /// A name given twice among the inputs, among the values, among the outputs, among polynomials and bases, or among tables.
+    /// A name given twice among the inputs, among the values, among the outputs, among polynomials and bases, or among tables and their families.
     DuplicateName { name: String },
     /// A value named like an input that it is not.
     ShadowsInput { value: ValueId, name: String },
@@ -42,6 +42,8 @@ pub enum Violation {
     EmptyShape { name: String },
     /// A lookup table whose breaks or coefficients do not fit its arguments.
     BadTable { name: String },
+    /// A family of tables that is empty, or has members that are equal, that do not exist or whose axes differ.
+    BadTableFamily { name: String },
     /// Polynomial data with a non-finite coefficient or a wrong number of exponents.
     BadPolynomial { name: String },
     /// A polynomial family that is empty, or has a member without a name of its own or with coefficients that are missing or not finite.
@@ -83,6 +85,9 @@ impl Display for Violation {
             }
             Violation::EmptyShape { name } => write!(f, "`{name}` has no entries"),
             Violation::BadTable { name } => write!(f, "table `{name}` is malformed"),
+            Violation::BadTableFamily { name } => {
+                write!(f, "family of tables `{name}` is malformed")
+            }
             Violation::BadPolynomial { name } => write!(f, "polynomial `{name}` is malformed"),
             Violation::BadFamily { name } => write!(f, "polynomial family `{name}` is malformed"),
             Violation::BadBasis { name } => write!(f, "basis `{name}` is malformed"),
@@ -142,10 +147,18 @@ fn check_tables(program: &Program, violations: &mut Vec<Violation>) {
             });
         }
     }
-    check_names(program.tables.iter().map(|table| &table.name), violations);
-    for table in program.tables.iter().filter(|table| !is_sound(table)) {
+    let tables = program.tables.iter().map(|table| &table.name);
+    let table_families = program.table_families.iter().map(|family| &family.name);
+    check_names(tables.chain(table_families), violations);
+    for table in program.tables.iter().filter(|table| !table.is_sound()) {
         violations.push(Violation::BadTable {
             name: table.name.clone(),
+        });
+    }
+    let families = program.table_families.iter();
+    for family in families.filter(|family| !family.is_sound(&program.tables)) {
+        violations.push(Violation::BadTableFamily {
+            name: family.name.clone(),
         });
     }
     for family in &program.families {
@@ -173,24 +186,6 @@ fn check_tables(program: &Program, violations: &mut Vec<Violation>) {
             });
         }
     }
-}
-
-fn is_sound(table: &TableData) -> bool {
-    let interpolant = &table.interpolant;
-    let breaks = &interpolant.breaks;
-    let increasing = |breaks: &Vec<f64>| {
-        breaks.len() >= 2
-            && breaks.windows(2).all(|pair| pair[0] < pair[1])
-            && breaks.iter().all(|at| at.is_finite())
-    };
-    let counts = breaks
-        .iter()
-        .map(|breaks| breaks.len().saturating_sub(1) + interpolant.degree.number());
-    (1..=3).contains(&breaks.len())
-        && breaks.len() == table.arguments.len()
-        && breaks.iter().all(increasing)
-        && counts.product::<usize>() == interpolant.coefficients.len()
-        && interpolant.coefficients.iter().all(|c| c.is_finite())
 }
 
 fn check_instructions(program: &Program, violations: &mut Vec<Violation>) {
@@ -307,6 +302,7 @@ mod tests {
 input x: vec2
 polynomial f(a) = 2.0 [1]
 table k(a) = breaks [0.0, 1.0], linear clamp [2.0, 3.0]
+tables m(a) = k [0], k [1]
 family h(a) = p [1.0, -0.0], q [2.0]
 basis b(a, c) = [0, 0], [1, 0]
 origin \"group\" \"y = 2 x\"
@@ -318,6 +314,7 @@ origin \"group\" \"y = 2 x\"
 %5: vec2 = basis b, %0
 %6: vec2 = family h, %3
 %7: real = table k 1, %3
+%8: vec2 = tables m, %3
 output y = %2
 ";
 
@@ -349,6 +346,27 @@ output y = %2
             "table k 1, %3",
             "table k 2, %3",
             &["%7 has operands that do not fit its operation"],
+        );
+        for family in [
+            "k [0], k [0]",
+            "k [0], k [2]",
+            "k [0], k [0, 1]",
+            "k [0], #1 [0]",
+            "",
+        ] {
+            let expected: &[&str] = match family {
+                "" => &[
+                    "family of tables `m` is malformed",
+                    "%8 is declared vec2, but is vec0",
+                ],
+                _ => &["family of tables `m` is malformed"],
+            };
+            check("k [0], k [1]", family, expected);
+        }
+        check(
+            "tables m, %3",
+            "tables m, %3, %3",
+            &["%8 has operands that do not fit its operation"],
         );
         check(
             "mul %0, %1",
@@ -438,8 +456,8 @@ output y = %2
         );
         check(
             "output y = %2",
-            "output y = %8",
-            &["output `y` is %8, which does not exist"],
+            "output y = %9",
+            &["output `y` is %9, which does not exist"],
         );
         check("2.0 [1]", "2.0 [1, 1]", &["polynomial `f` is malformed"]);
         check("2.0 [1]", "NaN [1]", &["polynomial `f` is malformed"]);

@@ -1,5 +1,6 @@
 //! Operation counts of a program, as it is emitted: every arm of a selection is computed.
 
+use std::collections::BTreeSet;
 use std::fmt::{self, Display, Formatter};
 use std::iter::Sum;
 use std::ops::{Add, Mul};
@@ -9,8 +10,8 @@ use crate::ir::build::size;
 use crate::ir::eval::{SWEEPS, entries};
 use crate::ir::horner::Horner;
 use crate::ir::{
-    Function, Instruction, Kernel, MonomialBasis, Op, Operator, Program, Shape, TableData, Type,
-    ValueId,
+    Function, Instruction, Kernel, MonomialBasis, Op, Operator, Program, Shape, TableData,
+    TableFamily, TableMember, Type, ValueId,
 };
 
 /// How many scalar operations of each kind. Sign changes, absolute values, literals and moves count nothing.
@@ -192,7 +193,15 @@ fn operation(program: &Program, op: &Op, ty: Type) -> Cost {
                 ..NOTHING
             }
         }
-        Op::Table(id, ref orders, _) => table(&program.tables[id.0 as usize], orders),
+        Op::Table(id, ref orders, _) => {
+            let table = &program.tables[id.0 as usize];
+            places(table, &[orders]) + curves(table, orders)
+        }
+        Op::TableFamily(id, _) => {
+            let family = &program.table_families[id.0 as usize];
+            let members = family.members.iter();
+            places_of(program, family) + members.map(|of| table_member(program, of)).sum()
+        }
         Op::Family(id, _) => {
             let members = &program.families[id.0 as usize].members;
             members.iter().map(member).sum()
@@ -209,18 +218,43 @@ fn operation(program: &Program, op: &Op, ty: Type) -> Cost {
     }
 }
 
-/// On each axis the splines by Horner's scheme and two comparisons beside the search, which is not counted; then the sums.
-fn table(data: &TableData, orders: &[u32]) -> Cost {
+/// What the members of a family share.
+pub(super) fn places_of(program: &Program, family: &TableFamily) -> Cost {
+    let members = family.members.iter();
+    let orders: Vec<&[u32]> = members.map(|member| member.orders.as_slice()).collect();
+    let first = family.members[0].table;
+    places(&program.tables[first.0 as usize], &orders)
+}
+
+/// What a member of a family needs beside that.
+pub(super) fn table_member(program: &Program, member: &TableMember) -> Cost {
+    curves(&program.tables[member.table.0 as usize], &member.orders)
+}
+
+/// On each axis two comparisons beside the search, which is not counted, and on all but the last the splines by Horner's scheme, once for
+/// each order.
+fn places(data: &TableData, orders: &[&[u32]]) -> Cost {
     let degree = data.interpolant.degree.number() as u64;
-    let mut cost = NOTHING;
-    let mut sums = 1;
-    for &order in orders {
-        let steps = (degree + 1) * (degree - u64::from(order));
-        cost = cost + 2 * SELECTION + ADDITION + steps * (MULTIPLICATION + ADDITION);
-        cost = cost + sums * ((degree + 1) * MULTIPLICATION + degree * ADDITION);
-        sums *= degree + 1;
+    let axes = data.arguments.len();
+    let leading = (0..axes - 1).flat_map(|axis| {
+        let orders: BTreeSet<u32> = orders.iter().map(|orders| orders[axis]).collect();
+        orders.into_iter().map(u64::from)
+    });
+    let splines =
+        leading.map(|order| (degree + 1) * (degree - order) * (MULTIPLICATION + ADDITION));
+    axes as u64 * (2 * SELECTION + ADDITION) + splines.sum()
+}
+
+/// The curves along the last axis by Horner's scheme, and their sums.
+fn curves(data: &TableData, orders: &[u32]) -> Cost {
+    let degree = data.interpolant.degree.number() as u64;
+    let (mut cost, mut curves) = (NOTHING, 1);
+    for _ in 1..orders.len() {
+        cost = cost + curves * sum_of_products(degree + 1);
+        curves *= degree + 1;
     }
-    cost
+    let steps = degree - u64::from(orders[orders.len() - 1]);
+    cost + curves * steps * (MULTIPLICATION + ADDITION)
 }
 
 /// One call of a function.
@@ -380,6 +414,33 @@ mod tests {
             "vec1 = const [2.0]\nvec3 = basis_rate b, %0, %0",
             "1 add 3 mul",
         );
+    }
+
+    #[test]
+    fn tables_at_one_place_count_it_once() {
+        // The place: two comparisons and a difference on each axis. Splines: four of three steps. The value: four
+        // curves of three steps, and the sum of four products.
+        let (place, splines, value) = ([2, 0, 4], [12, 12, 0], [15, 16, 0]);
+        // Derivatives have a step less.
+        let (splines_d1, value_d1) = ([8, 8, 0], [11, 12, 0]);
+        let check = |calls: &str, parts: &[[u64; 3]]| {
+            let numbers = vec![1.0; 20];
+            let text = format!(
+                "input x: vec2\ntable f(a, b) = breaks [0.0, 1.0, 2.0], breaks [0.0, 1.0], cubic clamp {numbers:?}\n\
+                 tables at(a, b) = f [0, 0], f [1, 0], f [0, 1]\n%0: vec2 = input x\n%1: real = element %0, 0, 0\n\
+                 %2: real = element %0, 1, 0\n%3: {calls}, %1, %2\noutput y = %3"
+            );
+            let program: Program = text.parse().unwrap();
+            program.assert_sound();
+            let sum = |at: usize| parts.iter().map(|part| part[at]).sum::<u64>();
+            let cost = count(&program);
+            let counts = [cost.additions, cost.multiplications, cost.selections];
+            assert_eq!(counts, [0, 1, 2].map(sum), "{calls}");
+        };
+        check("real = table f 0 0", &[place, splines, value]);
+        check("real = table f 1 0", &[place, splines_d1, value]);
+        let together = [place, splines, splines_d1, value, value, value_d1];
+        check("vec3 = tables at", &together);
     }
 
     #[test]

@@ -1,7 +1,9 @@
 //! Dead code elimination: only what an output needs is computed, and only the tables that it needs are kept. Names do not keep a value
 //! alive; inputs of the program stay, as they are its interface.
 
-use crate::ir::{BasisId, FamilyId, Instruction, Op, PolynomialId, Program, TableId, ValueId};
+use crate::ir::{
+    BasisId, FamilyId, Instruction, Op, PolynomialId, Program, TableFamilyId, TableId, ValueId,
+};
 
 /// Removes unused instructions, polynomials, bases and origins.
 pub(super) fn run(program: Program) -> Program {
@@ -58,6 +60,7 @@ pub(super) fn needed(program: &Program, of_interest: impl Fn(&Instruction) -> bo
 fn drop_tables(program: &mut Program) {
     let mut polynomials = vec![false; program.polynomials.len()];
     let mut tables = vec![false; program.tables.len()];
+    let mut table_families = vec![false; program.table_families.len()];
     let mut families = vec![false; program.families.len()];
     let mut bases = vec![false; program.bases.len()];
     let mut origins = vec![false; program.origins.len()];
@@ -65,6 +68,12 @@ fn drop_tables(program: &mut Program) {
         match instruction.op {
             Op::Polynomial(id, _) => polynomials[id.0 as usize] = true,
             Op::Table(id, ..) => tables[id.0 as usize] = true,
+            Op::TableFamily(id, _) => {
+                table_families[id.0 as usize] = true;
+                for member in &program.table_families[id.0 as usize].members {
+                    tables[member.table.0 as usize] = true;
+                }
+            }
             Op::Family(id, _) => families[id.0 as usize] = true,
             Op::Basis(id, _) | Op::BasisRate(id, ..) | Op::BasisRate2(id, ..) => {
                 bases[id.0 as usize] = true
@@ -80,12 +89,18 @@ fn drop_tables(program: &mut Program) {
         keep(&mut program.bases, &bases),
     );
     let tables = keep(&mut program.tables, &tables);
+    let table_families = keep(&mut program.table_families, &table_families);
+    let members = program.table_families.iter_mut();
+    for TableId(id) in members.flat_map(|family| family.members.iter_mut().map(|m| &mut m.table)) {
+        *id = tables[*id as usize];
+    }
     let families = keep(&mut program.families, &families);
     let origins = keep(&mut program.origins, &origins);
     for instruction in &mut program.instructions {
         match &mut instruction.op {
             Op::Polynomial(PolynomialId(id), _) => *id = polynomials[*id as usize],
             Op::Table(TableId(id), ..) => *id = tables[*id as usize],
+            Op::TableFamily(TableFamilyId(id), _) => *id = table_families[*id as usize],
             Op::Family(FamilyId(id), _) => *id = families[*id as usize],
             Op::Basis(BasisId(id), _)
             | Op::BasisRate(BasisId(id), ..)

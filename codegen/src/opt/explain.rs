@@ -176,6 +176,9 @@ impl<'p> Counter<'p> {
         let instruction = self.program.instruction(value);
         match instruction.op {
             Op::Element(values, row, _) => self.entry(values, row),
+            Op::TableFamily(id, _) => {
+                cost::places_of(self.program, &self.program.table_families[id.0 as usize])
+            }
             _ if self.entries_of(value) > 0 => Cost::default(),
             _ => cost::of(self.program, instruction),
         }
@@ -186,6 +189,7 @@ impl<'p> Counter<'p> {
         let instruction = self.program.instruction(value);
         match (&instruction.op, instruction.ty) {
             (Op::Family(id, _), _) => self.program.families[id.0 as usize].members.len(),
+            (Op::TableFamily(id, _), _) => self.program.table_families[id.0 as usize].members.len(),
             (Op::Apply(..), Type::Real(Shape::Vector(n))) if self.apart[value.0 as usize] => n,
             _ => 0,
         }
@@ -197,6 +201,10 @@ impl<'p> Counter<'p> {
         }
         match self.program.instruction(values).op {
             Op::Family(id, _) => cost::member(&self.program.families[id.0 as usize].members[row]),
+            Op::TableFamily(id, _) => {
+                let family = &self.program.table_families[id.0 as usize];
+                cost::table_member(self.program, &family.members[row])
+            }
             Op::Apply(function, _) => cost::elementary(function),
             _ => Cost::default(),
         }

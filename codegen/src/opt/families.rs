@@ -1,4 +1,4 @@
-//! Polynomial families that passes make: each once, under a name of its own.
+//! Families that passes make: each once, under a name of its own.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -7,12 +7,40 @@ use crate::ir::{FamilyId, FamilyMember, PolynomialFamily, Program};
 /// What a family computes: its argument, its members' names and the bits of their coefficients.
 type Content = (String, Vec<(String, Vec<u64>)>);
 
-/// The families of a program while more are made.
-pub(super) struct Families {
-    /// Names of all tables.
-    taken: BTreeSet<String>,
-    /// The next number for a name that is taken.
+/// Names that are taken.
+#[derive(Default)]
+pub(super) struct Taken {
+    names: BTreeSet<String>,
+    /// The last number that made a name another one.
     numbers: BTreeMap<String, usize>,
+}
+
+impl Taken {
+    /// These names.
+    pub(super) fn new<'n>(names: impl Iterator<Item = &'n String>) -> Taken {
+        Taken {
+            names: names.cloned().collect(),
+            numbers: BTreeMap::new(),
+        }
+    }
+
+    /// The name of a family at arguments, with a number if it is taken.
+    pub(super) fn claim(&mut self, arguments: &str) -> String {
+        let base = format!("at_{arguments}");
+        let mut name = base.clone();
+        let number = self.numbers.entry(base.clone()).or_insert(1);
+        while !self.names.insert(name.clone()) {
+            *number += 1;
+            name = format!("{base}_{number}");
+        }
+        name
+    }
+}
+
+/// The polynomial families of a program while more are made.
+pub(super) struct Families {
+    /// Names of polynomials, families and bases.
+    taken: Taken,
     /// The families made so far.
     known: HashMap<Content, FamilyId>, // looked up only, never iterated
 }
@@ -24,8 +52,7 @@ impl Families {
         let families = program.families.iter().map(|family| &family.name);
         let bases = program.bases.iter().map(|basis| &basis.name);
         Families {
-            taken: polynomials.chain(families).chain(bases).cloned().collect(),
-            numbers: BTreeMap::new(),
+            taken: Taken::new(polynomials.chain(families).chain(bases)),
             known: HashMap::new(),
         }
     }
@@ -45,17 +72,10 @@ impl Families {
         if let Some(&id) = self.known.get(&key) {
             return id;
         }
-        let base = format!("at_{argument}");
-        let mut name = base.clone();
-        let number = self.numbers.entry(base.clone()).or_insert(1);
-        while !self.taken.insert(name.clone()) {
-            *number += 1;
-            name = format!("{base}_{number}");
-        }
         let index = program.families.len();
         let id = FamilyId(u32::try_from(index).expect("invariant: fewer than 2^32 families"));
         program.families.push(PolynomialFamily {
-            name,
+            name: self.taken.claim(argument),
             argument: argument.to_owned(),
             members,
         });

@@ -202,13 +202,14 @@ fn local(program: &Program, dependences: &[Dependence]) -> Vec<bool> {
     for (instruction, dependence) in program.instructions.iter().zip(dependences) {
         let free = cost::of(program, instruction) == Cost::default();
         let operands = instruction.op.operands();
-        let family = |id: ValueId| matches!(program.instruction(id).op, Op::Family(..));
+        let family = |id: ValueId| program.instruction(id).op.is_family();
         local.push(match instruction.op {
             Op::Const(_) | Op::Input(_) => true,
             Op::Element(array, ..) => !family(array) || *dependence == Dependence::Nothing,
             _ if instruction.ty == Type::Bool => true,
             // Entries of a family have names, the values as a whole have not; factors stay with what they solve.
-            Op::Family(..) | Op::Ldlt(_) => true,
+            Op::Ldlt(_) => true,
+            ref op if op.is_family() => true,
             _ => {
                 *dependence == Dependence::Nothing
                     || free && operands.iter().all(|operand| local[operand.0 as usize])

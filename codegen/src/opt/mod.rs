@@ -32,6 +32,7 @@ mod solve;
 mod sparse;
 mod structural_zeros;
 mod symmetric;
+mod tables;
 mod transposes;
 mod value_numbering;
 
@@ -161,13 +162,20 @@ pub static PASSES: [Pass; 18] = [
 ];
 
 /// The passes after all rounds.
-pub static LAST: [Pass; 1] = [Pass {
-    name: "contract",
-    kind: Kind::Reassociating(
-        "a product that is added to something is not rounded, which takes at most half of the error of both away; elementary functions by fused products, within 2 places as those by others",
-    ),
-    run: contract::run,
-}];
+pub static LAST: [Pass; 2] = [
+    Pass {
+        name: "tables",
+        kind: Kind::Exact,
+        run: tables::run,
+    },
+    Pass {
+        name: "contract",
+        kind: Kind::Reassociating(
+            "a product that is added to something is not rounded, which takes at most half of the error of both away; elementary functions by fused products, within 2 places as those by others",
+        ),
+        run: contract::run,
+    },
+];
 
 /// Which passes are applied.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -247,6 +255,9 @@ pub fn optimise_watched(
     }
     for pass in arithmetic.last_passes() {
         program = dead_code::run((pass.run)(program));
+        if cfg!(debug_assertions) {
+            program.assert_sound();
+        }
         watch(pass, 1, &program);
     }
     program
@@ -259,13 +270,15 @@ impl Arithmetic {
     }
 
     fn last_passes(self) -> impl Iterator<Item = &'static Pass> {
-        LAST.iter().filter(move |_| self == Arithmetic::Fast)
+        LAST.iter().filter(move |pass| self.applies(pass))
     }
 
     fn passes_of_a_round(self) -> impl Iterator<Item = &'static Pass> {
-        PASSES
-            .iter()
-            .filter(move |pass| self == Arithmetic::Fast || pass.kind == Kind::Exact)
+        PASSES.iter().filter(move |pass| self.applies(pass))
+    }
+
+    fn applies(self, pass: &Pass) -> bool {
+        self == Arithmetic::Fast || pass.kind == Kind::Exact
     }
 }
 

@@ -67,7 +67,7 @@ fn bits(values: Values) -> Vec<(String, Vec<u64>)> {
 }
 
 /// Asserts that `after` has the outputs of `before` and no other names, with the same bits for many inputs.
-fn assert_same_bits(before: &Program, after: &Program, context: &str) {
+pub(super) fn assert_same_bits(before: &Program, after: &Program, context: &str) {
     after.assert_sound();
     let names = |program: &Program| {
         program
@@ -93,7 +93,8 @@ fn assert_same_bits(before: &Program, after: &Program, context: &str) {
 fn exact_passes_keep_every_bit() {
     for seed in 0..150 {
         let program = random::program(seed, 40 + 2 * usize::try_from(seed).unwrap());
-        for pass in PASSES.iter().filter(|pass| pass.kind == Kind::Exact) {
+        let passes = PASSES.iter().chain(&LAST);
+        for pass in passes.filter(|pass| pass.kind == Kind::Exact) {
             let after = (pass.run)(program.clone());
             assert_same_bits(
                 &program,
@@ -111,7 +112,7 @@ fn exact_passes_keep_every_bit() {
 
 #[test]
 fn every_pass_changes_some_random_program() {
-    for pass in &PASSES {
+    for pass in PASSES.iter().chain(&LAST) {
         let changes = (0..1000).any(|seed| {
             let program = random::program(seed, 200);
             (pass.run)(program.clone()) != program

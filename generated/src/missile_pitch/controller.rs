@@ -1,7 +1,7 @@
-// SHA-256 of the text below: 623ec58ee02b1d5f039679e2c631113203500bacb5fe6475ede8262b01cf98fe
+// SHA-256 of the text below: 601ea109ade242342374048454b4817aaeeec4220e68f493338305df924c1bbb
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// initial: 67 additions, 99 multiplications, 3 divisions, 0 square roots, 4 elementary functions, 31 comparisons and selections
-// control: 146 additions, 191 multiplications, 4 divisions, 0 square roots, 4 elementary functions, 38 comparisons and selections
+// initial: 55 additions, 83 multiplications, 3 divisions, 0 square roots, 4 elementary functions, 31 comparisons and selections
+// control: 108 additions, 147 multiplications, 4 divisions, 0 square roots, 4 elementary functions, 34 comparisons and selections
 
 //! `missile_pitch`: control law and sampled controller.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -328,7 +328,7 @@ impl<T: Real> Part for Restore<'_, T> {
 
 /// The controller's states at its first sample.
 ///
-/// Operations: 67 additions, 99 multiplications, 3 divisions, 0 square roots, 4 elementary
+/// Operations: 55 additions, 83 multiplications, 3 divisions, 0 square roots, 4 elementary
 /// functions, 31 comparisons and selections.
 #[inline(always)]
 pub fn initial<T: Real>(
@@ -605,8 +605,8 @@ pub struct ControlOutputs<T: Real> {
 /// Gains of block 2, `rate`, which are numbers in the formulas: `K = 20`, `kbar = 20`, `C = 50`,
 /// `S = 30`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`.
 ///
-/// Operations: 126 additions, 147 multiplications, 2 divisions, 0 square roots, 3 elementary
-/// functions, 14 comparisons and selections.
+/// Operations: 88 additions, 103 multiplications, 2 divisions, 0 square roots, 3 elementary
+/// functions, 10 comparisons and selections.
 #[inline(always)]
 pub fn law<T: Real>(
     x1: Vector<T, 1>,
@@ -622,12 +622,13 @@ pub fn law<T: Real>(
     let q = x2[0];
 
     // -- known dynamics of block 1 (incidence) (11) --
+    let at_alpha_mach = tables::at_alpha_mach(alpha, real(3.0));
     // F_1(x_1 .. x_1)
-    let F1 = Vector([prepared.F1_1 * tables::CN(alpha, real(3.0)) * alpha.cos()]);
+    let F1 = Vector([prepared.F1_1 * at_alpha_mach.CN * alpha.cos()]);
 
     // -- known dynamics of block 2 (rate) (11) --
     // F_2(x_1 .. x_2)
-    let F2 = Vector([prepared.F2_1 * tables::CM(alpha, real(3.0))]);
+    let F2 = Vector([prepared.F2_1 * at_alpha_mach.CM]);
 
     // -- error variable of block 1 (14) --
     // e_1 = x_1 - y_r - zeta_1
@@ -774,8 +775,8 @@ pub fn law<T: Real>(
 /// Gains of block 2, `rate`, which are numbers in the formulas: `K = 20`, `kbar = 20`, `C = 50`,
 /// `S = 30`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`.
 ///
-/// Operations: 146 additions, 191 multiplications, 4 divisions, 0 square roots, 4 elementary
-/// functions, 38 comparisons and selections.
+/// Operations: 108 additions, 147 multiplications, 4 divisions, 0 square roots, 4 elementary
+/// functions, 34 comparisons and selections.
 #[inline(always)]
 pub fn control<T: Real>(
     t: T,

@@ -1,6 +1,6 @@
-// SHA-256 of the text below: 89cfb82e655845734fc670d5e3628b3ad6a46819246c1d7815d6639424dbaa2a
+// SHA-256 of the text below: 248be2683da0eb4352a0989a4071d5d3daba4ca29661f05c78a32f1b40c05954
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
-// plant: 88 additions, 107 multiplications, 0 divisions, 0 square roots, 4 elementary functions, 8 comparisons and selections
+// plant: 50 additions, 63 multiplications, 0 divisions, 0 square roots, 4 elementary functions, 4 comparisons and selections
 
 //! `missile_pitch`: plant and disturbances.
 #![allow(non_snake_case, reason = "names are those of the equations")]
@@ -130,8 +130,8 @@ pub struct PlantOutputs<T: Real> {
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 88 additions, 104 multiplications, 0 divisions, 0 square roots, 2 elementary
-/// functions, 8 comparisons and selections.
+/// Operations: 50 additions, 60 multiplications, 0 divisions, 0 square roots, 2 elementary
+/// functions, 4 comparisons and selections.
 #[inline(always)]
 pub fn dynamics<T: Real>(
     x: Vector<T, 3>,
@@ -150,7 +150,8 @@ pub fn dynamics<T: Real>(
     let k_alpha = real(0.020689893591852894);
     let mach_now = x[2];
     let alpha = x[0];
-    let normal = params.CN_scale * tables::CN(alpha, mach_now);
+    let at_alpha_mach = tables::at_alpha_mach(alpha, mach_now);
+    let normal = params.CN_scale * at_alpha_mach.CN;
     let delta = u_sat[0];
     let fin = params.fin_scale * delta * real(57.29577951308232);
     let k_q = real(1.2319461447637945);
@@ -163,7 +164,7 @@ pub fn dynamics<T: Real>(
     let t3 = mach_now * mach_now;
     // x_2' of the flown plant: its own rates + d_2
     let x2_flown = Vector([
-        k_q * t3 * (params.CM_scale * tables::CM(alpha, mach_now) + real(-0.206) * fin),
+        k_q * t3 * (params.CM_scale * at_alpha_mach.CM + real(-0.206) * fin),
     ]) + d2;
 
     // -- packed plant state: x_1 .. x_n, further states, then the exosystems --
@@ -182,8 +183,8 @@ pub fn dynamics<T: Real>(
 
 /// Drift and diffusion of the plant and its disturbances.
 ///
-/// Operations: 88 additions, 107 multiplications, 0 divisions, 0 square roots, 4 elementary
-/// functions, 8 comparisons and selections.
+/// Operations: 50 additions, 63 multiplications, 0 divisions, 0 square roots, 4 elementary
+/// functions, 4 comparisons and selections.
 #[inline(always)]
 pub fn plant<T: Real>(
     t: T,

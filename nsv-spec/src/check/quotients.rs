@@ -3,9 +3,9 @@
 use super::Context;
 use super::formula::Parsed;
 use crate::diagnostic::{Diagnostic, Rule};
+use crate::expr::Symbol;
 use crate::expr::arena::{Shape, Type};
 use crate::expr::syntax::{Expr, Infix, Kind, NodeId};
-use crate::expr::Symbol;
 
 impl Context<'_> {
     /// Warns of quotients by matrices.

@@ -112,6 +112,15 @@ impl Tables {
                 let table = &program.tables[id.0 as usize].interpolant;
                 out[0] = table.value(&arguments, orders);
             }
+            Op::TableFamily(id, ref arguments) => {
+                let arguments: Vec<f64> =
+                    arguments.iter().map(|&argument| first(argument)).collect();
+                let members = &program.table_families[id.0 as usize].members;
+                for (entry, member) in out.iter_mut().zip(members) {
+                    let table = &program.tables[member.table.0 as usize].interpolant;
+                    *entry = table.value(&arguments, &member.orders);
+                }
+            }
             Op::Family(id, z) => {
                 let (members, z) = (&program.families[id.0 as usize].members, first(z));
                 for (entry, member) in out.iter_mut().zip(members) {

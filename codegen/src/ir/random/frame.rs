@@ -6,7 +6,7 @@ use nsv_spec::model::Basis as Kind;
 use super::SHAPES;
 use crate::ir::{
     FamilyMember, Input, MonomialBasis, Origin, PolynomialData, PolynomialFamily, Program,
-    TableData,
+    TableData, TableFamily, TableId, TableMember,
 };
 
 /// Inputs and tables of every random program.
@@ -53,7 +53,17 @@ pub(super) fn frame() -> Program {
             table("l3", Degree::Cubic, Extrapolation::Clamp, 1),
             table("l4", Degree::Cubic, Extrapolation::Clamp, 2),
             table("l5", Degree::Cubic, Extrapolation::Error, 3),
+            table("l6", Degree::Cubic, Extrapolation::Error, 2),
         ],
+        table_families: vec![TableFamily {
+            name: "k".into(),
+            arguments: names(&["a", "b"]),
+            members: vec![
+                member_of(3, [0, 0]),
+                member_of(5, [0, 0]),
+                member_of(5, [1, 2]),
+            ],
+        }],
         families: vec![PolynomialFamily {
             name: "h".into(),
             argument: "a".into(),
@@ -80,6 +90,13 @@ fn member(name: &str, coefficients: &[f64]) -> FamilyMember {
     FamilyMember {
         name: name.to_owned(),
         coefficients: coefficients.to_vec(),
+    }
+}
+
+fn member_of(table: u32, orders: [u32; 2]) -> TableMember {
+    TableMember {
+        table: TableId(table),
+        orders: orders.to_vec(),
     }
 }
 

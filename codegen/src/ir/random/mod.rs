@@ -5,8 +5,8 @@ mod frame;
 use super::build::size;
 use super::mnemonic::{COMPARISONS, FUNCTIONS, KERNELS, OPERATORS};
 use super::{
-    BasisId, FamilyId, Function, Op, Operator, PolynomialId, Program, Shape, TableId, Type,
-    ValueId, Values,
+    BasisId, FamilyId, Function, Op, Operator, PolynomialId, Program, Shape, TableFamilyId,
+    TableId, Type, ValueId, Values,
 };
 use frame::frame;
 
@@ -113,12 +113,13 @@ struct Generator {
 impl Generator {
     /// Appends an operation, unless no operands for it were found.
     fn append(&mut self) {
-        match self.random.below(14) {
+        match self.random.below(15) {
             0 => self.append_literal(),
             1 => self.append_taken_apart(),
             2 => self.append_again(),
             3 => self.append_sum_of_polynomials(),
             4 => self.append_sum_of_multiples(),
+            5 => self.append_tables_at_one_place(),
             _ => {
                 if let Some(op) = self
                     .operation()
@@ -177,6 +178,18 @@ impl Generator {
         let factor = self.program.scalar(factor);
         let second = self.program.binary(Operator::Mul, second, factor);
         self.program.binary(Operator::Add, first, second);
+    }
+
+    /// Derivatives of two tables, which may be the same one, at the same arguments as far as they have as many.
+    fn append_tables_at_one_place(&mut self) {
+        let Some(arguments) = (0..3).map(|_| self.scalar()).collect::<Option<Vec<_>>>() else {
+            return;
+        };
+        for _ in 0..2 {
+            let (id, orders) = self.derivative();
+            let arguments = arguments[..orders.len()].to_vec();
+            self.program.push(Op::Table(id, orders, arguments));
+        }
     }
 
     /// Two multiples of one array, added.
@@ -296,8 +309,20 @@ impl Generator {
         })
     }
 
-    /// A derivative of a table.
+    /// A derivative of a table at some arguments, or a family of them.
     fn table(&mut self) -> Option<Op> {
+        if self.random.below(4) == 0 {
+            let arguments = vec![self.scalar()?, self.scalar()?];
+            return Some(Op::TableFamily(TableFamilyId(0), arguments));
+        }
+        let (id, orders) = self.derivative();
+        let arguments = orders.iter().map(|_| self.scalar());
+        let arguments = arguments.collect::<Option<_>>()?;
+        Some(Op::Table(id, orders, arguments))
+    }
+
+    /// A table and how often by each argument.
+    fn derivative(&mut self) -> (TableId, Vec<u32>) {
         let id = self.random.below(self.program.tables.len());
         let (count, degree) = {
             let table = &self.program.tables[id];
@@ -308,9 +333,8 @@ impl Generator {
             _ => u32::try_from(random.below(degree + 1)).expect("invariant: at most 3"),
         };
         let orders = (0..count).map(|_| order(&mut self.random)).collect();
-        let arguments = (0..count).map(|_| self.scalar()).collect::<Option<_>>()?;
         let id = TableId(u32::try_from(id).expect("invariant: few tables"));
-        Some(Op::Table(id, orders, arguments))
+        (id, orders)
     }
 
     /// A value of a type that is accepted, if one is found in a few draws, most likely a recent one.
@@ -398,7 +422,7 @@ mod tests {
         let words = words
             .chain(COMPARISONS.map(|(_, word)| word))
             .chain(KERNELS.map(|(_, word)| word));
-        let others = "const powi and or not select array element matmul transpose dot outer sum_squares solve singular_vector polynomial table family \
+        let others = "const powi and or not select array element matmul transpose dot outer sum_squares solve singular_vector polynomial table tables family \
                       basis basis_rate basis_rate2";
         for word in words.chain(others.split(' ')) {
             assert!(text.contains(&format!("= {word} ")), "{word}");
