@@ -7,7 +7,7 @@ from real import cos, inverse, sin, solve
 from specs import DEG
 
 COUNT = 4
-SIZE = 0.05  # m l^2
+SIZE = 50.0  # m l^2
 SHARES = np.eye(COUNT) - np.eye(COUNT, k=1)
 LAG = 0.02
 
@@ -35,7 +35,7 @@ def link_chain():
     rate = Block(
         "rate", np.zeros(COUNT), lambda x, p: -solve(mass_matrix(x, p), spin(x, p)),
         lambda x, p: inverse(mass_matrix(x, p)) @ SHARES,
-        K=np.full(COUNT, 16.0), kbar=8.0, C=20 * np.eye(COUNT), filter=np.full(COUNT, 0.005), eta_1=1.0, eta_2=1.0, eta_3=1.0,
+        K=np.full(COUNT, 16.0), kbar=8.0, C=20 * np.eye(COUNT), filter=np.full(COUNT, 0.005), eta_1=1.0, eta_2=1.0, eta_3=2.0,
         disturbance=Bounded(lambda t: 0.1 * np.array([sin(t), 0 * t, 1 + 0 * t, 0 * t])), observer=20 * np.eye(COUNT),
     )
     motor = Block(
@@ -45,6 +45,6 @@ def link_chain():
     size = np.array([30.0, 40, 50, 60]) * DEG
     reference = (lambda t: size * sin(t), lambda t: size * cos(t))
     return Problem(
-        "link_chain", COUNT, [angle, rate, motor], reference, np.full(COUNT, 20.0), {"scale": 1.0}, {"scale": (0.9, 1.1)},
+        "link_chain", COUNT, [angle, rate, motor], reference, np.full(COUNT, 2000.0), {"scale": 1.0}, {"scale": (0.9, 1.1)},
         5.0, 0.001, 2.0, substeps=2,
     )

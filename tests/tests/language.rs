@@ -5,10 +5,14 @@ use std::fs;
 
 use nsv_codegen::casadi::{self, Provider, Settings};
 use nsv_codegen::derive::error::DeriveError;
+use nsv_codegen::ir::Op;
 use nsv_codegen::lower::Programs;
+use nsv_codegen::opt::optimise;
 use nsv_spec::model::Model;
 use nsv_tests::interpreted::run;
-use nsv_tests::specification::{model, programs, provider, repository, specifications};
+use nsv_tests::specification::{
+    compiled, model, named, programs, provider, repository, specifications,
+};
 
 /// The flagship after replacements, each of a text that stands once in its files, with the committed exports.
 fn edited(edits: &[(&str, &str)]) -> Result<(Model, Programs), DeriveError> {
@@ -316,6 +320,20 @@ fn exact_derivatives_track_better_than_filters() {
         );
     }
     assert!(fly(EXACT) < 0.03);
+}
+
+/// The law of a chain of links multiplies by the mass matrix where it inverts the gain, and factorises it once.
+#[test]
+fn a_mass_matrix_is_inverted_by_none_and_factorised_once() {
+    let (model, programs) = compiled(&named("link_chain"));
+    let run = run(&model, &programs, None);
+    let degrees = run.rms.to_degrees();
+    assert!(run.finite && degrees < 0.2, "{run:?}");
+    let law = optimise(programs.control.clone());
+    let count = |of: fn(&Op) -> bool| law.instructions.iter().filter(|one| of(&one.op)).count();
+    assert_eq!(count(|op| matches!(op, Op::Ldlt(_))), 1, "{law}");
+    // G_2 as a whole for its norm, and F_2 of the observer.
+    assert_eq!(count(|op| matches!(op, Op::Solve(..))), 2, "{law}");
 }
 
 #[test]
