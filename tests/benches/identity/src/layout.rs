@@ -88,6 +88,7 @@ pub fn results(program: &Program, names: &[String]) -> Vec<(String, Range<usize>
             let entries = match program.instructions[value.0 as usize].ty {
                 Type::Bool => 1,
                 Type::Real(shape) => size(shape),
+                Type::Ldlt(_) => unreachable!("invariant: factors are no output"),
             };
             (name.as_str(), entries)
         })
