@@ -74,12 +74,30 @@ is a vector. In the body `i` is a number, and may be an index with or without a 
 const EQUATIONS: &str = "
 ## Linear equations
 
-A plant `M v' = c + B u` has `drift: solve(M, c)` and `gain: inverse(M)*B`. Nothing more is to be done by hand: no adjugate, no determinant.
-The compiler solves for a product with an inverse, adds right sides of one matrix before it solves, takes matrices apart that fall into
-blocks, and multiplies by `M` where the control inverts the gain. Up to three unknowns are solved for by the adjugate, more by elimination
-with pivoting, and by half of that where `M` is symmetric by its form, as mass matrices are: entry (i, j) is written as entry (j, i), up to
-the order of factors and the direction of a difference under `cos`, or `M` is a sum or multiple of such matrices, or `transpose(B)*S*B`.
-A singular matrix gives no number: the controller refuses the sample and gives its safe output, and a simulated run ends as not finite.
+A plant `M v' = c + B u` has `drift: solve(M, c)` and `gain: inverse(M)*B`, and nothing more is to be done by hand, no adjugate and no
+determinant:
+
+```yaml
+definitions:
+  M: \"[[m_x, 0, arm], [0, m_y, 0], [arm, 0, I]]\"     # kg, kg*m and kg*m^2
+  c: \"[f_x, f_y, torque] - damping\"                # N, N and N*m
+plant:
+  blocks:
+    velocity: {states: {u: 0 m/s, v: 0 m/s, r: 0 rad/s}, drift: \"solve(M, c)\", gain: inverse(M)}
+```
+
+An entry of the matrix is in the unit of its equation over that of its unknown, here `kg*m` where N*m stand over m/s^2; a literal 0 fits
+everywhere. The compiler solves for a product with an inverse, adds right sides of one matrix before it solves, takes matrices apart that
+fall into blocks, and multiplies by `M` where the control inverts the gain.
+
+Up to three unknowns are solved for by the adjugate, more by elimination with pivoting, and in half of that by factors L D L^T where `M` is
+symmetric by its form, as mass matrices are: entry (i, j) is computed as entry (j, i), up to the order of terms and factors and the direction
+of a difference under `cos`; or `M` is a sum or multiple of such matrices, or a product that reads the same from both sides, such as
+`transpose(J)*diag(m)*J`. Where such a matrix is not positive definite it is solved with pivoting after all. The emitted code shows which:
+`M.ldlt()`, `M.solve(..)`.
+
+A matrix without an inverse gives no number: the controller refuses the sample and gives its safe output, and a simulated run ends as not
+finite. One that is singular but for roundings gives large numbers, as a division by a small one does.
 ";
 
 const TABLES: &str = "

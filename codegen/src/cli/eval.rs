@@ -77,6 +77,8 @@ fn defaults(model: &Model) -> Values {
 struct Faults {
     missing: Vec<String>,
     unknown: Vec<String>,
+    /// What there is in the place of an unknown one.
+    known: Vec<String>,
     misshapen: Vec<String>,
 }
 
@@ -85,6 +87,7 @@ fn rejected(path: &Path, faults: &Faults) -> Failure {
     let kinds = [
         ("missing", list(&faults.missing)),
         ("unknown", list(&faults.unknown)),
+        ("known", list(&faults.known)),
         ("misshapen", list(&faults.misshapen)),
     ];
     let lines: String = kinds
@@ -118,6 +121,9 @@ fn inputs(
         .filter(|name| !known.contains(name.as_str()))
         .cloned()
         .collect();
+    if !faults.unknown.is_empty() {
+        faults.known = known.into_iter().map(str::to_owned).collect();
+    }
     for input in &program.inputs {
         let wanted = format!("{} ({})", input.name, describe(input.shape));
         match (given.get(&input.name), defaults.get(&input.name)) {

@@ -1,6 +1,7 @@
 //! Inverses that need not be computed: `(M^-1 B) b == M^-1 (B b)` is solved for, unless the inverse is needed anyway, and
-//! `(M^-1 B)^-1 b == B^-1 (M b)`, in which `M (x + M^-1 c) == M x + c`. Part of lowering: the roundings of a product or of one solution
-//! instead of those of an inverse. So a controller that inverts the gain `M^-1` of a plant multiplies by the mass matrix, as by hand.
+//! `(M^-1 B)^-1 b == B^-1 (M b)`, in which `M (x + M^-1 c) == M x + c`; `M^-1 (M x) == x`. Part of lowering: the roundings of a product or of
+//! one solution instead of those of an inverse. So a controller that inverts the gain `M^-1` of a plant multiplies by the mass matrix, as by
+//! hand.
 
 use std::collections::BTreeSet;
 
@@ -10,6 +11,7 @@ use super::dead_code::needed;
 use super::dependence::{Dependence, dependences};
 use super::rewrite::rewrite;
 use super::sparse::Entries;
+use super::symmetric::matrix;
 
 /// Most terms that are looked at for a solution that a product cancels.
 const LONGEST_SUM: usize = 64;
@@ -23,14 +25,20 @@ pub(super) fn run(program: Program) -> Program {
         let stays = place.next().is_some_and(|place| staying[place]);
         match instruction.op {
             Op::MatMul(a, b) if !kept.contains(&a) => {
-                let (matrix, right) = solution(program, a)?;
+                let (equations, right) = solution(program, a)?;
                 let right = product(program, right, b);
-                let solution = program.push(Op::Solve(matrix, right));
+                let solution = program.push(Op::Solve(equations, right));
                 kept.extend(stays.then_some(solution));
                 Some(solution)
             }
             Op::Solve(a, b) => {
-                if let Some((matrix, right)) = solution(program, a) {
+                if let Op::MatMul(of, x) = program.instruction(b).op
+                    && of == matrix(program, a)
+                {
+                    return Some(x);
+                }
+                if let Some((equations, right)) = solution(program, matrix(program, a)) {
+                    let matrix = matrix(program, equations);
                     let image = image(program, matrix, b)?;
                     return Some(match is_identity(program, right) {
                         true => image,
@@ -73,7 +81,7 @@ fn staying(program: &Program) -> Vec<bool> {
     staying
 }
 
-/// M and B, for M^-1 B.
+/// M or its factors, and B, for M^-1 B.
 fn solution(program: &Program, value: ValueId) -> Option<(ValueId, ValueId)> {
     match program.instruction(value).op {
         Op::Solve(matrix, right) => Some((matrix, right)),
@@ -127,9 +135,10 @@ impl Sum {
     /// c, for a term M^-1 c.
     fn right(&self, program: &mut Program, term: ValueId) -> Option<ValueId> {
         match program.instruction(term).op {
-            Op::Solve(of, c) if of == self.matrix => Some(c),
+            Op::Solve(of, c) if matrix(program, of) == self.matrix => Some(c),
             Op::MatMul(a, c) => {
-                let (_, right) = solution(program, a).filter(|&(of, _)| of == self.matrix)?;
+                let (_, right) =
+                    solution(program, a).filter(|&(of, _)| matrix(program, of) == self.matrix)?;
                 Some(product(program, right, c))
             }
             _ => None,

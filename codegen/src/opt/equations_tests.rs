@@ -153,6 +153,35 @@ fn symmetry_is_seen_in_how_a_matrix_is_computed() {
     };
     assert!(symmetric(&entries("cos"), 17));
     assert!(!symmetric(&entries("sin"), 17));
+    // (0.5 q_3) cos(..) + q_4 above, q_4 + (cos(..) q_3) 0.5 below.
+    let terms = "%12: real = const 0.5
+%13: real = mul %12, %4
+%14: real = mul %13, %8
+%15: real = add %14, %5
+%16: real = mul %8, %4
+%17: real = mul %16, %12
+%18: real = add %5, %17
+%19: mat4x4 = array %6, %15, %9, %2, %18, %6, %3, %4, %9, %3, %6, %5, %2, %4, %5, %6";
+    assert!(symmetric(terms, 19));
+    assert!(!symmetric(&terms.replace("mul %8, %4", "mul %8, %3"), 19));
+    // A choice that the positions decide.
+    let chosen = "%12: real = const 1.0
+%13: bool = lt %12, %6
+%14: real = select %13, %3, %2
+%15: mat4x4 = array %6, %8, %9, %2, %8, %6, %14, %4, %9, %3, %6, %5, %2, %4, %5, %6";
+    assert!(symmetric(chosen, 15));
+    // s J^T S J, (J^T s) J, and J^T diag(d) J.
+    for congruence in [
+        "%15: mat4x4 = mul %13, %2\n%16: mat4x4 = matmul %14, %10\n%17: mat4x4 = matmul %16, %15",
+        "%15: mat4x4 = mul %14, %2\n%16: mat4x4 = mul %15, %3\n%17: mat4x4 = matmul %16, %13",
+        "%15: mat4x4 = array %2, %0z, %0z, %0z, %0z, %3, %0z, %0z, %0z, %0z, %4, %0z, %0z, %0z, %0z, %5\n\
+         %16: mat4x4 = matmul %14, %15\n%17: mat4x4 = matmul %16, %13",
+    ] {
+        let lines = format!("%12: real = const 0.0\n%13: mat4x4 = outer %0, %1\n%14: mat4x4 = transpose %13\n{congruence}")
+            .replace("%0z", "%12");
+        let sum = format!("{lines}\n%18: mat4x4 = add %17, %10");
+        assert!(symmetric(&sum, 18), "{congruence}");
+    }
     let form = "%12: mat4x4 = outer %0, %0
 %13: mat4x4 = outer %0, %1
 %14: mat4x4 = transpose %13

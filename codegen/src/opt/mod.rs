@@ -195,11 +195,14 @@ const ROUNDS: usize = 6;
 /// is divided by or inverted once. Part of lowering: results are those
 /// of the program for all finite values, up to the sign of a zero, a rounding for each quotient, and the roundings of sums and solutions as
 /// `factors` and `solve` state them.
-pub fn simplify(mut program: Program) -> Program {
+pub fn simplify(program: Program) -> Program {
+    // Before zeros are taken out of products, and again after matrices fell into blocks.
+    let mut program = symmetric::run(program);
     for _ in 0..ROUNDS {
         let before = program.clone();
         let passes = [
             fold::run,
+            select::run,
             kernels::run_clamped,
             identities::run,
             differences::run,

@@ -16,14 +16,16 @@ use super::dependence::{Dependence, Dependences};
 use super::inverse::{Adjugate, adjugate, dot, inverse};
 use super::rewrite::{is_all, literal};
 use super::sparse::{Entries, without_zero};
+use super::symmetric::matrix;
 
-/// A^-1 b for a vector or matrix b, other than by `Solve` with the whole matrix.
+/// A^-1 b for a vector or matrix b, other than by `Solve` with the whole matrix or its factors.
 pub(super) fn solve(
     program: &mut Program,
     dependences: &mut Dependences,
     a: ValueId,
     b: ValueId,
 ) -> Option<ValueId> {
+    let a = matrix(program, a);
     let entries = Entries::of(program, a);
     let fixed = dependences.of(program, a) <= Dependence::Parameters;
     let right = Right::of(program, b);

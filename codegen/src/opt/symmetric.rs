@@ -2,8 +2,9 @@
 //! elimination of the whole matrix.
 
 use std::cell::Cell;
+use std::collections::BTreeMap;
 
-use crate::ir::{Function, Op, Operator, Program, Shape, ValueId};
+use crate::ir::{Function, Op, Operator, Program, Shape, Type, ValueId};
 
 use super::rewrite::rewrite;
 
@@ -15,22 +16,32 @@ const LONGEST: usize = 4096;
 
 /// Solves symmetric equations as such.
 pub(super) fn run(program: Program) -> Program {
+    let mut known = BTreeMap::new();
     rewrite(program, |program, instruction| {
         let Op::Solve(a, b) = instruction.op else {
             return None;
         };
-        let Shape::Matrix(rows, _) = program.shape(a) else {
+        let Type::Real(Shape::Matrix(rows, _)) = program.ty(a) else {
             return None;
         };
-        let form = Form {
-            program,
-            left: Cell::new(LONGEST),
-        };
-        (rows >= FEWEST && form.is_symmetric(a)).then(|| {
-            let factors = program.push(Op::Ldlt(a));
-            program.push(Op::Solve(factors, b))
-        })
+        let factors = *known.entry(a).or_insert_with(|| {
+            let form = Form {
+                program,
+                left: Cell::new(LONGEST),
+            };
+            let symmetric = rows >= FEWEST && form.is_symmetric(a);
+            symmetric.then(|| program.push(Op::Ldlt(a)))
+        });
+        Some(program.push(Op::Solve(factors?, b)))
     })
+}
+
+/// The matrix of equations, which may be given by its factors.
+pub(super) fn matrix(program: &Program, a: ValueId) -> ValueId {
+    match program.instruction(a).op {
+        Op::Ldlt(matrix) => matrix,
+        _ => a,
+    }
 }
 
 /// How values are computed, seen up to the order of terms and factors, and so to roundings.
@@ -68,18 +79,38 @@ impl Form<'_> {
                 .all(|&&x| self.is_scalar(x) || self.is_symmetric(x)),
             (Op::Binary(Operator::Div, x, y), _) => self.is_scalar(*y) && self.is_symmetric(*x),
             (Op::Outer(x, y), _) => self.same(*x, *y),
-            (Op::MatMul(x, y), _) => self.is_congruence(*x, *y),
+            (Op::MatMul(..), _) => self.is_congruence(matrix),
             _ => false,
         }
     }
 
-    /// `B^T B`, `B^T (S B)` or `(B^T S) B`.
-    fn is_congruence(&self, x: ValueId, y: ValueId) -> bool {
-        let around =
-            |x: ValueId, s: ValueId, y: ValueId| self.are_transposes(x, y) && self.is_symmetric(s);
-        self.are_transposes(x, y)
-            || matches!(self.op(y), Some(&Op::MatMul(s, y)) if around(x, s, y))
-            || matches!(self.op(x), Some(&Op::MatMul(x, s)) if around(x, s, y))
+    /// A product of matrices, of which the first is the transpose of the last, the second that of the last but one, and so on; in the middle
+    /// stands a symmetric matrix or none. Scalar factors do not count.
+    fn is_congruence(&self, product: ValueId) -> bool {
+        let mut factors = Vec::new();
+        self.matrix_factors(product, &mut factors);
+        let count = factors.len();
+        let mut pairs = (0..count / 2).map(|at| (factors[at], factors[count - 1 - at]));
+        count > 1
+            && pairs.all(|(x, y)| self.are_transposes(x, y) || x == y && self.is_symmetric(x))
+            && (count % 2 == 0 || self.is_symmetric(factors[count / 2]))
+    }
+
+    fn matrix_factors(&self, value: ValueId, factors: &mut Vec<ValueId>) {
+        match self.op(value) {
+            Some(&Op::MatMul(x, y)) => {
+                self.matrix_factors(x, factors);
+                self.matrix_factors(y, factors);
+            }
+            Some(&Op::Apply(Function::Neg, x)) => self.matrix_factors(x, factors),
+            Some(&Op::Binary(Operator::Mul, x, y)) if self.is_scalar(x) => {
+                self.matrix_factors(y, factors);
+            }
+            Some(&Op::Binary(Operator::Mul | Operator::Div, x, y)) if self.is_scalar(y) => {
+                self.matrix_factors(x, factors);
+            }
+            _ => factors.push(value),
+        }
     }
 
     fn are_transposes(&self, x: ValueId, y: ValueId) -> bool {
@@ -107,13 +138,41 @@ impl Form<'_> {
             (Op::PowInt(a, n), Op::PowInt(b, m)) => {
                 n == m && (self.same(*a, *b) || n % 2 == 0 && self.opposite(*a, *b))
             }
+            (&Op::Binary(f, ..), &Op::Binary(g, ..))
+                if f == g && matches!(f, Operator::Add | Operator::Mul) =>
+            {
+                let (mut left, mut right) = (Vec::new(), Vec::new());
+                self.terms(f, x, &mut left);
+                self.terms(f, y, &mut right);
+                self.are_same(&left, right)
+            }
             (Op::Binary(f, a, b), Op::Binary(g, c, d)) if f == g => {
-                let crossed = matches!(f, Operator::Add | Operator::Mul);
+                let crossed = matches!(f, Operator::Min | Operator::Max);
                 self.same(*a, *c) && self.same(*b, *d)
                     || crossed && self.same(*a, *d) && self.same(*b, *c)
             }
             _ => false,
         }
+    }
+
+    /// The terms of a sum or the factors of a product.
+    fn terms(&self, of: Operator, value: ValueId, terms: &mut Vec<ValueId>) {
+        match self.op(value) {
+            Some(&Op::Binary(operator, x, y)) if operator == of => {
+                self.terms(of, x, terms);
+                self.terms(of, y, terms);
+            }
+            _ => terms.push(value),
+        }
+    }
+
+    /// Whether values are the same but for their order.
+    fn are_same(&self, left: &[ValueId], mut right: Vec<ValueId>) -> bool {
+        left.len() == right.len()
+            && left.iter().all(|&x| {
+                let found = right.iter().position(|&y| self.same(x, y));
+                found.map(|at| right.swap_remove(at)).is_some()
+            })
     }
 
     /// Whether one value is the other with its sign turned.

@@ -3,9 +3,9 @@
 use super::Context;
 use super::formula::Parsed;
 use crate::diagnostic::{Diagnostic, Rule};
-use crate::expr::Symbol;
 use crate::expr::arena::{Shape, Type};
 use crate::expr::syntax::{Expr, Infix, Kind, NodeId};
+use crate::expr::{BY_MATRIX, Symbol};
 
 impl Context<'_> {
     /// Warns of quotients by matrices.
@@ -21,12 +21,9 @@ impl Context<'_> {
             match node.kind {
                 Kind::Each { ref body, .. } => self.check_divisors(body),
                 Kind::Infix(Infix::Div, _, divisor) if self.is_square(expr, divisor) => {
-                    let warning = Diagnostic::warning(
-                        Rule::W0012,
-                        node.span,
-                        "a quotient by a matrix is taken entry by entry",
-                    )
-                    .with_help("write `inverse(M)` for `1/M`, and `solve(M, b)` for the solution of `M*x = b`");
+                    let warning =
+                        Diagnostic::warning(Rule::W0012, node.span, "quotient by a matrix")
+                            .with_help(BY_MATRIX);
                     let known = |other: &Diagnostic| {
                         (other.rule, other.span) == (warning.rule, warning.span)
                     };

@@ -2,6 +2,8 @@
 
 use super::arena::{Arena, ExprId, Shape, Type};
 use super::typing::{in_entry, shown};
+use std::collections::BTreeMap;
+
 use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::unit::Dimension;
 
@@ -48,15 +50,26 @@ pub fn expect(
         ]);
     }
     let wanted = expected.dimensions.iter().cycle();
-    let faults: Vec<_> = dimensions
-        .iter()
-        .zip(wanted)
-        .enumerate()
-        .filter(|(_, (found, wanted))| found.agree(**wanted).is_none())
-        .map(|(entry, (&found, &wanted))| {
-            let place = match shape.entries() {
-                1 => String::new(),
-                _ => in_entry(*shape, entry),
+    let wrong = dimensions.iter().zip(wanted).enumerate();
+    let wrong = wrong.filter(|(_, (found, wanted))| found.agree(**wanted).is_none());
+    // Entries of one expression that lack the same factor are one fault.
+    let mut alike: BTreeMap<(Span, Option<Dimension>), Vec<(usize, Dimension, Dimension)>> =
+        BTreeMap::new();
+    for (entry, (&found, &wanted)) in wrong {
+        let at = places.get(entry).copied().unwrap_or(span);
+        let same = alike.entry((at, wanted.checked_div(found))).or_default();
+        same.push((entry, found, wanted));
+    }
+    let mut faults: Vec<_> = alike.into_iter().collect();
+    faults.sort_by_key(|(_, same)| same[0].0);
+    let faults: Vec<_> = faults
+        .into_iter()
+        .map(|((at, _), same)| {
+            let (entry, found, wanted) = same[0];
+            let place = match (shape.entries(), same.len() - 1) {
+                (1, _) => String::new(),
+                (_, 0) => in_entry(*shape, entry),
+                (_, more) => format!("{} and {more} more", in_entry(*shape, entry)),
             };
             let message = format!(
                 "unit mismatch{place}: {what} is {}, expected {}",
@@ -64,7 +77,6 @@ pub fn expect(
                 shown(wanted)
             );
             let label = format!("this is {}", found.in_words());
-            let at = places.get(entry).copied().unwrap_or(span);
             let fault = Diagnostic::error(Rule::E0407, at, message)
                 .with_label(label)
                 .with_help(dimension_help(found, wanted));

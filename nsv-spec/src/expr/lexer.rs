@@ -212,7 +212,11 @@ impl<'a> Lexer<'a> {
             .find(|(foreign, _)| self.rest().starts_with(foreign));
         let length = found.map_or(first.len_utf8(), |(foreign, _)| foreign.len());
         let range = self.at..self.at + length;
-        let message = format!("unexpected `{}`", self.text[range.clone()].escape_debug());
+        let shown = self.text[range.clone()].chars().map(|c| match c {
+            '\\' | '\'' | '"' => c.to_string(),
+            _ => c.escape_debug().to_string(),
+        });
+        let message = format!("unexpected `{}`", shown.collect::<String>());
         let help = match found {
             Some((_, native)) => format!("write `{native}`"),
             None if first == '\\' => "write `solve(M, b)` for the solution of `M*x = b`".to_owned(),

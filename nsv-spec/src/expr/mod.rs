@@ -26,7 +26,7 @@ pub use expect::{Expected, expect};
 pub use parser::{MAX_DEPTH, MAX_INSERTED, MAX_NODES, MAX_ROUNDS, MAX_TEXT, parse};
 pub(crate) use parser::{MAX_FAULTS, binding};
 pub use scope::{Defined, Origin, Scope, Signature, Symbol};
-pub(crate) use typing::{MAX_UNKNOWNS, shown};
+pub(crate) use typing::{BY_MATRIX, MAX_UNKNOWNS, shown};
 
 #[cfg(test)]
 mod tests;

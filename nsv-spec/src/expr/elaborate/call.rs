@@ -38,6 +38,10 @@ impl Elaborator<'_> {
         let help = match name {
             "min" | "max" if found > 2 => format!("nest it: `{name}(a, {name}(b, c))`"),
             "if" => "write `if(condition, value, otherwise)`".to_owned(),
+            "inverse" => "write `solve(M, b)` for the solution of `M*x = b`".to_owned(),
+            "solve" if found == 1 => "write `inverse(M)` for the inverse alone".to_owned(),
+            "solve" => "put the right side into brackets: `solve(M, [a, b])`".to_owned(),
+            _ if expected == 1 => "give it one argument".to_owned(),
             _ => format!("give it {expected} argument{plural}, separated by commas"),
         };
         self.report(span, Fault::new(Rule::E0305, message, help), &[])

@@ -141,6 +141,11 @@ fn units() {
         [[1, 0], [0, 1]]*mixed + pair
         [[1, 1], [0, 1]]*mixed
         inverse([[1 kg, 1 kg*m], [1 kg, 1 kg*m^2]])
+        inverse([[1 kg, 0, 1 kg], [0, 1 kg, 1 kg*m], [1 kg*m, 1 kg*m, 1 kg*m^2]])
+        inverse([[1 kg, 1 kg, 1 kg*m], [1 kg, 1 kg, 1 kg*m], [1 kg*m, 1 kg*m, 1 kg*m]])
+        inverse([[1 kg, 1 kg, 1 kg], [1 kg, 1 kg, 1 kg*m], [1 kg, 1 kg*m, 1 kg*m^2]])
+        inverse([[1 kg, 1 m, 1 s], [1 kg, 1 kg, 1 kg*m], [1 kg, 1 kg*m, 1 kg*m^2]])
+        solve(pair, [[1, 0], [0, 1]])
         solve([[1 kg, 1 kg*m], [1 kg*m, 1 kg*m^2]], [1 N, 2 N])
         solve([[1 m, 0], [0, 1 s]], [1, 2])/[1 1/s, 1 1/s]
         inverse(inertia) + inertia
@@ -181,6 +186,11 @@ fn shapes() {
         solve(inertia, 1)
         solve(omega, omega)
         inverse(each(i, 1, 17, each(j, 1, 17, i + j)))
+        solve(inertia)
+        solve(inertia, 1, 2, 3)
+        inverse(inertia, omega)
+        omega/inertia
+        1/[[1, 0], [0, 1]]
         if(n > 0, omega, pair)
         if(n, 1, 2)
         n and n > 0

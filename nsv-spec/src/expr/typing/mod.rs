@@ -161,15 +161,19 @@ pub(super) fn product(left: &Real, right: &Real) -> Result<Real, Fault> {
     })
 }
 
+/// What is meant by a quotient with a matrix below.
+pub(crate) const BY_MATRIX: &str = "`/` goes entry by entry: write `inverse(M)` for `1/M`, and `solve(M, b)` for the solution of `M*x = b`";
+
 /// Elementwise quotients.
 pub(super) fn quotient(left: &Real, right: &Real) -> Result<Real, Fault> {
     elementwise("/", left, right, |at, a, b| {
         if b == Dimension::ANY {
-            return Err(Fault::new(
-                Rule::E0408,
-                format!("division by the literal 0{at}"),
-                "divide by something that is not 0",
-            ));
+            let help = match right.shape {
+                Shape::Matrix(rows, columns) if rows == columns => BY_MATRIX,
+                _ => "divide by something that is not 0",
+            };
+            let message = format!("division by the literal 0{at}");
+            return Err(Fault::new(Rule::E0408, message, help));
         }
         a.checked_div(b).ok_or_else(out_of_range)
     })
@@ -186,11 +190,11 @@ fn elementwise(
         (a, b) if a == b => a,
         (a, b) => {
             let message = format!("shape mismatch: `{symbol}` between {a} and {b}");
-            return Err(Fault::new(
-                Rule::E0501,
-                message,
-                "operands are of one shape, or one of them is a scalar",
-            ));
+            let help = match b {
+                Shape::Matrix(rows, columns) if symbol == "/" && rows == columns => BY_MATRIX,
+                _ => "operands are of one shape, or one of them is a scalar",
+            };
+            return Err(Fault::new(Rule::E0501, message, help));
         }
     };
     let entry = |entry| rule(&in_entry(shape, entry), left.at(entry), right.at(entry));
