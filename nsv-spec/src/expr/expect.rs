@@ -2,8 +2,6 @@
 
 use super::arena::{Arena, ExprId, Shape, Type};
 use super::typing::{in_entry, shown};
-use std::collections::BTreeMap;
-
 use crate::diagnostic::{Diagnostic, Rule, Span};
 use crate::unit::Dimension;
 
@@ -52,24 +50,34 @@ pub fn expect(
     let wanted = expected.dimensions.iter().cycle();
     let wrong = dimensions.iter().zip(wanted).enumerate();
     let wrong = wrong.filter(|(_, (found, wanted))| found.agree(**wanted).is_none());
-    // Entries of one expression that lack the same factor are one fault.
-    let mut alike: BTreeMap<(Span, Option<Dimension>), Vec<(usize, Dimension, Dimension)>> =
-        BTreeMap::new();
+    let mut misfits: Vec<Misfit> = Vec::new();
     for (entry, (&found, &wanted)) in wrong {
-        let at = places.get(entry).copied().unwrap_or(span);
-        let same = alike.entry((at, wanted.checked_div(found))).or_default();
-        same.push((entry, found, wanted));
+        let misfit = Misfit {
+            at: places.get(entry).copied().unwrap_or(span),
+            entry,
+            found,
+            wanted,
+            more: 0,
+        };
+        match misfits.iter_mut().find(|known| known.is_like(&misfit)) {
+            Some(known) => known.more += 1,
+            None => misfits.push(misfit),
+        }
     }
-    let mut faults: Vec<_> = alike.into_iter().collect();
-    faults.sort_by_key(|(_, same)| same[0].0);
-    let faults: Vec<_> = faults
+    let faults: Vec<_> = misfits
         .into_iter()
-        .map(|((at, _), same)| {
-            let (entry, found, wanted) = same[0];
-            let place = match (shape.entries(), same.len() - 1) {
+        .map(|misfit| {
+            let Misfit {
+                at,
+                entry,
+                found,
+                wanted,
+                more,
+            } = misfit;
+            let place = match (shape.entries(), more) {
                 (1, _) => String::new(),
                 (_, 0) => in_entry(*shape, entry),
-                (_, more) => format!("{} and {more} more", in_entry(*shape, entry)),
+                _ => format!("{} and {more} more", in_entry(*shape, entry)),
             };
             let message = format!(
                 "unit mismatch{place}: {what} is {}, expected {}",
@@ -92,6 +100,22 @@ pub fn expect(
         Ok(())
     } else {
         Err(faults)
+    }
+}
+
+/// An entry of another unit than wanted, and how many more of the same expression lack the same factor, which is one fault.
+struct Misfit {
+    at: Span,
+    entry: usize,
+    found: Dimension,
+    wanted: Dimension,
+    more: usize,
+}
+
+impl Misfit {
+    fn is_like(&self, other: &Misfit) -> bool {
+        let lacks = |misfit: &Misfit| misfit.wanted.checked_div(misfit.found);
+        self.at == other.at && lacks(self) == lacks(other)
     }
 }
 
