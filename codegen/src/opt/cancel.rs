@@ -54,7 +54,7 @@ pub(super) fn run(program: Program) -> Program {
     })
 }
 
-/// Which values are needed other than as a matrix whose product or inverse is, or are computed once for a run.
+/// Which values are needed for more than products with them and solutions in them, or are computed once for a run.
 fn staying(program: &Program) -> Vec<bool> {
     let dependences = dependences(program);
     let dependence = |value: ValueId| dependences[value.0 as usize];

@@ -87,8 +87,8 @@ fn unknowns(name: &str, matrix: &Real) -> Result<usize, Fault> {
     Ok(rows)
 }
 
-/// The equations of a matrix of which every entry fits. If not, the entry to blame is the one without which all others do, or else one of two that
-/// mirror each other, since one definition often stands in both places.
+/// The equations of a matrix of which every entry fits. If not, the entry to blame is the one without which all others do, or else one of two
+/// that mirror each other, since one definition often stands in both places.
 fn consistent(matrix: &Real, count: usize) -> Result<Equations, Fault> {
     let equations = Equations::of(matrix, count)?;
     let Some(misfit) = equations.misfit(matrix)? else {
