@@ -170,6 +170,15 @@ fn symmetry_is_seen_in_how_a_matrix_is_computed() {
 %14: real = select %13, %3, %2
 %15: mat4x4 = array %6, %8, %9, %2, %8, %6, %14, %4, %9, %3, %6, %5, %2, %4, %5, %6";
     assert!(symmetric(chosen, 15));
+    // Entries at one place of literals that differ in shape alone.
+    let shaped = "%12: mat2x3 = const [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
+%13: mat3x2 = const [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]
+%14: real = element %12, 1, 0
+%15: real = element %13, 1, 0
+%16: mat4x4 = array %6, %14, %9, %2, %15, %6, %3, %4, %9, %3, %6, %5, %2, %4, %5, %6";
+    assert!(!symmetric(shaped, 16));
+    let same = shaped.replace("mat3x2", "mat2x3");
+    assert!(symmetric(&same, 16));
     // s J^T S J, (J^T s) J, and J^T diag(d) J.
     for congruence in [
         "%15: mat4x4 = mul %13, %2\n%16: mat4x4 = matmul %14, %10\n%17: mat4x4 = matmul %16, %15",

@@ -123,6 +123,10 @@ impl Form<'_> {
         if x == y {
             return true;
         }
+        // Arrays of the same entries can differ in shape.
+        if self.program.ty(x) != self.program.ty(y) {
+            return false;
+        }
         let (Some(left), Some(right)) = (self.op(x), self.op(y)) else {
             return false;
         };
@@ -192,4 +196,51 @@ impl Form<'_> {
 fn pairs(rows: usize) -> impl Iterator<Item = (usize, usize)> {
     let places = (0..rows).flat_map(|row| (0..row).map(move |column| (row, column)));
     places.map(move |(row, column)| (row * rows + column, column * rows + row))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ir::{eval, random};
+
+    #[test]
+    fn what_is_called_symmetric_is() {
+        let (mut found, mut compared) = (0, 0);
+        for seed in 0..400 {
+            let mut program = random::program(seed, 200);
+            let count = u32::try_from(program.instructions.len()).unwrap();
+            let square = |id: &ValueId| matches!(program.ty(*id), Type::Real(Shape::Matrix(rows, columns)) if rows == columns);
+            let matrices: Vec<ValueId> = (0..count).map(ValueId).filter(square).collect();
+            let form = |id: &ValueId| {
+                let form = Form {
+                    program: &program,
+                    left: Cell::new(LONGEST),
+                };
+                form.is_symmetric(*id)
+            };
+            let symmetric: Vec<ValueId> = matrices.into_iter().filter(form).collect();
+            found += symmetric.len();
+            let outputs = symmetric.iter().map(|id| (format!("m{}", id.0), *id));
+            program.outputs = outputs.collect();
+            for draw in 0..3 {
+                let values = eval::eval(&program, &random::inputs(&program, draw)).unwrap();
+                for data in values.values() {
+                    let rows = data.len().isqrt();
+                    let size = data.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
+                    if !size.is_finite() || data.iter().any(|x| x.is_nan()) {
+                        continue;
+                    }
+                    compared += 1;
+                    for (at, other) in pairs(rows) {
+                        let difference = (data[at] - data[other]).abs();
+                        assert!(
+                            difference <= 1e-11 * size,
+                            "seed {seed}: {data:?}\n{program}"
+                        );
+                    }
+                }
+            }
+        }
+        assert!(found > 400 && compared > 600, "{found}, {compared}");
+    }
 }

@@ -17,7 +17,7 @@ const LONGEST: usize = 200;
 const DEEPEST: usize = 4;
 const MOST: usize = 4;
 const BY_ZERO: &str = "division by zero";
-const SINGULAR: &str = "has no inverse";
+const SINGULAR: &str = "has no inverse, or its solution is too large for a number";
 
 impl Context<'_> {
     /// The fault of a formula that is not finite at a point (or, without one, as a constant), with the operation that makes it so
