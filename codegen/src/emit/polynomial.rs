@@ -26,7 +26,7 @@ pub(crate) struct Library {
     bases: Vec<(MonomialBasis, Ident)>,
     /// Lookup tables, in a module of their own.
     pub(crate) tables: Tables,
-    /// Whether families are fused: the programs of a module are, or none of them.
+    /// Whether polynomials are fused: the programs of a module are, or none of them.
     fused: bool,
     /// Functions of bases that are called: position and order of the rate.
     called: BTreeSet<(usize, usize)>,
@@ -135,7 +135,7 @@ impl Library {
         let polynomials = self
             .polynomials
             .iter()
-            .map(|(data, name)| polynomial(data, name, source(&data.name, sources)));
+            .map(|(data, name)| polynomial(data, self.fused, name, source(&data.name, sources)));
         let families = self.families.iter().flat_map(|(family, names)| {
             family::items(family, self.fused, names, |member| source(member, sources))
         });
@@ -166,7 +166,12 @@ fn primitive(name: &str) -> Option<&str> {
         .filter(|_| shorter.len() < name.len())
 }
 
-fn polynomial(data: &PolynomialData, name: &Ident, source: Option<&str>) -> TokenStream {
+fn polynomial(
+    data: &PolynomialData,
+    fused: bool,
+    name: &Ident,
+    source: Option<&str>,
+) -> TokenStream {
     let horner = Horner::new(data);
     let (additions, multiplications) = horner.operations();
     let mut scope = Scope::default();
@@ -177,6 +182,7 @@ fn polynomial(data: &PolynomialData, name: &Ident, source: Option<&str>) -> Toke
         .collect();
     let mut scheme = Scheme {
         arguments: &arguments,
+        fused,
         scope,
         statements: Vec::new(),
     };
@@ -217,6 +223,7 @@ fn polynomial(data: &PolynomialData, name: &Ident, source: Option<&str>) -> Toke
 /// A Horner scheme being written.
 struct Scheme<'a> {
     arguments: &'a [Ident],
+    fused: bool,
     scope: Scope,
     statements: Vec<TokenStream>,
 }
@@ -239,17 +246,21 @@ impl Scheme<'_> {
         let highest = steps.len();
         let mut value = self.coefficient(leading, &format!("{prefix}{highest}"));
         for (power, step) in (0..highest).rev().zip(steps) {
+            let term = step
+                .as_ref()
+                .map(|step| self.coefficient(step, &format!("{prefix}{power}")));
+            if let (Some(term), true) = (&term, self.fused) {
+                let (factor, term) = (value.at(Level::Postfix), &term.tokens);
+                value = Fragment::postfix(quote!(#factor.mul_add(#z, #term)));
+                continue;
+            }
             let factor = value.at(Level::Product);
             value = Fragment {
                 tokens: quote!(#factor * #z),
                 level: Level::Product,
             };
-            if let Some(step) = step {
-                let (product, term) = (
-                    value.tokens,
-                    self.coefficient(step, &format!("{prefix}{power}"))
-                        .at(Level::Product),
-                );
+            if let Some(term) = term {
+                let (product, term) = (value.tokens, term.at(Level::Product));
                 value = Fragment {
                     tokens: quote!(#product + #term),
                     level: Level::Sum,

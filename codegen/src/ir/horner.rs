@@ -10,7 +10,8 @@ use super::{FamilyMember, PolynomialData};
 pub enum Horner {
     /// A coefficient of the data.
     Constant(f64),
-    /// `r = leading`, then for each step, one per lower exponent: `r = r * z`, and `r = r + c` where the step has a coefficient.
+    /// `r = leading`, then for each step, one per lower exponent: `r = r * z`, and `r = r + c` where the step has a coefficient; in a
+    /// fused program that is one operation.
     Scheme {
         /// The argument z, by position.
         argument: usize,
@@ -35,8 +36,8 @@ impl Horner {
         nest(&terms, 0)
     }
 
-    /// The value at `arguments`.
-    pub fn eval(&self, arguments: &[f64]) -> f64 {
+    /// The value at `arguments`; if it is fused, with one rounding for each power.
+    pub fn eval(&self, arguments: &[f64], fused: bool) -> f64 {
         match self {
             Horner::Constant(c) => *c,
             Horner::Scheme {
@@ -47,8 +48,9 @@ impl Horner {
                 let z = arguments[*argument];
                 steps
                     .iter()
-                    .fold(leading.eval(arguments), |r, step| match step {
-                        Some(c) => r * z + c.eval(arguments),
+                    .fold(leading.eval(arguments, fused), |r, step| match step {
+                        Some(c) if fused => f64::mul_add(r, z, c.eval(arguments, fused)),
+                        Some(c) => r * z + c.eval(arguments, fused),
                         None => r * z,
                     })
             }
@@ -194,7 +196,9 @@ mod tests {
             (5.0, &[2, 0]),
             (7.0, &[1, 2]),
         ]));
-        assert_eq!(horner.eval(&[2.0, 3.0]), 3.0 + 12.0 + 20.0 + 126.0);
+        for fused in [false, true] {
+            assert_eq!(horner.eval(&[2.0, 3.0], fused), 3.0 + 12.0 + 20.0 + 126.0);
+        }
         assert_eq!(horner.operations(), (3, 5));
     }
 }

@@ -1,38 +1,70 @@
-//! Polynomials at one argument that are added, or multiplied by a number, are one polynomial.
+//! Polynomials at the same arguments that are added, or multiplied by a number, are one polynomial; literal arguments go into its
+//! coefficients.
 
-use crate::ir::{FamilyMember, Function, Instruction, Op, Operator, Program, Shape, Type, ValueId};
+use std::collections::BTreeMap;
 
-use super::families::Families;
-use super::rewrite::{Uses, limited, literal, rewrite_counting};
+use crate::ir::{
+    FamilyMember, Function, Instruction, Op, Operator, PolynomialData, PolynomialId, Program,
+    Shape, Type, ValueId,
+};
+
+use super::families::Polynomials;
+use super::rewrite::{Uses, limited, literal, rewrite, rewrite_counting};
 
 /// Largest number of terms that are looked at together.
 const LARGEST: usize = 16;
 
-/// Combines polynomials.
+/// Combines polynomials, and folds literal arguments of those that are left.
 pub(super) fn run(program: Program) -> Program {
-    let mut families = Families::of(&program);
-    rewrite_counting(program, |program, instruction, uses| {
+    let mut known = Polynomials::of(&program);
+    let program = rewrite_counting(program, |program, instruction, uses| {
         if instruction.ty != Type::Real(Shape::Scalar) {
             return None;
         }
-        sum(program, instruction, uses, &mut families)
-            .or_else(|| multiple(program, instruction, uses, &mut families))
+        sum(program, instruction, uses, &mut known)
+            .or_else(|| multiple(program, instruction, uses, &mut known))
+    });
+    rewrite(program, |program, instruction| match &instruction.op {
+        Op::Polynomial(id, arguments) if literals_occur(program, *id, arguments) => {
+            combined_data(program, &mut known, &[(1.0, *id, arguments.clone())])
+        }
+        _ => None,
     })
 }
 
-/// A polynomial: the values of its family, and where it stands among them.
-type Place = (ValueId, usize);
+/// What polynomials have in common that can be one.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Place {
+    /// They are of one family.
+    Family(ValueId),
+    /// They are data at these arguments, besides literals.
+    Arguments(Vec<ValueId>),
+}
 
-/// The polynomial that a value is, if nothing else uses it.
-fn polynomial(program: &Program, id: ValueId, uses: &Uses) -> Option<Place> {
-    match program.instruction(id).op {
-        Op::Element(values, row, _)
-            if uses.single(id) && matches!(program.instruction(values).op, Op::Family(..)) =>
-        {
-            Some((values, row))
+/// The place of the polynomial that a value is, if nothing else uses it.
+fn place(program: &Program, id: ValueId, uses: &Uses) -> Option<Place> {
+    if !uses.single(id) {
+        return None;
+    }
+    match &program.instruction(id).op {
+        Op::Element(values, ..) => {
+            let family = matches!(program.instruction(*values).op, Op::Family(..));
+            family.then_some(Place::Family(*values))
         }
+        Op::Polynomial(_, arguments) => Some(Place::Arguments(variables(program, arguments))),
         _ => None,
     }
+}
+
+/// The arguments that are no literals, each once.
+fn variables(program: &Program, arguments: &[ValueId]) -> Vec<ValueId> {
+    let mut variables = Vec::new();
+    for &argument in arguments {
+        if literal(program, argument).is_none() && !variables.contains(&argument) {
+            variables.push(argument);
+        }
+    }
+    variables
 }
 
 /// s f(z) + t g(z) + .. == (s f + t g)(z) + .. (a rounding of each coefficient for each polynomial, and as many fewer of the sum)
@@ -40,7 +72,7 @@ fn sum(
     program: &mut Program,
     instruction: &Instruction,
     uses: &Uses,
-    families: &mut Families,
+    known: &mut Polynomials,
 ) -> Option<ValueId> {
     let Op::Binary(operator @ (Operator::Add | Operator::Sub), a, b) = instruction.op else {
         return None;
@@ -50,31 +82,29 @@ fn sum(
     }
     let mut terms = Terms::default();
     terms.both(program, (operator, a, b), 1.0, uses);
-    // The argument of most polynomials, the first of equals.
-    let count = |values: ValueId| {
-        let of = terms.polynomials.iter().filter(|(_, at)| at.0 == values);
-        of.count()
+    // Where most polynomials are, the first of equals.
+    let count = |place: &Place| {
+        let there = terms.polynomials.iter().filter(|(_, _, at)| at == place);
+        there.count()
     };
-    let argument = terms
+    let place = terms
         .polynomials
         .iter()
-        .map(|(_, at)| at.0)
+        .map(|(_, _, at)| at)
         .rev()
-        .max_by_key(|&values| count(values))?;
-    if count(argument) < 2 {
+        .max_by_key(|place| count(place))?
+        .clone();
+    if count(&place) < 2 {
         return None;
     }
     let (together, apart): (Vec<_>, Vec<_>) = terms
         .polynomials
         .into_iter()
-        .partition(|(_, at)| at.0 == argument);
-    let mut total = combined(program, families, &together)?;
-    let apart = apart.into_iter().map(|(factor, (values, row))| {
-        let value = program.push(Op::Element(values, row, 0));
-        (factor, value)
-    });
-    let rest: Vec<(f64, ValueId)> = apart.collect();
-    for (factor, term) in rest.into_iter().chain(terms.others) {
+        .partition(|(_, _, at)| *at == place);
+    let together: Vec<(f64, ValueId)> = together.into_iter().map(|(c, id, _)| (c, id)).collect();
+    let mut total = combined(program, known, &together, &place)?;
+    let rest = apart.into_iter().map(|(factor, id, _)| (factor, id));
+    for (factor, term) in rest.chain(terms.others) {
         let operator = if factor < 0.0 {
             Operator::Sub
         } else {
@@ -97,7 +127,7 @@ fn multiple(
     program: &mut Program,
     instruction: &Instruction,
     uses: &Uses,
-    families: &mut Families,
+    known: &mut Polynomials,
 ) -> Option<ValueId> {
     let Op::Binary(Operator::Mul, a, b) = instruction.op else {
         return None;
@@ -110,8 +140,8 @@ fn multiple(
     };
     let mut others = Vec::new();
     while others.len() < LARGEST {
-        if let Some(place) = polynomial(program, product, uses) {
-            let scaled = combined(program, families, &[(factor, place)])?;
+        if let Some(place) = place(program, product, uses) {
+            let scaled = combined(program, known, &[(factor, product)], &place)?;
             let product = others.into_iter().rev().fold(scaled, |product, other| {
                 program.binary(Operator::Mul, product, other)
             });
@@ -125,7 +155,7 @@ fn multiple(
             return None;
         }
         let leads = |id: ValueId| {
-            polynomial(program, id, uses).is_some()
+            place(program, id, uses).is_some()
                 || matches!(program.instruction(id).op, Op::Binary(Operator::Mul, ..))
         };
         let (next, other) = if leads(left) {
@@ -139,21 +169,37 @@ fn multiple(
     None
 }
 
-/// The value of a sum of multiples of polynomials at one argument, if its coefficients are finite.
+/// The value of a sum of multiples of polynomials at one place, if its coefficients are finite.
 fn combined(
     program: &mut Program,
-    families: &mut Families,
-    parts: &[(f64, Place)],
+    known: &mut Polynomials,
+    parts: &[(f64, ValueId)],
+    place: &Place,
 ) -> Option<ValueId> {
-    let (_, (values, _)) = parts.first()?;
-    let Op::Family(family, z) = program.instruction(*values).op else {
+    let values = match place {
+        Place::Family(values) => *values,
+        Place::Arguments(_) => {
+            let parts = parts.iter().map(|&(factor, id)| {
+                let Op::Polynomial(data, arguments) = &program.instruction(id).op else {
+                    unreachable!("invariant: polynomial data is at these arguments")
+                };
+                (factor, *data, arguments.clone())
+            });
+            let parts: Vec<Part> = parts.collect();
+            return combined_data(program, known, &parts);
+        }
+    };
+    let Op::Family(family, z) = program.instruction(values).op else {
         return None;
     };
     let family = &program.families[family.0 as usize];
     let argument = family.argument.clone();
     let members = parts
         .iter()
-        .map(|(factor, (_, row))| (*factor, &family.members[*row]));
+        .map(|&(factor, id)| match program.instruction(id).op {
+            Op::Element(_, row, _) => (factor, &family.members[row]),
+            _ => unreachable!("invariant: a member of the family"),
+        });
     let length = members
         .clone()
         .map(|(_, member)| member.coefficients.len())
@@ -178,15 +224,78 @@ fn combined(
         name: names.join("_and_"),
         coefficients,
     };
-    let id = families.add(program, &argument, vec![member]);
+    let id = known.add_family(program, &argument, vec![member]);
     let values = program.push(Op::Family(id, z));
     Some(program.push(Op::Element(values, 0, 0)))
+}
+
+/// Polynomial data in a sum: its factor and its arguments.
+type Part = (f64, PolynomialId, Vec<ValueId>);
+
+/// Whether an argument that is a literal occurs in a term.
+fn literals_occur(program: &Program, id: PolynomialId, arguments: &[ValueId]) -> bool {
+    let terms = &program.polynomials[id.0 as usize].terms;
+    let occurs = |at: usize| terms.iter().any(|(_, exponents)| exponents[at] > 0);
+    (0..arguments.len()).any(|at| literal(program, arguments[at]).is_some() && occurs(at))
+}
+
+/// The value of a sum of multiples of polynomial data whose arguments are the same besides literals, if its coefficients are finite.
+///
+/// f(z, m) == f_m(z), with c m^i for each coefficient c of f (a rounding of the coefficient for each product)
+fn combined_data(
+    program: &mut Program,
+    known: &mut Polynomials,
+    parts: &[Part],
+) -> Option<ValueId> {
+    let variables = variables(program, &parts.first()?.2);
+    let mut names = vec![String::new(); variables.len()];
+    let mut sums: BTreeMap<Vec<u32>, f64> = BTreeMap::new();
+    for (factor, id, arguments) in parts {
+        let data = &program.polynomials[id.0 as usize];
+        for (c, exponents) in &data.terms {
+            let (mut c, mut of) = (factor * c, vec![0; variables.len()]);
+            for (at, (&argument, &exponent)) in arguments.iter().zip(exponents).enumerate() {
+                match literal(program, argument) {
+                    Some(m) => c = (0..exponent).fold(c, |product, _| product * m[0]),
+                    None => {
+                        let variable = variables.iter().position(|&known| known == argument)?;
+                        of[variable] += exponent;
+                        names[variable].clone_from(&data.arguments[at]);
+                    }
+                }
+            }
+            *sums.entry(of).or_insert(0.0) += c;
+        }
+    }
+    if sums.values().any(|c| !c.is_finite()) {
+        return None;
+    }
+    sums.retain(|_, c| *c != 0.0);
+    let occurring: Vec<usize> = (0..variables.len())
+        .filter(|&at| sums.keys().any(|exponents| exponents[at] > 0))
+        .collect();
+    if occurring.is_empty() {
+        let value = sums.into_values().next().unwrap_or(0.0);
+        return Some(program.scalar(value));
+    }
+    let name = |(_, id, _): &Part| program.polynomials[id.0 as usize].name.clone();
+    let data = PolynomialData {
+        name: parts.iter().map(name).collect::<Vec<_>>().join("_and_"),
+        arguments: occurring.iter().map(|&at| names[at].clone()).collect(),
+        terms: sums
+            .into_iter()
+            .map(|(exponents, c)| (c, occurring.iter().map(|&at| exponents[at]).collect()))
+            .collect(),
+    };
+    let id = known.add(program, data);
+    let arguments = occurring.into_iter().map(|at| variables[at]).collect();
+    Some(program.push(Op::Polynomial(id, arguments)))
 }
 
 /// A sum taken apart.
 #[derive(Default)]
 struct Terms {
-    polynomials: Vec<(f64, Place)>,
+    polynomials: Vec<(f64, ValueId, Place)>,
     others: Vec<(f64, ValueId)>,
 }
 
@@ -206,8 +315,8 @@ impl Terms {
 
     /// Takes sums, changes of sign and multiples that nothing else uses apart.
     fn part(&mut self, program: &Program, id: ValueId, scale: f64, uses: &Uses) {
-        if let Some(place) = polynomial(program, id, uses) {
-            self.polynomials.push((scale, place));
+        if let Some(place) = place(program, id, uses) {
+            self.polynomials.push((scale, id, place));
             return;
         }
         let number = |id: ValueId| literal(program, id).map(|data| data[0]);
@@ -221,13 +330,14 @@ impl Terms {
             }
             Op::Apply(Function::Neg, a) if uses.single(id) => self.part(program, a, -scale, uses),
             Op::Binary(Operator::Mul, a, b) if uses.single(id) => {
-                let of = match (number(a), number(b)) {
-                    (Some(factor), None) => polynomial(program, b, uses).map(|at| (factor, at)),
-                    (None, Some(factor)) => polynomial(program, a, uses).map(|at| (factor, at)),
+                let of = |factor: f64, id: ValueId| Some((factor, id, place(program, id, uses)?));
+                let multiple = match (number(a), number(b)) {
+                    (Some(factor), None) => of(scale * factor, b),
+                    (None, Some(factor)) => of(scale * factor, a),
                     _ => None,
                 };
-                match of {
-                    Some((factor, place)) => self.polynomials.push((scale * factor, place)),
+                match multiple {
+                    Some(multiple) => self.polynomials.push(multiple),
                     None => self.others.push((scale, id)),
                 }
             }

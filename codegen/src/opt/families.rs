@@ -1,11 +1,14 @@
-//! Families that passes make: each once, under a name of its own.
+//! Polynomials and families that passes make: each once, under a name of its own.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use crate::ir::{FamilyId, FamilyMember, PolynomialFamily, Program};
+use crate::ir::{FamilyId, FamilyMember, PolynomialData, PolynomialFamily, PolynomialId, Program};
 
 /// What a family computes: its argument, its members' names and the bits of their coefficients.
-type Content = (String, Vec<(String, Vec<u64>)>);
+type Family = (String, Vec<(String, Vec<u64>)>);
+
+/// What polynomial data computes: its arguments, and its terms with the bits of their coefficients.
+type Data = (Vec<String>, Vec<(u64, Vec<u32>)>);
 
 /// Names that are taken.
 #[derive(Default)]
@@ -24,9 +27,8 @@ impl Taken {
         }
     }
 
-    /// The name of a family at arguments, with a number if it is taken.
-    pub(super) fn claim(&mut self, arguments: &str) -> String {
-        let base = format!("at_{arguments}");
+    /// A name, with a number if it is taken.
+    pub(super) fn claim(&mut self, base: String) -> String {
         let mut name = base.clone();
         let number = self.numbers.entry(base.clone()).or_insert(1);
         while !self.names.insert(name.clone()) {
@@ -37,28 +39,49 @@ impl Taken {
     }
 }
 
-/// The polynomial families of a program while more are made.
-pub(super) struct Families {
+/// The polynomials and families of a program while more are made.
+pub(super) struct Polynomials {
     /// Names of polynomials, families and bases.
     taken: Taken,
-    /// The families made so far.
-    known: HashMap<Content, FamilyId>, // looked up only, never iterated
+    /// The data and the families made so far.
+    data: HashMap<Data, PolynomialId>, // looked up only, never iterated
+    families: HashMap<Family, FamilyId>, // likewise
 }
 
-impl Families {
-    /// The families that a program has.
-    pub(super) fn of(program: &Program) -> Families {
+impl Polynomials {
+    /// Those that a program has.
+    pub(super) fn of(program: &Program) -> Polynomials {
         let polynomials = program.polynomials.iter().map(|data| &data.name);
         let families = program.families.iter().map(|family| &family.name);
         let bases = program.bases.iter().map(|basis| &basis.name);
-        Families {
+        Polynomials {
             taken: Taken::new(polynomials.chain(families).chain(bases)),
-            known: HashMap::new(),
+            data: HashMap::new(),
+            families: HashMap::new(),
         }
     }
 
-    /// The family of these members, appended under a name that no table has, unless it was appended before.
-    pub(super) fn add(
+    /// Polynomial data, appended under a name that nothing has, unless it was appended before.
+    pub(super) fn add(&mut self, program: &mut Program, data: PolynomialData) -> PolynomialId {
+        let bits = |(c, exponents): &(f64, Vec<u32>)| (c.to_bits(), exponents.clone());
+        let key = (
+            data.arguments.clone(),
+            data.terms.iter().map(bits).collect(),
+        );
+        if let Some(&id) = self.data.get(&key) {
+            return id;
+        }
+        let index = program.polynomials.len();
+        let id =
+            PolynomialId(u32::try_from(index).expect("invariant: fewer than 2^32 polynomials"));
+        let name = self.taken.claim(data.name);
+        program.polynomials.push(PolynomialData { name, ..data });
+        self.data.insert(key, id);
+        id
+    }
+
+    /// The family of these members, appended under a name that nothing has, unless it was appended before.
+    pub(super) fn add_family(
         &mut self,
         program: &mut Program,
         argument: &str,
@@ -69,17 +92,17 @@ impl Families {
             (member.name.clone(), bits)
         };
         let key = (argument.to_owned(), members.iter().map(bits).collect());
-        if let Some(&id) = self.known.get(&key) {
+        if let Some(&id) = self.families.get(&key) {
             return id;
         }
         let index = program.families.len();
         let id = FamilyId(u32::try_from(index).expect("invariant: fewer than 2^32 families"));
         program.families.push(PolynomialFamily {
-            name: self.taken.claim(argument),
+            name: self.taken.claim(format!("at_{argument}")),
             argument: argument.to_owned(),
             members,
         });
-        self.known.insert(key, id);
+        self.families.insert(key, id);
         id
     }
 }

@@ -133,7 +133,8 @@ pub static PASSES: [Pass; 18] = [
     Pass {
         name: "combine",
         kind: Kind::Reassociating(
-            "the coefficients of n polynomials that are added are rounded n times, so that the sum at z is off by at most n 2^-53 sum |c_i| |z|^i more",
+            "the coefficients of n polynomials that are added are rounded n times, and k times more where a literal argument goes in with the \
+             power k, so that the sum at z is off by at most (n + k) 2^-53 sum |c_i| |z|^i more",
         ),
         run: combine::run,
     },

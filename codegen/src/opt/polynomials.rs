@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::ir::horner::Horner;
 use crate::ir::{FamilyMember, Op, Program, ValueId};
 
-use super::families::{Families, tell_apart};
+use super::families::{Polynomials, tell_apart};
 use super::rewrite::{literal, rewrite};
 
 /// What becomes of an instruction.
@@ -31,7 +31,7 @@ pub(super) fn run(program: Program) -> Program {
     }
     let (sites, mut gatherings) = gather(&program);
     gatherings.retain(|_, gathering| gathering.folded || gathering.places > 1);
-    let mut families = Families::of(&program);
+    let mut known = Polynomials::of(&program);
     let mut next = sites.into_iter();
     rewrite(program, |program, instruction| {
         match next.next().expect("invariant: one site per instruction") {
@@ -48,7 +48,7 @@ pub(super) fn run(program: Program) -> Program {
                     Op::Element(family, ..) => program.instruction(family).op.operands()[0],
                     _ => instruction.op.operands()[operand],
                 };
-                let values = gathering.values(program, &mut families, argument);
+                let values = gathering.values(program, &mut known, argument);
                 Some(program.push(Op::Element(values, gathering.positions[member], 0)))
             }
         }
@@ -92,7 +92,7 @@ impl Gathering {
     fn values(
         &mut self,
         program: &mut Program,
-        families: &mut Families,
+        known: &mut Polynomials,
         argument: ValueId,
     ) -> ValueId {
         if let Some(values) = self.values {
@@ -109,7 +109,7 @@ impl Gathering {
             .map(|&member| self.members[member].clone())
             .collect();
         tell_apart(members.iter_mut().map(|member| &mut member.name));
-        let id = families.add(program, &self.argument, members);
+        let id = known.add_family(program, &self.argument, members);
         let values = program.push(Op::Family(id, argument));
         self.values = Some(values);
         values

@@ -104,7 +104,7 @@ impl Families {
         let index = program.table_families.len();
         let id = TableFamilyId(u32::try_from(index).expect("invariant: fewer than 2^32 families"));
         program.table_families.push(TableFamily {
-            name: self.taken.claim(&arguments.join("_")),
+            name: self.taken.claim(format!("at_{}", arguments.join("_"))),
             arguments,
             members: members.to_vec(),
         });

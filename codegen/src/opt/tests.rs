@@ -368,6 +368,17 @@ fn combine() {
 }
 
 #[test]
+fn combined_data() {
+    let text = "input a: real\ninput b: real\npolynomial f(a, m, d) = 2.0 [2, 0, 0], 3.0 [1, 1, 0], -1.0 [0, 1, 1], 5.0 [0, 0, 2]\n\
+                polynomial g(a, m) = 0.5 [1, 2], -3.0 [1, 1]\npolynomial h(m, a, d) = 1.0 [1, 1, 1], 4.0 [0, 0, 1]\n%0: real = input a\n\
+                %1: real = input b\n%2: real = const 2.0\n%3: real = const 0.5\n%4: real = polynomial f, %0, %1, %2\n\
+                %5: real = polynomial g, %0, %1\n%6: real = add %4, %5\n%7: real = polynomial f, %0, %1, %3\n%8: real = mul %7, %1\n\
+                %9: real = mul %8, %2\n%10: real = polynomial h, %1, %0, %2\n%11: real = polynomial g, %1, %1\n%12: real = sub %11, %10\n\
+                %13: real = polynomial f, %0, %0, %2\noutput p = %6\noutput q = %9\noutput r = %12\noutput s = %13";
+    check_as("combine", "combined_data", text);
+}
+
+#[test]
 fn contract() {
     let text = "input a: real\ninput b: real\ninput v: vec2\ninput w: vec2\n%0: real = input a\n%1: real = input b\n%2: vec2 = input v\n\
                 %3: vec2 = input w\n%4: real = mul %0, %1\n%5: real = add %0, %4\n%6: vec2 = mul %2, %0\n%7: vec2 = sub %3, %6\n\

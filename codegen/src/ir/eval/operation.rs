@@ -104,7 +104,7 @@ impl Tables {
             Op::Polynomial(id, ref arguments) => {
                 let arguments: Vec<f64> =
                     arguments.iter().map(|&argument| first(argument)).collect();
-                out[0] = self.polynomials[id.0 as usize].eval(&arguments);
+                out[0] = self.polynomials[id.0 as usize].eval(&arguments, program.fused);
             }
             Op::Table(id, ref orders, ref arguments) => {
                 let arguments: Vec<f64> =

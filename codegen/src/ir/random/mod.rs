@@ -165,14 +165,21 @@ impl Generator {
         self.program.array(shape, items);
     }
 
-    /// Two members of a family, one of them multiplied by a number, added.
+    /// Two polynomials at the same arguments, of a family or not, one of them multiplied by a number, added.
     fn append_sum_of_polynomials(&mut self) {
-        let Some(z) = self.scalar() else {
+        let (Some(z), Some(other)) = (self.scalar(), self.scalar()) else {
             return;
         };
-        let values = self.program.push(Op::Family(FamilyId(0), z));
-        let [first, second] = [0, 0].map(|_| self.random.below(4));
-        let [first, second] = [first, second].map(|row| Op::Element(values, row, 0));
+        let [first, second] = if self.random.below(2) == 0 {
+            let values = self.program.push(Op::Family(FamilyId(0), z));
+            [0, 0].map(|_| Op::Element(values, self.random.below(4), 0))
+        } else {
+            let (one, two) = (PolynomialId(0), PolynomialId(1));
+            [
+                Op::Polynomial(one, vec![z, other]),
+                Op::Polynomial(two, vec![z]),
+            ]
+        };
         let (first, second) = (self.program.push(first), self.program.push(second));
         let factor = self.random.literal();
         let factor = self.program.scalar(factor);
