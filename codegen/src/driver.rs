@@ -23,7 +23,12 @@ pub struct Compiled {
 
 /// Derives and lowers: the programs before any optimisation.
 pub fn lower(model: &Model, partials: &mut dyn Partials) -> Result<Programs, DeriveError> {
-    Ok(Programs::new(&derive(model, partials)?))
+    let programs = Programs::new(&derive(model, partials)?);
+    // The literals of a law are finite, since the check admits no gain whose powers overflow.
+    for program in programs.all() {
+        program.assert_sound();
+    }
+    Ok(programs)
 }
 
 /// Derives, lowers, optimises and emits: every phase behind the check.

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::{env, fs};
 
 use nsv_codegen::limits::limits_reference;
-use nsv_spec::limits::LIMITS;
+use nsv_spec::limits::{LIMITS, Limit};
 use nsv_spec::load_str;
 
 #[test]
@@ -65,6 +65,83 @@ fn with(what: &str, count: usize) -> String {
             &format!("{}x/(1 s){}", "(".repeat(count - 3), ")".repeat(count - 3)),
         ),
         "operations of an expression" => drift(repeated("x", count / 2 - 1, "+")),
+        "calls of functions within each other" => {
+            let inner = (2..=count)
+                .map(|at| format!("f{at}: {{arguments: [a], value: f{}(a) + 1}}", at - 1));
+            let first = "f1: {arguments: [a], value: a + 1}".to_owned();
+            let functions: Vec<String> = std::iter::once(first).chain(inner).collect();
+            specification(
+                &format!("functions: {{{}}}", functions.join(", ")),
+                &format!("-f{count}(x)/(1 s)"),
+            )
+        }
+        "unknowns of a `solve` or `inverse`" => {
+            let row = |at: usize| {
+                let entry = |other: usize| if other == at { "2" } else { "0" };
+                format!("[{}]", (0..count).map(entry).collect::<Vec<_>>().join(", "))
+            };
+            let rows: Vec<String> = (0..count).map(row).collect();
+            let right = vec!["x"; count].join(", ");
+            drift(format!("solve([{}], [{right}])[1]", rows.join(", ")))
+        }
+        "blocks of a plant" => {
+            let block = |at: usize| {
+                format!("b{at}: {{states: {{y{at}: 0}}, drift: \"-y{at}/(1 s)\", gain: 1/(1 s)}}")
+            };
+            let gains = |at: usize| {
+                format!("b{at}: {{K: 1, kbar: 1, C: 5, filter: 1 s, eta_2: 1, eta_3: 1}}")
+            };
+            let last = format!("b{count}: {{K: 1, kbar: 1, C: 5}}");
+            let blocks: Vec<String> = (1..=count).map(block).collect();
+            let gains: Vec<String> = (1..count).map(gains).chain([last]).collect();
+            specification("", "-x/(1 s)")
+                .replace(
+                    "{b: {states: {x: 0.1}, drift: \"-x/(1 s)\", gain: 1/(1 s)}}",
+                    &format!("{{{}}}", blocks.join(", ")),
+                )
+                .replace(
+                    "{b: {K: 1, kbar: 1, C: 5}}",
+                    &format!("{{{}}}", gains.join(", ")),
+                )
+                .replace("{x: 0}", "{y1: 0}")
+        }
+        "states of a block" => {
+            let list = |item: &dyn Fn(usize) -> String| {
+                (1..=count).map(item).collect::<Vec<_>>().join(", ")
+            };
+            let row = |at: usize| {
+                let entry = |other: usize| if other == at { "1/(1 s)" } else { "0" };
+                format!(
+                    "[{}]",
+                    (1..=count).map(entry).collect::<Vec<_>>().join(", ")
+                )
+            };
+            specification("", "-x/(1 s)")
+                .replace(
+                    "{x: 0.1}",
+                    &format!("{{{}}}", list(&|at| format!("y{at}: 0.1"))),
+                )
+                .replace(
+                    "\"-x/(1 s)\"",
+                    &format!("[{}]", list(&|at| format!("\"-y{at}/(1 s)\""))),
+                )
+                .replace("gain: 1/(1 s)", &format!("gain: [{}]", list(&row)))
+                .replace(
+                    "{force: 5}",
+                    &format!("{{{}}}", list(&|at| format!("u{at}: 5"))),
+                )
+                .replace(
+                    "{x: 0}",
+                    &format!("{{{}}}", list(&|at| format!("y{at}: 0"))),
+                )
+        }
+        "variants of a sweep" => specification("", "-x/(1 s)").replace(
+            "substeps: 4",
+            &format!(
+                "sweep: {{controller.blocks.b.K: [{}]}}",
+                numbers(count + 1).replacen("0, ", "", 1)
+            ),
+        ),
         "rounds of an `each`" => drift(format!("sum(each(i, 1, {count}, i*x))")),
         "brackets within each other in a unit" => {
             let unit = format!("{}m{}", "(".repeat(count), ")".repeat(count));
@@ -95,36 +172,73 @@ fn with(what: &str, count: usize) -> String {
         "runs of a campaign" => {
             specification("", "-x/(1 s)").replace("substeps: 4", &format!("runs: {count}"))
         }
-        _ => String::new(),
+        what => panic!("no specification shows the most and what is more: {what}"),
     }
 }
 
+/// Limits that take several files, much text or a scenario of their own to show.
+const ELSEWHERE: &[&str] = &[
+    MAGNITUDE,
+    "files of one specification, itself included",
+    "fragments that include each other, in a chain",
+    "data files of one specification",
+    "depth of lists and maps in YAML",
+    "values in a YAML file, aliases written out",
+    "aliases in a YAML file",
+    "operations that calls and loops insert into one specification",
+    "faults that one expression reports",
+    "values of a table",
+    "states of an exosystem",
+    "nodes of a network",
+    "plant steps of one run",
+    "delay of an actuator, in plant steps",
+];
+
 #[test]
 fn the_most_is_accepted_and_one_more_is_refused_with_its_fault() {
-    let mut tried = 0;
-    for limit in LIMITS {
+    for limit in LIMITS
+        .iter()
+        .filter(|limit| !ELSEWHERE.contains(&limit.what))
+    {
         let most = limit.most as usize;
-        let text = with(limit.what, most);
-        if text.is_empty() {
-            continue;
-        }
-        tried += 1;
-        if let Err(faults) = load_str("limits.yaml", &text) {
-            panic!("{}: {}", limit.what, faults.short());
-        }
         // Operations are counted in steps of two here.
-        let beyond = if limit.what.starts_with("operations") {
-            most + 4
-        } else {
-            most + 1
+        let beyond = match limit.what {
+            what if what.starts_with("operations") => most + 4,
+            _ => most + 1,
         };
-        let faults = load_str("limits.yaml", &with(limit.what, beyond)).expect_err(limit.what);
-        let codes: Vec<&str> = faults.items.iter().map(|item| item.rule.name()).collect();
-        assert!(
-            codes.contains(&limit.rule.name()),
-            "{}: {codes:?}",
-            limit.what
-        );
+        check(limit, &with(limit.what, most), &with(limit.what, beyond));
     }
-    assert_eq!(tried, 13);
+}
+
+const MAGNITUDE: &str =
+    "magnitude in SI of a number of controller, plant or scenario, and of its inverse";
+
+#[test]
+fn numbers_whose_powers_overflow_are_refused() {
+    let limit = LIMITS.iter().find(|limit| limit.what == MAGNITUDE).unwrap();
+    let with = |key: &str, value: &str| {
+        specification("", "-x/(1 s)").replace(&format!("{key}: 1,"), &format!("{key}: {value},"))
+    };
+    for (key, most, beyond) in [
+        ("K", "1e50", "1.1e50"),
+        ("kbar", "1e50", "1e308"),
+        ("kbar", "1e-50", "9e-51"),
+        ("K", "1e-50", "1e-310"),
+    ] {
+        check(limit, &with(key, most), &with(key, beyond));
+    }
+}
+
+/// The first text is accepted, the second refused with the fault of the limit.
+fn check(limit: &Limit, most: &str, beyond: &str) {
+    if let Err(faults) = load_str("limits.yaml", most) {
+        panic!("{}: {}", limit.what, faults.short());
+    }
+    let faults = load_str("limits.yaml", beyond).expect_err(limit.what);
+    let codes: Vec<&str> = faults.items.iter().map(|item| item.rule.name()).collect();
+    assert!(
+        codes.contains(&limit.rule.name()),
+        "{}: {codes:?}",
+        limit.what
+    );
 }

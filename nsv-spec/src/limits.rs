@@ -2,7 +2,7 @@
 
 use crate::check::limits as check;
 use crate::diagnostic::Rule;
-use crate::{expr, include, model, parse, unit, yaml};
+use crate::{compose, expr, include, model, parse, unit, yaml};
 
 /// A limit of the reader.
 #[derive(Clone, Copy, Debug)]
@@ -90,7 +90,11 @@ pub const LIMITS: &[Limit] = &[
         unit::MAX_DEPTH,
         Rule::E0402,
     ),
-    limit("exponent in a dimension", 63, Rule::E0406),
+    limit(
+        "exponent in a dimension",
+        unit::LARGEST as usize,
+        Rule::E0406,
+    ),
     limit(
         "exponent in polynomial data",
         parse::MAX_EXPONENT as usize,
@@ -103,6 +107,11 @@ pub const LIMITS: &[Limit] = &[
     limit("states of a block", check::WIDTH, Rule::E0602),
     limit("states of an exosystem", check::EXOSYSTEM, Rule::E0503),
     limit("nodes of a network", check::NETWORK, Rule::E0609),
+    Limit {
+        what: "magnitude in SI of a number of controller, plant or scenario, and of its inverse",
+        most: check::NUMBER,
+        rule: Rule::E0602,
+    },
     limit("plant steps of one sample", check::SUBSTEPS, Rule::E0602),
     limit(
         "plant steps of one run",
@@ -110,6 +119,7 @@ pub const LIMITS: &[Limit] = &[
         Rule::E0602,
     ),
     limit("runs of a campaign", check::RUNS, Rule::E0602),
+    limit("variants of a sweep", compose::MAX_VARIANTS, Rule::E0033),
     limit(
         "delay of an actuator, in plant steps",
         check::DELAY,
@@ -143,6 +153,10 @@ larger than its inputs to 5 seconds in an unoptimised build: a file of 10 MB, 10
 pub fn limits_reference() -> String {
     let mut page = INTRODUCTION.to_owned();
     for Limit { what, most, rule } in LIMITS {
+        let most = match *most {
+            huge if huge >= 1e16 => format!("{huge:e}"),
+            most => most.to_string(),
+        };
         page.push_str(&format!("| {what} | {most} | `{rule}` |\n"));
     }
     page.push_str(TIME);

@@ -33,6 +33,17 @@ impl Programs {
             quantities: simplify(quantities(law)),
         }
     }
+
+    /// All of them.
+    pub fn all(&self) -> [&Program; 5] {
+        [
+            &self.initial,
+            &self.control,
+            &self.plant,
+            &self.lyapunov,
+            &self.quantities,
+        ]
+    }
 }
 
 fn leaf(law: &Law, quantity: &str, input: String) -> (String, String, Shape) {

@@ -134,7 +134,7 @@ impl Context<'_> {
 
     /// A matrix of bare numbers in SI.
     fn bare_matrix(&mut self, formula: &Formula, what: &str) -> Option<Matrix> {
-        let numbers = self.numbers(formula)?;
+        let numbers = self.numbers_for(formula, &format!("`{what}`"))?;
         if let Some(found) = numbers
             .dimensions
             .iter()

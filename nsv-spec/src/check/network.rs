@@ -184,7 +184,7 @@ impl Context<'_> {
             return Some(vec![1.0; inputs.len()]);
         };
         let what = format!("`network.scale` of block `{block}`");
-        let numbers = self.numbers(formula)?;
+        let numbers = self.numbers_for(formula, &what)?;
         let (values, dimensions) = match numbers.shape {
             Shape::Scalar => (
                 vec![numbers.values[0]; inputs.len()],

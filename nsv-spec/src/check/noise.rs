@@ -24,7 +24,10 @@ impl Context<'_> {
         } = &written.value;
         let block = &self.spec.blocks[at].name;
         let what = format!("noise effectiveness of block `{}`", block.value);
-        let sigma = self.numbers(intensity);
+        let sigma = self.numbers_for(
+            intensity,
+            &format!("noise intensity of block `{}`", block.value),
+        );
         let parsed = self.parse_formula(effectiveness)?;
         let id = self.elaborate(&parsed, Place::Model)?;
         self.check_feedback(&parsed, "noise effectiveness", at);

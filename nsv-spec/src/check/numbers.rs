@@ -10,6 +10,9 @@ use crate::model::Matrix;
 use crate::spec::{Code, Formula};
 use crate::unit::Dimension;
 
+/// Largest magnitude of a number of the controller or its scenario, in SI, and inverse of the smallest besides 0.
+pub(super) const LARGEST: f64 = 1e50;
+
 /// A constant expression as numbers.
 #[derive(Clone, Debug)]
 pub(super) struct Numbers {
@@ -44,12 +47,35 @@ impl Context<'_> {
         self.numbers_of(&parsed)
     }
 
-    /// The same for a place with a name, which messages tell.
+    /// The same for a place with a name, which messages tell: numbers that a law can be computed with.
     pub(super) fn numbers_for(&mut self, formula: &Formula, what: &str) -> Option<Numbers> {
         self.names.subject = Some(what.to_owned());
         let numbers = self.numbers(formula);
         self.names.subject = None;
-        numbers
+        let numbers = numbers?;
+        for (&value, &place) in numbers.values.iter().zip(&numbers.places) {
+            self.moderate(value, place, what)?;
+        }
+        Some(numbers)
+    }
+
+    /// Reports a number so large or small that powers and quotients of it, as in the gains of a law, overflow.
+    fn moderate(&mut self, value: f64, place: Span, what: &str) -> Option<()> {
+        let magnitude = value.abs();
+        let expected = if magnitude > LARGEST {
+            format!("at most {LARGEST:e}")
+        } else if magnitude > 0.0 && magnitude < 1.0 / LARGEST {
+            format!("0 or at least {:e}", 1.0 / LARGEST)
+        } else {
+            return Some(());
+        };
+        self.fault(
+            Rule::E0602,
+            place,
+            format!("{what} is {value:e} in SI, expected a magnitude of {expected}"),
+            "look for a wrong unit or exponent",
+        );
+        None
     }
 
     /// The numbers of a parsed constant formula, all finite.

@@ -93,7 +93,7 @@ impl Context<'_> {
             dimensions,
             span,
             ..
-        } = self.numbers(formula)?;
+        } = self.numbers_for(formula, what)?;
         let rows: usize = channels.iter().map(|channel| channel.m.rows).sum();
         let cols = channels.len();
         // A list of numbers is a column, the whole of S for a block with one channel.

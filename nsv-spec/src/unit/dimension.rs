@@ -11,7 +11,7 @@ pub struct Dimension {
 }
 
 /// Largest whole exponent: half of the largest number of halves.
-const LARGEST: i16 = 63;
+pub(crate) const LARGEST: i16 = 63;
 
 const SYMBOLS: [&str; 7] = ["kg", "m", "s", "A", "K", "mol", "cd"];
 

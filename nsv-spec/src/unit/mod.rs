@@ -9,6 +9,7 @@ mod table;
 
 use crate::suggest::Meant;
 pub use dimension::Dimension;
+pub(crate) use dimension::LARGEST;
 use double::Double;
 pub use error::UnitError;
 pub(crate) use error::UnitFault;
