@@ -52,7 +52,7 @@ fn has_band(signal: &str) -> bool {
     let disturbance = group
         .strip_prefix('d')
         .is_some_and(|block| block.parse::<u32>().is_ok());
-    matches!(group, "x1" | "e1" | "ratio1" | "u_sat") || disturbance
+    matches!(group, "x1" | "error" | "ratio1" | "u_sat") || disturbance
 }
 
 /// The spread over runs of signals on a time grid. It takes at most 5 KB for each signal at each time, however many the runs: 32 MB for
@@ -189,7 +189,7 @@ mod tests {
     fn bands_are_drawn_of_the_signals_that_show_robustness() {
         for signal in [
             "x1.alpha",
-            "e1.beta",
+            "error.beta",
             "ratio1",
             "d1.alpha",
             "d12.p",

@@ -28,7 +28,7 @@ pub trait ClosedLoop {
     const OUTPUTS: &'static [&'static str];
     /// Names of the inputs.
     const INPUTS: &'static [&'static str];
-    /// Telemetry columns, SI: `t`, `x1.CHANNEL`, `e1.CHANNEL`, `ratio1`, `d1.CHANNEL`, `u_sat.INPUT`, ...
+    /// Telemetry columns, SI: `t`, `x1.CHANNEL`, `error.CHANNEL`, `e1.CHANNEL`, `ratio1`, `d1.CHANNEL`, `u_sat.INPUT`, ...
     const SIGNALS: &'static [&'static str];
 
     /// The widths of lanes that campaigns are compiled for; as for [`crate::lanes::Kernel::WIDTHS`].
@@ -79,7 +79,7 @@ pub trait Runs<T: Real> {
     /// scalars, and NaN in lanes.
     fn telemetry(&self, row: &mut [T]);
 
-    /// `||e_1|| / k_1`; NaN without a constraint on the output.
+    /// `||y - y_r|| / k_1`, of the true outputs; NaN without a constraint on them.
     fn constraint_ratio(&self) -> T;
 
     /// Writes the tracking error `y - y_r` of each output, SI.

@@ -54,7 +54,7 @@ impl<const CONSTRAINED: bool> ClosedLoop for MockLoop<CONSTRAINED> {
     const SAMPLE_TIME: f64 = SAMPLE_TIME;
     const OUTPUTS: &'static [&'static str] = &["x"];
     const INPUTS: &'static [&'static str] = &["u"];
-    const SIGNALS: &'static [&'static str] = &["t", "x1.x", "e1.x", "ratio1", "u.u", "u_sat.u"];
+    const SIGNALS: &'static [&'static str] = &["t", "x1.x", "error.x", "ratio1", "u.u", "u_sat.u"];
 
     type Runs<T: Real> = MockLoop<CONSTRAINED, T>;
 }

@@ -51,7 +51,8 @@ pub fn run(model: &Model, programs: &Programs, seed: Option<u64>) -> Run {
         let outputs = control.outputs();
         let norm = |values: &[f64]| libm::sqrt(values.iter().map(|value| value * value).sum());
         if let Some(k) = outputs.get("k1") {
-            ratio = ratio.max(norm(&outputs["e1"]) / k[0]);
+            let error = x.iter().zip(&outputs["y_r"]).map(|(y, y_r)| y - y_r);
+            ratio = ratio.max(norm(&error.collect::<Vec<f64>>()) / k[0]);
         }
         if t >= model.scenario.settle {
             let errors = x

@@ -24,7 +24,7 @@ const NOMINAL: Campaign = Campaign {
     band: false,
 };
 
-/// Figures of one output's tracking: the largest `||e_1|| / k_1`, and the root mean square error of each output after settling, SI.
+/// Figures of one output's tracking: the largest `||y - y_r|| / k_1`, and the root mean square error of each output after settling, SI.
 struct Figures<'a> {
     ratio: f64,
     rms: &'a [f64],
@@ -220,7 +220,7 @@ fn the_elastic_joint_moves_its_link() {
         &FLEXIBLE_JOINT,
         &NOMINAL,
         &Figures {
-            ratio: 0.2870,
+            ratio: 0.2973,
             rms: &[0.002527],
         },
     );

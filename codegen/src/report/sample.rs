@@ -28,7 +28,7 @@ impl Sample {
             let d = move |t: f64| 0.02 * (2.0 * t + phase).sin() * (-0.1 * t).exp();
             columns.push((format!("x1.{channel}"), over(&|t| reference(t) + error(t))));
             columns.push((format!("y_r.{channel}"), over(&reference)));
-            columns.push((format!("e1.{channel}"), over(&error)));
+            columns.push((format!("error.{channel}"), over(&error)));
             columns.push((format!("d1.{channel}"), over(&d)));
             columns.push((
                 format!("D_hat1.{channel}"),
@@ -203,7 +203,7 @@ fn band() -> Table {
     for (i, channel) in ["alpha", "beta"].into_iter().enumerate() {
         let phase = i as f64;
         add(
-            &format!("e1.{channel}"),
+            &format!("error.{channel}"),
             &move |t| DEG * 1.3 * (-2.0 * t).exp() * (3.0 * t + phase).cos(),
             &|t| DEG * (0.03 + 0.002 * t),
         );

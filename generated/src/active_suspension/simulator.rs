@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 402e5d0cc29ccb3c219f7f5bc660afa958a257518f78e53508a1afc345c42a9d
+// SHA-256 of the text below: 57dc1cda598d943b9bf96583367ffa8fac935e1daaff91fef53aa559f83db9cf
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `active_suspension`: closed loop of controller and plant.
@@ -117,6 +117,7 @@ impl ClosedLoop for Simulator<f64> {
     const SIGNALS: &'static [&'static str] = &[
         "t",
         "x1.z",
+        "error.z",
         "e1.z",
         "k1",
         "ratio1",
@@ -229,9 +230,10 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let values = [
             t,
             x1[0],
+            (x1 - law.y_r)[0],
             law.e1[0],
             law.k1,
-            law.e1.sum_squares().sqrt() / law.k1,
+            (x1 - law.y_r).sum_squares().sqrt() / law.k1,
             law.alpha1[0],
             self.state.h1[0],
             x2[0],
@@ -253,7 +255,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
 
     #[inline(always)]
     fn constraint_ratio(&self) -> T {
-        self.output.e1.sum_squares().sqrt() / self.output.k1
+        (self.x1() - self.output.y_r).sum_squares().sqrt() / self.output.k1
     }
 
     #[inline(always)]

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 30c16a503783eff642a94b0d7ca6a8a68af22612a42b61e61735fb5f92a1cad0
+// SHA-256 of the text below: 3093551578de59b84dbd72283cbe2f71aba22a3c727a3a6306eb9048d5f057ae
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `chaotic_jerk`: closed loop of controller and plant.
@@ -108,6 +108,7 @@ impl ClosedLoop for Simulator<f64> {
     const SIGNALS: &'static [&'static str] = &[
         "t",
         "x1.x",
+        "error.x",
         "e1.x",
         "alpha1.v",
         "x2.v",
@@ -210,6 +211,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let values = [
             t,
             x1[0],
+            (x1 - law.y_r)[0],
             law.e1[0],
             law.alpha1[0],
             x2[0],

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: f4cb42174695e71386afa48c772623f57a7b72b96f1f1cc93d2d79015b83aad4
+// SHA-256 of the text below: 3bdbf805df3be5f4610c29717594593ba203449d8fe5b409d970d78cacf5216d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `flexible_joint`: closed loop of controller and plant.
@@ -121,6 +121,7 @@ impl ClosedLoop for Simulator<f64> {
     const SIGNALS: &'static [&'static str] = &[
         "t",
         "x1.q1",
+        "error.q1",
         "e1.q1",
         "k1",
         "ratio1",
@@ -245,9 +246,10 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let values = [
             t,
             x1[0],
+            (x1 - law.y_r)[0],
             law.e1[0],
             law.k1,
-            law.e1.sum_squares().sqrt() / law.k1,
+            (x1 - law.y_r).sum_squares().sqrt() / law.k1,
             law.alpha1[0],
             self.state.h1[0],
             x2[0],
@@ -275,7 +277,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
 
     #[inline(always)]
     fn constraint_ratio(&self) -> T {
-        self.output.e1.sum_squares().sqrt() / self.output.k1
+        (self.x1() - self.output.y_r).sum_squares().sqrt() / self.output.k1
     }
 
     #[inline(always)]

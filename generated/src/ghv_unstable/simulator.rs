@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 3397d8ab8f14b2277743a202b5cdbf4d735435590d0a5dd5695a07f0589371bc
+// SHA-256 of the text below: 682da64a68583b097fec566592741e49d045236a5e5439a69b041142431125cd
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `ghv_unstable`: closed loop of controller and plant.
@@ -121,6 +121,9 @@ impl ClosedLoop for Simulator<f64> {
         "x1.alpha",
         "x1.beta",
         "x1.mu",
+        "error.alpha",
+        "error.beta",
+        "error.mu",
         "e1.alpha",
         "e1.beta",
         "e1.mu",
@@ -249,11 +252,14 @@ impl<T: Real> Runs<T> for Simulator<T> {
             x1[0],
             x1[1],
             x1[2],
+            (x1 - law.y_r)[0],
+            (x1 - law.y_r)[1],
+            (x1 - law.y_r)[2],
             law.e1[0],
             law.e1[1],
             law.e1[2],
             law.k1,
-            law.e1.sum_squares().sqrt() / law.k1,
+            (x1 - law.y_r).sum_squares().sqrt() / law.k1,
             law.alpha1[0],
             law.alpha1[1],
             law.alpha1[2],
@@ -297,7 +303,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
 
     #[inline(always)]
     fn constraint_ratio(&self) -> T {
-        self.output.e1.sum_squares().sqrt() / self.output.k1
+        (self.x1() - self.output.y_r).sum_squares().sqrt() / self.output.k1
     }
 
     #[inline(always)]

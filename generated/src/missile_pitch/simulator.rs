@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 4cf425f356a2990568d6bf097fa6448c278b5bff2274f75ef2d6817155f14ad2
+// SHA-256 of the text below: 19b4a8c6328b66f3048d54c300912d99949d62212a984a5ecb69f30688a1d3d4
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `missile_pitch`: closed loop of controller and plant.
@@ -163,6 +163,7 @@ impl ClosedLoop for Simulator<f64> {
     const SIGNALS: &'static [&'static str] = &[
         "t",
         "x1.alpha",
+        "error.alpha",
         "e1.alpha",
         "k1",
         "ratio1",
@@ -272,6 +273,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
             t,
             x1[0],
             (x1 - law.y_r)[0],
+            law.e1[0],
             law.k1,
             (x1 - law.y_r).sum_squares().sqrt() / law.k1,
             law.alpha1[0],

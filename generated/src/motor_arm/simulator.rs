@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0cbe82d2d7f5034a98fa2d8fe573e68d2222be61211c24d34acf83723024a660
+// SHA-256 of the text below: e0252f86771b412835a0f30248016848e0d220aab8a0a576fec70814cc3bb6db
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `motor_arm`: closed loop of controller and plant.
@@ -125,6 +125,7 @@ impl ClosedLoop for Simulator<f64> {
     const SIGNALS: &'static [&'static str] = &[
         "t",
         "x1.angle",
+        "error.angle",
         "e1.angle",
         "k1",
         "ratio1",
@@ -241,9 +242,10 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let values = [
             t,
             x1[0],
+            (x1 - law.y_r)[0],
             law.e1[0],
             law.k1,
-            law.e1.sum_squares().sqrt() / law.k1,
+            (x1 - law.y_r).sum_squares().sqrt() / law.k1,
             law.alpha1[0],
             self.state.h1[0],
             x2[0],
@@ -267,7 +269,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
 
     #[inline(always)]
     fn constraint_ratio(&self) -> T {
-        self.output.e1.sum_squares().sqrt() / self.output.k1
+        (self.x1() - self.output.y_r).sum_squares().sqrt() / self.output.k1
     }
 
     #[inline(always)]

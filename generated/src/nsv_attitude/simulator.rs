@@ -1,4 +1,4 @@
-// SHA-256 of the text below: d63324b04c4f6945f8532f3f5b7ecc4aa94709ae6e2825b74e73afcb1443d614
+// SHA-256 of the text below: f0487180da9fd1f547be5c7d76a3efdab20da4e7ba2f4b314e780063b00d299e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `nsv_attitude`: closed loop of controller and plant.
@@ -121,6 +121,9 @@ impl ClosedLoop for Simulator<f64> {
         "x1.alpha",
         "x1.beta",
         "x1.mu",
+        "error.alpha",
+        "error.beta",
+        "error.mu",
         "e1.alpha",
         "e1.beta",
         "e1.mu",
@@ -256,11 +259,14 @@ impl<T: Real> Runs<T> for Simulator<T> {
             x1[0],
             x1[1],
             x1[2],
+            (x1 - law.y_r)[0],
+            (x1 - law.y_r)[1],
+            (x1 - law.y_r)[2],
             law.e1[0],
             law.e1[1],
             law.e1[2],
             law.k1,
-            law.e1.sum_squares().sqrt() / law.k1,
+            (x1 - law.y_r).sum_squares().sqrt() / law.k1,
             law.alpha1[0],
             law.alpha1[1],
             law.alpha1[2],
@@ -304,7 +310,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
 
     #[inline(always)]
     fn constraint_ratio(&self) -> T {
-        self.output.e1.sum_squares().sqrt() / self.output.k1
+        (self.x1() - self.output.y_r).sum_squares().sqrt() / self.output.k1
     }
 
     #[inline(always)]

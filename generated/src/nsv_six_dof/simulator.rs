@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 92c1a51b423334c6606150d2928fd0bc95dc23ca216af36d31373c0b374f6c35
+// SHA-256 of the text below: 0e2af112c959e8b92d19e5a451a24aedd9830baa8c59edc26c85a8f8beccf4c5
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `nsv_six_dof`: closed loop of controller and plant.
@@ -114,6 +114,9 @@ impl ClosedLoop for Simulator<f64> {
         "x1.alpha",
         "x1.beta",
         "x1.mu",
+        "error.alpha",
+        "error.beta",
+        "error.mu",
         "e1.alpha",
         "e1.beta",
         "e1.mu",
@@ -237,11 +240,14 @@ impl<T: Real> Runs<T> for Simulator<T> {
             x1[0],
             x1[1],
             x1[2],
+            (x1 - law.y_r)[0],
+            (x1 - law.y_r)[1],
+            (x1 - law.y_r)[2],
             law.e1[0],
             law.e1[1],
             law.e1[2],
             law.k1,
-            law.e1.sum_squares().sqrt() / law.k1,
+            (x1 - law.y_r).sum_squares().sqrt() / law.k1,
             law.alpha1[0],
             law.alpha1[1],
             law.alpha1[2],
@@ -289,7 +295,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
 
     #[inline(always)]
     fn constraint_ratio(&self) -> T {
-        self.output.e1.sum_squares().sqrt() / self.output.k1
+        (self.x1() - self.output.y_r).sum_squares().sqrt() / self.output.k1
     }
 
     #[inline(always)]

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: f562e6f5069bebea8f32a7f74dab7a8fd16d9761c64eef26d86d45481aeaeb5c
+// SHA-256 of the text below: 57329e3a762521ec84e32ec1b769bb3959fd3b8d3e0f862bd041c39c704a250b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `pendulum`: closed loop of controller and plant.
@@ -103,6 +103,7 @@ impl ClosedLoop for Simulator<f64> {
     const SIGNALS: &'static [&'static str] = &[
         "t",
         "x1.theta",
+        "error.theta",
         "e1.theta",
         "k1",
         "ratio1",
@@ -203,9 +204,10 @@ impl<T: Real> Runs<T> for Simulator<T> {
         let values = [
             t,
             x1[0],
+            (x1 - law.y_r)[0],
             law.e1[0],
             law.k1,
-            law.e1.sum_squares().sqrt() / law.k1,
+            (x1 - law.y_r).sum_squares().sqrt() / law.k1,
             law.alpha1[0],
             self.state.h1[0],
             x2[0],
@@ -223,7 +225,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
 
     #[inline(always)]
     fn constraint_ratio(&self) -> T {
-        self.output.e1.sum_squares().sqrt() / self.output.k1
+        (self.x1() - self.output.y_r).sum_squares().sqrt() / self.output.k1
     }
 
     #[inline(always)]

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 4c644d3f64260a9eb540908c3fbeea16a2c1de2aaeeb195f6daeb7416fde421c
+// SHA-256 of the text below: de0217aa3c18467d4efa9ca4f19da7d5699debc75c4b9e01f34a3103f75e2ca4
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `quadrotor`: closed loop of controller and plant.
@@ -126,6 +126,9 @@ impl ClosedLoop for Simulator<f64> {
         "x1.phi",
         "x1.theta",
         "x1.psi",
+        "error.phi",
+        "error.theta",
+        "error.psi",
         "e1.phi",
         "e1.theta",
         "e1.psi",
@@ -253,11 +256,14 @@ impl<T: Real> Runs<T> for Simulator<T> {
             x1[0],
             x1[1],
             x1[2],
+            (x1 - law.y_r)[0],
+            (x1 - law.y_r)[1],
+            (x1 - law.y_r)[2],
             law.e1[0],
             law.e1[1],
             law.e1[2],
             law.k1,
-            law.e1.sum_squares().sqrt() / law.k1,
+            (x1 - law.y_r).sum_squares().sqrt() / law.k1,
             law.alpha1[0],
             law.alpha1[1],
             law.alpha1[2],
@@ -293,7 +299,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
 
     #[inline(always)]
     fn constraint_ratio(&self) -> T {
-        self.output.e1.sum_squares().sqrt() / self.output.k1
+        (self.x1() - self.output.y_r).sum_squares().sqrt() / self.output.k1
     }
 
     #[inline(always)]

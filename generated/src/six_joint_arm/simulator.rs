@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 853957aeb20a07c2db6a2c299a627900a86370375b17618375c12ad5837bdfae
+// SHA-256 of the text below: 477684764e556c1d7e07c697a6b71f6ff6c0fafdb93440163506e34676ca8063
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `six_joint_arm`: closed loop of controller and plant.
@@ -108,6 +108,12 @@ impl ClosedLoop for Simulator<f64> {
         "x1.q4",
         "x1.q5",
         "x1.q6",
+        "error.q1",
+        "error.q2",
+        "error.q3",
+        "error.q4",
+        "error.q5",
+        "error.q6",
         "e1.q1",
         "e1.q2",
         "e1.q3",
@@ -268,6 +274,12 @@ impl<T: Real> Runs<T> for Simulator<T> {
             x1[3],
             x1[4],
             x1[5],
+            (x1 - law.y_r)[0],
+            (x1 - law.y_r)[1],
+            (x1 - law.y_r)[2],
+            (x1 - law.y_r)[3],
+            (x1 - law.y_r)[4],
+            (x1 - law.y_r)[5],
             law.e1[0],
             law.e1[1],
             law.e1[2],
@@ -275,7 +287,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
             law.e1[4],
             law.e1[5],
             law.k1,
-            law.e1.sum_squares().sqrt() / law.k1,
+            (x1 - law.y_r).sum_squares().sqrt() / law.k1,
             law.alpha1[0],
             law.alpha1[1],
             law.alpha1[2],
@@ -338,7 +350,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
 
     #[inline(always)]
     fn constraint_ratio(&self) -> T {
-        self.output.e1.sum_squares().sqrt() / self.output.k1
+        (self.x1() - self.output.y_r).sum_squares().sqrt() / self.output.k1
     }
 
     #[inline(always)]

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 68d9bb327c849bf4c5dab51d5bda0acbd9eb194e4d1bcbaddd40f08168d05095
+// SHA-256 of the text below: 6f4c3ac163f60647088c6d352739aa066c5581bb2ba5c3272f4ab130d74bde76
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `surface_vessel`: closed loop of controller and plant.
@@ -121,6 +121,9 @@ impl ClosedLoop for Simulator<f64> {
         "x1.north",
         "x1.east",
         "x1.psi",
+        "error.north",
+        "error.east",
+        "error.psi",
         "e1.north",
         "e1.east",
         "e1.psi",
@@ -256,11 +259,14 @@ impl<T: Real> Runs<T> for Simulator<T> {
             x1[0],
             x1[1],
             x1[2],
+            (x1 - law.y_r)[0],
+            (x1 - law.y_r)[1],
+            (x1 - law.y_r)[2],
             law.e1[0],
             law.e1[1],
             law.e1[2],
             law.k1,
-            law.e1.sum_squares().sqrt() / law.k1,
+            (x1 - law.y_r).sum_squares().sqrt() / law.k1,
             law.alpha1[0],
             law.alpha1[1],
             law.alpha1[2],
@@ -302,7 +308,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
 
     #[inline(always)]
     fn constraint_ratio(&self) -> T {
-        self.output.e1.sum_squares().sqrt() / self.output.k1
+        (self.x1() - self.output.y_r).sum_squares().sqrt() / self.output.k1
     }
 
     #[inline(always)]

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 34d064ab4b3ddeeb98e92f7054178c300bb0b6b973e1974b6e50b29bff16f7c7
+// SHA-256 of the text below: f916161880b5d1654a525a110ec1cb5faa8fb1da67c2e9e7bab8b5646b2655e9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `two_link_arm`: closed loop of controller and plant.
@@ -102,6 +102,8 @@ impl ClosedLoop for Simulator<f64> {
         "t",
         "x1.q1",
         "x1.q2",
+        "error.q1",
+        "error.q2",
         "e1.q1",
         "e1.q2",
         "k1",
@@ -213,10 +215,12 @@ impl<T: Real> Runs<T> for Simulator<T> {
             t,
             x1[0],
             x1[1],
+            (x1 - law.y_r)[0],
+            (x1 - law.y_r)[1],
             law.e1[0],
             law.e1[1],
             law.k1,
-            law.e1.sum_squares().sqrt() / law.k1,
+            (x1 - law.y_r).sum_squares().sqrt() / law.k1,
             law.alpha1[0],
             law.alpha1[1],
             self.state.h1[0],
@@ -245,7 +249,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
 
     #[inline(always)]
     fn constraint_ratio(&self) -> T {
-        self.output.e1.sum_squares().sqrt() / self.output.k1
+        (self.x1() - self.output.y_r).sum_squares().sqrt() / self.output.k1
     }
 
     #[inline(always)]

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 6b300e8f2711914353f64cee7b03e25d8be1ef37041672a55e75a7aae20f8882
+// SHA-256 of the text below: 412d5664042c9af667ae8451317e6abcd9fb17a5807ca6664c69bb9741bd544f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! `underwater_vehicle`: closed loop of controller and plant.
@@ -144,6 +144,12 @@ impl ClosedLoop for Simulator<f64> {
         "x1.phi",
         "x1.theta",
         "x1.psi",
+        "error.north",
+        "error.east",
+        "error.down",
+        "error.phi",
+        "error.theta",
+        "error.psi",
         "e1.north",
         "e1.east",
         "e1.down",
@@ -322,6 +328,12 @@ impl<T: Real> Runs<T> for Simulator<T> {
             x1[3],
             x1[4],
             x1[5],
+            (x1 - law.y_r)[0],
+            (x1 - law.y_r)[1],
+            (x1 - law.y_r)[2],
+            (x1 - law.y_r)[3],
+            (x1 - law.y_r)[4],
+            (x1 - law.y_r)[5],
             law.e1[0],
             law.e1[1],
             law.e1[2],
@@ -329,7 +341,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
             law.e1[4],
             law.e1[5],
             law.k1,
-            law.e1.sum_squares().sqrt() / law.k1,
+            (x1 - law.y_r).sum_squares().sqrt() / law.k1,
             law.alpha1[0],
             law.alpha1[1],
             law.alpha1[2],
@@ -404,7 +416,7 @@ impl<T: Real> Runs<T> for Simulator<T> {
 
     #[inline(always)]
     fn constraint_ratio(&self) -> T {
-        self.output.e1.sum_squares().sqrt() / self.output.k1
+        (self.x1() - self.output.y_r).sum_squares().sqrt() / self.output.k1
     }
 
     #[inline(always)]

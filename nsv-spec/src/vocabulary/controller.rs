@@ -88,7 +88,7 @@ pub static CONTROLLER_BLOCK: Section = Section {
         optional(
             "constraint",
             Kind::Formula,
-            "bound k(t) > 0 of the error's norm: a function of time",
+            "bound k(t) > 0 of the norm of the block's error (of the outputs the tracking error): a function of time",
         ),
         optional(
             "network",

@@ -97,7 +97,7 @@ fn trajectory_is_a_table_of_the_run() {
     let (header, numbers) = table(&path);
     assert_eq!(
         header.trim_end(),
-        r#"{"columns": ["t", "x1.x", "e1.x", "ratio1", "u.u", "u_sat.u"], "rows": 51                  }"#
+        r#"{"columns": ["t", "x1.x", "error.x", "ratio1", "u.u", "u_sat.u"], "rows": 51                  }"#
     );
     assert_eq!(numbers.len(), 51 * 6);
     assert_eq!((numbers[0], numbers[1], numbers[50 * 6]), (0.0, 0.5, 0.5));
@@ -125,7 +125,7 @@ fn band_is_a_table_over_time() {
     let (header, numbers) = table(&path);
     assert!(
         header.contains(
-            r#""x1.x:min", "x1.x:p05", "x1.x:p50", "x1.x:p95", "x1.x:max", "x1.x:mean", "e1.x:min""#
+            r#""x1.x:min", "x1.x:p05", "x1.x:p50", "x1.x:p95", "x1.x:max", "x1.x:mean", "error.x:min""#
         ),
         "{header}"
     );

@@ -389,7 +389,7 @@ mod tests {
         assert!(rows.contains("\n39,501,false,"), "{rows}");
         let csv = std::fs::read_to_string(at("run.csv")).unwrap();
         assert!(
-            csv.starts_with("t,x1.y,y_r.y,e1.y,k1,ratio1,d1.y,u_sat.u\n0.0,1.0,0.0,1.0,"),
+            csv.starts_with("t,x1.y,y_r.y,error.y,k1,ratio1,d1.y,u_sat.u\n0.0,1.0,0.0,1.0,"),
             "{}",
             &csv[..80]
         );

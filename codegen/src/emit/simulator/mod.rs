@@ -396,10 +396,8 @@ impl Simulator<'_> {
             .outputs
             .iter()
             .any(|(name, _)| name == "k1");
-        let ratio = if constrained && self.hardware().senses() {
+        let ratio = if constrained {
             quote!((self.x1() - self.output.y_r).sum_squares().sqrt() / self.output.k1)
-        } else if constrained {
-            quote!(self.output.e1.sum_squares().sqrt() / self.output.k1)
         } else {
             quote!(T::from_f64(f64::NAN))
         };

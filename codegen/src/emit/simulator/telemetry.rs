@@ -3,7 +3,6 @@
 use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
-use super::hardware::Hardware;
 use crate::emit::interface::Interface;
 use crate::emit::names::ident;
 use crate::emit::types::index;
@@ -17,7 +16,7 @@ pub(crate) struct Column {
     pub(crate) value: TokenStream,
 }
 
-/// The columns: time, then for each block states, errors, bound, ratio, virtual control, filter, disturbance and its estimate, then
+/// The columns: time, then for each block states, errors (of the first the tracking error, too), bound, ratio, virtual control, filter, disturbance and its estimate, then
 /// reference, control and Lyapunov function, or the further states of the flown plant in its place.
 pub(crate) fn columns(
     interface: &Interface,
@@ -45,19 +44,17 @@ pub(crate) fn columns(
         let named = |letters: &str| format!("{letters}{number}");
         let x = format_ident!("x{number}");
         table.vector(&named("x"), &own, &quote!(#x));
-        let truly = number == 1 && Hardware::new(interface).senses();
-        if truly && has(control, "e1") {
-            table.vector("e1", &own, &quote!((x1 - law.y_r)));
-        } else {
-            table.output(control, &named("e"), &own, &quote!(law));
+        if number == 1 {
+            table.vector("error", &own, &quote!((x1 - law.y_r)));
         }
+        table.output(control, &named("e"), &own, &quote!(law));
         table.output(control, &named("k"), &own, &quote!(law));
         if has(control, &named("k")) && has(control, &named("e")) {
             let (e, k) = (ident(&named("e")), ident(&named("k")));
-            let e = if truly {
-                quote!((x1 - law.y_r))
-            } else {
-                quote!(law.#e)
+            // The output's constraint is on the tracking error; e_1 lacks what the limits of the inputs keep it from.
+            let e = match number {
+                1 => quote!((x1 - law.y_r)),
+                _ => quote!(law.#e),
             };
             table.scalar(&named("ratio"), quote!(#e.sum_squares().sqrt() / law.#k));
         }

@@ -16,7 +16,7 @@ pub(super) fn figure(report: &Report<'_>, band: &Table) -> Option<Figure> {
     plots.extend(panel(
         band,
         "ratio1",
-        "norm of the output error over its bound".into(),
+        "norm of the tracking error over its bound".into(),
         &ratio,
         vec![bound(band.rows())],
     ));
@@ -24,8 +24,8 @@ pub(super) fn figure(report: &Report<'_>, band: &Table) -> Option<Figure> {
     for channel in &output.channels {
         plots.extend(panel(
             band,
-            &format!("e1.{}", channel.name),
-            format!("error of {}", channel.name),
+            &format!("error.{}", channel.name),
+            format!("tracking error of {}", channel.name),
             channel,
             Vec::new(),
         ));

@@ -21,8 +21,8 @@ pub(super) fn figure(report: &Report<'_>) -> Option<Figure> {
         .flat_map(|&(number, block)| panels(report.trajectory, number, block))
         .collect();
     let caption = format!(
-        "Error of {}. Left of each pair: its Euclidean norm, which the barrier keeps below the bound k(t). Right: each channel, \
-         which therefore lies between -k(t) and k(t).",
+        "Error of {}: of the outputs from their reference, of an inner block the error variable e. Left of each pair: its \
+         Euclidean norm under the bound k(t). Right: each channel between -k(t) and k(t).",
         listed(constrained.iter().map(|(_, block)| block.name.as_str()))
     );
     Some(Figure {
@@ -42,13 +42,17 @@ fn panels(table: &Table, number: usize, block: &Block) -> Vec<Plot> {
     let Some(bound) = shown(table, &format!("k{number}"), unit) else {
         return Vec::new();
     };
+    let error = match number {
+        1 => "error".to_owned(),
+        _ => format!("e{number}"),
+    };
     let errors: Vec<(&str, Vec<f64>)> = block
         .channels
         .iter()
         .filter_map(|channel| {
             Some((
                 channel.name.as_str(),
-                shown(table, &format!("e{number}.{}", channel.name), unit)?,
+                shown(table, &format!("{error}.{}", channel.name), unit)?,
             ))
         })
         .collect();
