@@ -88,6 +88,27 @@ fn a_killed_campaign_goes_on_to_the_same_statistics() {
     let bytes = |path: &Path| std::fs::read(path).expect("a file");
     assert_eq!(bytes(&rows), bytes(&whole_rows));
 
+    let kept = folder.path().join("state.runs");
+    let all = bytes(&kept);
+    let mut other = all.clone();
+    let header = all.iter().position(|&byte| byte == b'\n').expect("a line");
+    other[header - 3] ^= 1;
+    let mut missing = all.clone();
+    let end = missing.len();
+    missing[end - 100..].fill(0);
+    for rows in [&other[..], &missing, &all[..end - 1]] {
+        std::fs::write(&kept, rows).expect("a file");
+        let said = refused(&resumable);
+        assert!(
+            said.contains("does not have the rows of the runs that are done"),
+            "{said}"
+        );
+        assert!(said.contains("put back the file of rows"), "{said}");
+    }
+    std::fs::remove_file(&kept).expect("a file");
+    assert!(refused(&resumable).contains("is not there"));
+    std::fs::write(&kept, &all).expect("a file");
+
     let other = [&resumable[..], &["--seed", "9"]].concat();
     assert!(refused(&other).contains("is of another campaign: seed is 1, expected 9"));
     let mut damaged = bytes(&state);

@@ -55,14 +55,6 @@ impl Failure {
         )
     }
 
-    /// The exit code, if the failure is a message.
-    pub(crate) fn exit(&self) -> Option<Exit> {
-        match self {
-            Failure::Message { exit, .. } => Some(*exit),
-            _ => None,
-        }
-    }
-
     /// The same with a way out.
     pub(crate) fn with_help(self, text: impl fmt::Display) -> Failure {
         match self {

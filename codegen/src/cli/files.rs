@@ -84,8 +84,41 @@ fn operating_system<'e>(error: &'e (dyn std::error::Error + 'static)) -> Option<
         .find_map(|error| error.downcast_ref())
 }
 
-/// Whether a file can be made at `path` as far as names go, before work begins whose result goes there.
-pub(crate) fn expect_folder(path: &Path) -> Result<(), Failure> {
+/// Whether files can be made at all of `outputs`, given with what they are, as far as names go, before work begins whose results go
+/// there; and whether none of them replaces another, or one that is read.
+pub(crate) fn expect_places(
+    inputs: &[&Path],
+    outputs: &[(&str, Option<&Path>)],
+) -> Result<(), Failure> {
+    let mut taken: Vec<(PathBuf, String)> = inputs
+        .iter()
+        .map(|path| (place(path), format!("`{}`, which is read,", path.display())))
+        .collect();
+    for &(what, path) in outputs {
+        let Some(path) = path else { continue };
+        expect_folder(path)?;
+        let place = place(path);
+        if let Some((_, other)) = taken.iter().find(|(taken, _)| *taken == place) {
+            let words = format!("{other} and {what} are the same file `{}`", path.display());
+            return Err(Failure::new(Exit::Usage, words).with_help("give each a name of its own"));
+        }
+        taken.push((place, what.to_owned()));
+    }
+    Ok(())
+}
+
+/// Where a file is or will be, whatever way leads there.
+fn place(path: &Path) -> PathBuf {
+    path.canonicalize().unwrap_or_else(|_| {
+        let folder = folder_of(path).canonicalize();
+        folder.map_or_else(
+            |_| path.to_owned(),
+            |folder| folder.join(path.file_name().unwrap_or_default()),
+        )
+    })
+}
+
+fn expect_folder(path: &Path) -> Result<(), Failure> {
     let failed = |error: io::Error| Failure::io("write", path, &error);
     if path.is_dir() {
         return Err(failed(io::ErrorKind::IsADirectory.into()));
@@ -93,6 +126,9 @@ pub(crate) fn expect_folder(path: &Path) -> Result<(), Failure> {
     match std::fs::metadata(folder_of(path)) {
         Ok(folder) if folder.is_dir() => Ok(()),
         Ok(_) => Err(failed(io::Error::other("its folder is a file"))),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            Err(failed(io::Error::other("its folder does not exist")))
+        }
         Err(error) => Err(failed(error)),
     }
 }
@@ -151,6 +187,27 @@ mod tests {
         for wrong in [at(""), at("no/new.csv"), at("file/new.csv")] {
             assert!(expect_folder(&wrong).is_err(), "{wrong:?}");
         }
+    }
+
+    #[test]
+    fn files_do_not_replace_each_other() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        std::fs::write(at("read"), "").unwrap();
+        let (read, new, again) = (at("read"), at("new"), at("./new"));
+        let said = |outputs: &[(&str, Option<&Path>)]| match expect_places(&[&read], outputs) {
+            Ok(()) => String::new(),
+            Err(Failure::Message { message, .. }) => message,
+            Err(other) => panic!("{other:?}"),
+        };
+        assert_eq!(said(&[("`--a`", Some(&new)), ("`--b`", None)]), "");
+        assert!(
+            said(&[("`--a`", Some(&new)), ("`--b`", Some(&again))])
+                .starts_with("`--a` and `--b` are the same file")
+        );
+        assert!(
+            said(&[("`--a`", Some(&read))]).contains("which is read, and `--a` are the same file")
+        );
     }
 
     #[test]

@@ -16,7 +16,7 @@ pub(crate) struct Rows<'a> {
 }
 
 impl Rows<'_> {
-    /// Names of a row's numbers. Three are integers of 64 bits: `run` (its number), `samples`, `diverged` (0 or 1). The others are `f64`: `ratio` (largest `||e_1|| / k_1`, infinite if the run diverged, NaN without a
+    /// Names of a row's numbers. Three are integers of 64 bits: `run` (its number), `samples`, `diverged` (0 or 1). The others are `f64`: `ratio` (largest `||y - y_r|| / k_1`, infinite if the run diverged, NaN without a
     /// constraint), `settled_ratio` (the same from the settling time on), `rms.OUTPUT` (root mean square of the tracking error from the settling time on, SI, NaN if no sample is so late),
     /// `saturated.INPUT` (fraction of the samples at the limit).
     pub(crate) fn columns<L: ClosedLoop>() -> Vec<String> {

@@ -25,6 +25,11 @@ impl State {
         }
     }
 
+    /// Whether a block of the part is done.
+    pub(crate) fn has(&self, block: u64) -> bool {
+        self.done.contains(block)
+    }
+
     /// Number of runs done.
     pub(crate) fn runs(&self) -> u64 {
         self.tally.runs()

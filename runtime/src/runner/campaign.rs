@@ -40,8 +40,7 @@ pub(super) fn simulate<L: ClosedLoop>(
     let table = match &request.run_table {
         Some(path) => Some((
             path.as_path(),
-            RunTable::open::<L>(path, campaign, request.shard, resumed)
-                .map_err(|error| Failure::File(path.clone(), error))?,
+            RunTable::open::<L>(path, request, resumed.then_some(&start))?,
         )),
         None => None,
     };

@@ -39,6 +39,29 @@ pub(super) enum Refusal {
     Other(Vec<(&'static str, String, String)>),
     /// A part that is to be merged has done so many of its runs.
     Incomplete(u64, u64),
+    /// The rows of the state's runs are not there.
+    NoRows,
+    /// The rows are of another campaign, or some are missing.
+    OtherRows,
+}
+
+impl Refusal {
+    /// What the user can do.
+    pub(super) fn remedy(&self) -> &'static str {
+        match self {
+            Self::Unreadable(_) | Self::Foreign | Self::Damaged | Self::Version(_) => {
+                "name another file to start anew"
+            }
+            Self::InUse => "wait for that program, or name another file",
+            Self::Other(_) => {
+                "repeat the campaign's own options, or name another file to start anew"
+            }
+            Self::Incomplete(..) => "start its campaign again to go on",
+            Self::NoRows | Self::OtherRows => {
+                "put back the file of rows that was kept with this state, or name another state to start anew"
+            }
+        }
+    }
 }
 
 impl fmt::Display for Refusal {
@@ -54,19 +77,32 @@ impl fmt::Display for Refusal {
             Self::InUse => write!(f, "is being gone on with by another program"),
             Self::Other(fields) => {
                 write!(f, "is of another campaign:")?;
-                for (index, (name, found, expected)) in fields.iter().enumerate() {
+                for (index, field) in fields.iter().enumerate() {
                     let comma = if index > 0 { "," } else { "" };
-                    write!(f, "{comma} {name} is {found}, expected {expected}")?;
+                    write!(f, "{comma} {}", difference(field))?;
                 }
                 Ok(())
             }
             Self::Incomplete(done, runs) => {
-                write!(
-                    f,
-                    "has only {done} of its {runs} runs; start its campaign again to go on"
-                )
+                write!(f, "has only {done} of its {runs} runs")
             }
+            Self::NoRows => write!(f, "is not there, with the rows of the runs that are done"),
+            Self::OtherRows => write!(f, "does not have the rows of the runs that are done"),
         }
+    }
+}
+
+/// A field that differs, in words.
+fn difference((name, found, expected): &(&str, String, String)) -> String {
+    match (*name, found.as_str()) {
+        ("simulator", _) => {
+            "specification, `--set`, `--math`, nsv or the Rust compiler is another".to_string()
+        }
+        ("band", "false") => "it was begun without `--bands` or `--report`".to_string(),
+        ("band", _) => "it was begun with `--bands` or `--report`".to_string(),
+        ("run_table", "false") => "it was begun without `--runs-out`".to_string(),
+        ("run_table", _) => "it was begun with `--runs-out`".to_string(),
+        _ => format!("{name} is {found}, expected {expected}"),
     }
 }
 
@@ -169,6 +205,15 @@ pub(super) fn write<L: ClosedLoop>(
         let _ = fs::remove_file(&temporary);
     }
     written
+}
+
+/// What tells the campaign of `request` from others, in a few characters.
+pub(super) fn identity<L: ClosedLoop>(request: &Request) -> String {
+    let mut text = String::new();
+    for (name, value) in fields::<L>(request, request.shard) {
+        text.push_str(&format!("{name} {value}\n"));
+    }
+    format!("{:016x}", checksum(text.as_bytes()))
 }
 
 /// What makes a campaign the same one. Threads do not.

@@ -1,7 +1,7 @@
 //! The whole program of a simulator binary: arguments in, JSON lines and binary tables out.
 //!
 //! Standard output carries lines `{"resumed": runs_done}` if a checkpoint is gone on from, `{"progress": [runs_done, runs]}`, at most 20 a second, and at the
-//! end one line `{"result": {..}}`, or `{"refused": REASON}` if a checkpoint does not fit; numbers that are not finite are `null`. A reader that
+//! end one line `{"result": {..}}`, or `{"refused": [REASON, REMEDY]}` if a checkpoint does not fit; numbers that are not finite are `null`. A reader that
 //! goes away ends the campaign quietly. Files appear under their names only when they are complete, but for that of `--run-table`.
 //! Exit codes: 0 done, 1 a file or the output could not be written, 2 wrong arguments or a checkpoint that does not fit.
 
@@ -96,9 +96,10 @@ fn run<L: ClosedLoop>(
     } else {
         campaign::merge::<L>(&request)
     };
-    if let Err(refused @ Failure::Refused(..)) = &state {
-        let reason = json::string(&format!("{refused}"));
-        writeln!(output, "{{\"refused\": {reason}}}").map_err(Failure::Output)?;
+    if let Err(refused @ Failure::Refused(_, refusal)) = &state {
+        let words = [&format!("{refused}"), refusal.remedy()];
+        let words = json::array(words.into_iter().map(json::string));
+        writeln!(output, "{{\"refused\": {words}}}").map_err(Failure::Output)?;
     }
     let summary = state?.summary::<L>();
     write_files::<L>(&request, summary.band.as_ref())?;

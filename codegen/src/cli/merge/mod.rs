@@ -49,10 +49,16 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         .collect::<Result<_, _>>()?;
     expect_whole(&headers)?;
     let header = headers.first().expect("invariant: clap demands a file");
-    for path in [&args.out, &args.report].into_iter().flatten() {
-        files::expect_folder(path)?;
-    }
     let specification = args.spec.as_ref().unwrap_or(&header.specification);
+    let parts = args.parts.iter().map(|path| path.as_path());
+    let read: Vec<&Path> = parts.chain([specification.as_path()]).collect();
+    files::expect_places(
+        &read,
+        &[
+            ("`--out`", args.out.as_deref()),
+            ("`--report`", args.report.as_deref()),
+        ],
+    )?;
     if !specification.exists() {
         let words = format!(
             "the specification is no longer at `{}`",

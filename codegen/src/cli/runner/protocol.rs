@@ -36,7 +36,8 @@ enum Line {
     Resumed(u64),
     Progress(u64, u64),
     Result(Box<Outcome>),
-    Refused(String),
+    /// Why, and what the user can do.
+    Refused(String, String),
 }
 
 /// Runs the program; `scratch` takes the files that the signals come in.
@@ -75,7 +76,7 @@ fn conversation(
         Ok(Line::Resumed(runs)) => on_event(Event::Resumed(runs)),
         Ok(Line::Progress(done, runs)) => on_event(Event::Progress(done, runs)),
         Ok(Line::Result(result)) => outcome = Some(*result),
-        Ok(Line::Refused(reason)) => refused = Some(reason),
+        Ok(Line::Refused(reason, remedy)) => refused = Some((reason, remedy)),
         Err(_) => strange = Some(line.to_owned()),
     });
     let finished = finished.map_err(|error| {
@@ -84,8 +85,8 @@ fn conversation(
             format_args!("cannot run the simulator: {}", reason(&error)),
         )
     })?;
-    if let Some(reason) = refused {
-        return Err(Failure::new(Exit::Usage, reason));
+    if let Some((reason, remedy)) = refused {
+        return Err(Failure::new(Exit::Usage, reason).with_help(remedy));
     }
     if !finished.status.success() {
         return Err(ended(
@@ -221,7 +222,7 @@ pub(in crate::cli) mod tests {
     #[test]
     fn a_refusal_is_a_matter_of_usage() {
         let (refused, _) = play(
-            r#"echo '{"refused": "`c` is damaged"}'; exit 2"#,
+            r#"echo '{"refused": ["`c` is damaged", "start anew"]}'; exit 2"#,
             Recordings::default(),
         );
         let Err(Failure::Message {

@@ -110,9 +110,18 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     let composition = compose(&args.spec, &args.settings)?;
     let model = shown(composition.base())?;
     // Before the campaign, which may take long.
-    for path in [&args.out, &args.runs_out, &args.report, &args.checkpoint] {
-        path.as_deref().map_or(Ok(()), files::expect_folder)?;
-    }
+    let rows = args.runs_out.as_ref().and(args.checkpoint.as_deref());
+    let rows = rows.map(beside);
+    files::expect_places(
+        &[&args.spec],
+        &[
+            ("`--out`", args.out.as_deref()),
+            ("`--runs-out`", args.runs_out.as_deref()),
+            ("`--report`", args.report.as_deref()),
+            ("`--checkpoint`", args.checkpoint.as_deref()),
+            ("the rows beside `--checkpoint`", rows.as_deref()),
+        ],
+    )?;
     let variants = composition.variants();
     if !variants.is_empty() {
         return sweep::run(args, &composition, &variants);
@@ -142,6 +151,10 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
 /// What to simulate, and the run to show.
 fn campaign(args: &Args, model: &Model) -> Result<(Campaign, u64), Failure> {
     let scenario = &model.scenario;
+    if args.shard.is_some() && args.run.is_some() && args.runs.is_none() {
+        let words = "`--shard` is a part of a campaign, and `--run` without `--runs` is one run";
+        return Err(Failure::new(Exit::Usage, words).with_help("give the campaign's `--runs`"));
+    }
     let (first_run, runs) = match (args.runs, args.run) {
         (None, Some(run)) => (run, 1),
         (runs, _) => (0, runs.unwrap_or(scenario.runs)),
@@ -218,11 +231,7 @@ fn fly(
         Event::Progress(done, runs) => progress.runs(done, runs),
     });
     progress.done();
-    let replay = replay.map_err(|failure| match args.checkpoint {
-        Some(_) if failure.exit() == Some(Exit::Usage) => failure
-            .with_help("repeat the campaign's own options, or name another file to start anew"),
-        _ => failure,
-    })?;
+    let replay = replay?;
     if let (Some(path), Some(table)) = (&args.runs_out, &table) {
         run_table::convert(table, path, &origin(plant, campaign))?;
     }

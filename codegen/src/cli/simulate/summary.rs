@@ -250,6 +250,7 @@ fn constraint(outcome: &Outcome) -> String {
         _ => String::new(),
     };
     match (outcome.violated, outcome.runs) {
+        (_, 0) => "no run in this part".to_owned(),
         (None, _) => "none declared".to_owned(),
         (Some(0.0), 1) => "held".to_owned(),
         (Some(_), 1) => "violated".to_owned(),
