@@ -1,4 +1,4 @@
-// SHA-256 of the text below: d6bda7b3a1919779f32daa6f574d923c7a75baaaded345c2d26fc4d7295a6e2b
+// SHA-256 of the text below: dcebcd7aa8ea0f15810c234a12b1cc5ec9a2da26e8b06cd3cc1bb16453b71a28
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! The attitude controller on a near space vehicle that climbs and accelerates
@@ -15,7 +15,7 @@ pub use params::Params;
 pub use simulator::Simulator;
 
 /// SHA-256 of the specification.
-pub const SPEC_HASH: &str = "d9c4134bcbe0b312f0aa158f031e4efb6f9e95bfa5b8cb48d579689484a3195c";
+pub const SPEC_HASH: &str = "73094b0e39fcc449ce3db655bc0602b8258254e1798e6e6631340a599b7c20a4";
 
 /// Version of the generator.
 pub const GENERATOR: &str = "0.1.0";
