@@ -5,7 +5,7 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
-use nsv_codegen::casadi::{Mode, Provider, Settings};
+use nsv_codegen::casadi::{Environment, Mode, Provider};
 use nsv_codegen::derive::derive;
 use nsv_codegen::derive::error::DeriveError;
 use nsv_codegen::lower::Programs;
@@ -56,12 +56,12 @@ pub fn model(path: &Path) -> Model {
 pub fn provider(path: &Path) -> Provider<'static> {
     let exports = path.with_file_name("partials");
     let update = env::var_os("NSV_UPDATE_EXPORTS").is_some();
-    let settings = if update {
-        Settings::from_environment(exports, Mode::Provision)
+    let environment = if update {
+        Environment::from_variables(exports, Mode::Provision).expect("variables that can be used")
     } else {
-        Settings::offline(exports)
+        Environment::offline(exports)
     };
-    Provider::new(settings, |_| {})
+    Provider::new(environment, |_| {})
 }
 
 /// The programs of a model.

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use nsv_codegen::casadi::{self, Provider, Settings};
+use nsv_codegen::casadi::{self, Environment, Provider};
 use nsv_codegen::derive::error::DeriveError;
 use nsv_codegen::ir::Op;
 use nsv_codegen::lower::Programs;
@@ -33,7 +33,7 @@ fn edited(edits: &[(&str, &str)]) -> Result<(Model, Programs), DeriveError> {
         fs::write(folder.path().join(file), text).unwrap();
     }
     let model = model(&folder.path().join(files[0]));
-    let mut provider = Provider::new(Settings::offline(repository("specs/partials")), |_| {});
+    let mut provider = Provider::new(Environment::offline(repository("specs/partials")), |_| {});
     let programs = programs(&model, &mut provider)?;
     Ok((model, programs))
 }
@@ -125,7 +125,7 @@ fn looked_up(edits: &[(&str, &str)]) -> Result<(Model, Programs), DeriveError> {
     let exports = repository("tests/specs/partials");
     let programs = programs(
         &model,
-        &mut Provider::new(Settings::offline(exports), |_| {}),
+        &mut Provider::new(Environment::offline(exports), |_| {}),
     )?;
     Ok((model, programs))
 }

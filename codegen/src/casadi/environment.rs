@@ -1,6 +1,7 @@
 //! Where exports and Python are found, and the Python environment that nsv makes for itself.
 
 use std::env;
+use std::ffi::OsStr;
 use std::fs::{self, File, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -20,7 +21,11 @@ const REQUIREMENTS: &str = include_str!("requirements.txt");
 const INSTALLATION: Duration = Duration::from_secs(60 * 60);
 /// How much output of an installation is read.
 const INSTALLATION_OUTPUT: usize = 16 << 20;
-/// Time that the exporter may take, unless NSV_CASADI_TIMEOUT says otherwise.
+/// Says how long the exporter may take, s.
+const TIMEOUT_VARIABLE: &str = "NSV_CASADI_TIMEOUT";
+/// Longest time that it may say: a day.
+const LONGEST: Duration = Duration::from_secs(24 * 60 * 60);
+/// Time that the exporter may take, unless the variable says otherwise.
 pub(super) const TIMEOUT: Duration = Duration::from_secs(60);
 
 /// Whether Python may be run.
@@ -34,7 +39,7 @@ pub enum Mode {
 
 /// Where to look, and how long to wait.
 #[derive(Clone, Debug)]
-pub struct Settings {
+pub struct Environment {
     /// Committed exports, such as `specs/partials`.
     pub exports: PathBuf,
     /// The user's cache: further exports, and the Python environment.
@@ -49,7 +54,7 @@ pub struct Settings {
     pub timeout: Duration,
 }
 
-impl Settings {
+impl Environment {
     /// Committed exports only: no cache, no Python.
     pub fn offline(exports: impl Into<PathBuf>) -> Self {
         Self {
@@ -62,30 +67,22 @@ impl Settings {
         }
     }
 
-    /// As the user's environment has it: `NSV_PYTHON`, `NSV_CACHE_DIR` (else `$XDG_CACHE_HOME/nsv`, else `~/.cache/nsv`) and
-    /// `NSV_CASADI_TIMEOUT` in seconds.
-    pub fn from_environment(exports: impl Into<PathBuf>, mode: Mode) -> Self {
-        let path = |name: &str| {
-            env::var_os(name)
-                .filter(|value| !value.is_empty())
-                .map(PathBuf::from)
-        };
-        let cache = path("NSV_CACHE_DIR")
-            .or_else(|| path("XDG_CACHE_HOME").map(|cache| cache.join("nsv")))
-            .or_else(|| path("HOME").map(|home| home.join(".cache/nsv")));
-        let seconds = env::var("NSV_CASADI_TIMEOUT")
-            .ok()
-            .and_then(|text| text.parse().ok());
-        let timeout = seconds
-            .and_then(|seconds| Duration::try_from_secs_f64(seconds).ok())
-            .unwrap_or(TIMEOUT);
-        Self {
-            cache,
-            python: path("NSV_PYTHON"),
+    /// As the user's variables have it: `NSV_PYTHON`, [`cache_folder`] and `NSV_CASADI_TIMEOUT` in seconds.
+    pub fn from_variables(exports: impl Into<PathBuf>, mode: Mode) -> Result<Self, Error> {
+        let timeout = env::var_os(TIMEOUT_VARIABLE).map_or(Ok(TIMEOUT), |text| {
+            seconds(&text).ok_or_else(|| Error::Variable {
+                name: TIMEOUT_VARIABLE,
+                value: text.to_string_lossy().into_owned(),
+                expected: "seconds, more than 0 and at most 86400",
+            })
+        })?;
+        Ok(Self {
+            cache: cache_folder(),
+            python: variable("NSV_PYTHON"),
             mode,
             timeout,
             ..Self::offline(exports)
-        }
+        })
     }
 
     /// The user's stored exports.
@@ -198,6 +195,27 @@ impl Settings {
     }
 }
 
+/// The user's cache: `$NSV_CACHE_DIR`, else `$XDG_CACHE_HOME/nsv`, else `~/.cache/nsv`.
+pub fn cache_folder() -> Option<PathBuf> {
+    variable("NSV_CACHE_DIR")
+        .or_else(|| variable("XDG_CACHE_HOME").map(|cache| cache.join("nsv")))
+        .or_else(|| variable("HOME").map(|home| home.join(".cache/nsv")))
+}
+
+/// A path that a variable names.
+fn variable(name: &str) -> Option<PathBuf> {
+    env::var_os(name)
+        .filter(|value| !value.is_empty())
+        .map(PathBuf::from)
+}
+
+/// A time to wait, s.
+fn seconds(text: &OsStr) -> Option<Duration> {
+    let seconds = text.to_str()?.parse().ok()?;
+    let time = Duration::try_from_secs_f64(seconds).ok()?;
+    (!time.is_zero() && time <= LONGEST).then_some(time)
+}
+
 /// Moves a complete draft to `directory`. One that is there already has no interpreter: its base Python has been removed.
 fn replace(draft: &Scratch, directory: &Path) -> io::Result<()> {
     match fs::remove_dir_all(directory) {
@@ -259,5 +277,22 @@ fn storage(path: &Path, error: io::Error) -> Error {
     Error::Storage {
         path: path.to_owned(),
         error,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_time_to_wait_is_positive_and_at_most_a_day() {
+        let accepted = |text: &str| seconds(OsStr::new(text)).map(|time| time.as_secs_f64());
+        assert_eq!(accepted("0.5"), Some(0.5));
+        assert_eq!(accepted("86400"), Some(86400.0));
+        for wrong in [
+            "", "0", "1e-10", "-1", "86401", "1e19", "inf", "nan", "2min",
+        ] {
+            assert_eq!(accepted(wrong), None, "{wrong}");
+        }
     }
 }

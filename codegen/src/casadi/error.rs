@@ -18,6 +18,12 @@ pub enum Error {
     ExportInvalid { path: PathBuf, reason: String },
     /// A file could not be read or written.
     Storage { path: PathBuf, error: io::Error },
+    /// An environment variable says what cannot be used.
+    Variable {
+        name: &'static str,
+        value: String,
+        expected: &'static str,
+    },
     /// There is no place for the managed Python environment.
     CacheMissing,
     /// No Python interpreter.
@@ -65,6 +71,15 @@ impl fmt::Display for Error {
                 )
             }
             Error::Storage { path, error } => write!(f, "cannot use {}: {error}", path.display()),
+            Error::Variable {
+                name,
+                value,
+                expected,
+            } => write!(
+                f,
+                "{name} is `{}`, expected {expected}",
+                value.escape_debug()
+            ),
             Error::CacheMissing => {
                 write!(
                     f,

@@ -30,7 +30,7 @@ pub mod store;
 mod sweep;
 
 pub use decode::decode;
-pub use environment::{Mode, Settings};
+pub use environment::{Environment, Mode, cache_folder};
 pub use error::{Error, TapeError};
 pub use exporter::{Versions, versions};
 pub use job::Job;

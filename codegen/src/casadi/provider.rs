@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::decode::decode;
 use super::document::{CASADI_VERSION, Export, SCHEMA};
-use super::environment::{Mode, Settings};
+use super::environment::{Environment, Mode};
 use super::error::Error;
 use super::exporter::Exporter;
 use super::job::Job;
@@ -14,7 +14,7 @@ use crate::ir::Program;
 
 /// Takes partial derivatives, and remembers which exports it used.
 pub struct Provider<'a> {
-    settings: Settings,
+    environment: Environment,
     exports: Store,
     cache: Option<Store>,
     exporter: Option<Exporter>,
@@ -24,11 +24,11 @@ pub struct Provider<'a> {
 
 impl<'a> Provider<'a> {
     /// A provider; `progress` is told what takes time.
-    pub fn new(settings: Settings, progress: impl FnMut(&str) + 'a) -> Self {
-        let exports = Store::new(&settings.exports);
-        let cache = settings.cached_exports().map(Store::new);
+    pub fn new(environment: Environment, progress: impl FnMut(&str) + 'a) -> Self {
+        let exports = Store::new(&environment.exports);
+        let cache = environment.cached_exports().map(Store::new);
         Self {
-            settings,
+            environment,
             exports,
             cache,
             exporter: None,
@@ -95,7 +95,7 @@ impl<'a> Provider<'a> {
             return Ok(export);
         }
         let formula = &question.formula.name;
-        match self.settings.mode {
+        match self.environment.mode {
             Mode::Offline => Err(Error::ExportMissing {
                 formula: formula.clone(),
                 key: key.clone(),
@@ -108,8 +108,8 @@ impl<'a> Provider<'a> {
         let mut exporter = match self.exporter.take() {
             Some(exporter) => exporter,
             None => {
-                let python = self.settings.provision(&mut *self.progress)?;
-                Exporter::start(&python, self.settings.timeout)?
+                let python = self.environment.provision(&mut *self.progress)?;
+                Exporter::start(&python, self.environment.timeout)?
             }
         };
         let formula = &question.formula.name;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use nsv_codegen::casadi::{Mode, Provider, Settings};
+use nsv_codegen::casadi::{Environment, Mode, Provider};
 use nsv_codegen::derive::error::DeriveError;
 use nsv_codegen::driver::{self, Compiled};
 use nsv_codegen::lower::Programs;
@@ -14,15 +14,15 @@ use nsv_spec::model::Model;
 use super::failure::{Exit, Failure};
 use super::output::{colour, note};
 use super::render::{human, more};
-use super::settings::Overrides;
+use super::settings::Settings;
 
 /// Reads and checks a specification with values set in it; shows its faults.
-pub(crate) fn load(path: &Path, settings: &Overrides) -> Result<Model, Failure> {
+pub(crate) fn load(path: &Path, settings: &Settings) -> Result<Model, Failure> {
     shown(compose(path, settings)?.base())
 }
 
 /// Reads a specification and puts it together; shows what goes wrong.
-pub(crate) fn compose(path: &Path, settings: &Overrides) -> Result<Composition, Failure> {
+pub(crate) fn compose(path: &Path, settings: &Settings) -> Result<Composition, Failure> {
     Composition::read(path, &settings.values).map_err(|faults| refused(&faults))
 }
 
@@ -123,7 +123,9 @@ fn provided<T>(
             text.clone_into(&mut said);
         }
     };
-    let mut provider = Provider::new(Settings::from_environment(exports(spec), mode), progress);
+    let environment = Environment::from_variables(exports(spec), mode)
+        .map_err(|error| Failure::new(Exit::Environment, error))?;
+    let mut provider = Provider::new(environment, progress);
     let done = work(&mut provider).map_err(|error| Failure::new(exit(&error), &error))?;
     if partials == Partials::Committed {
         provider

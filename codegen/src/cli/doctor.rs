@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use nsv_codegen::casadi::{Mode, Settings, versions};
+use nsv_codegen::casadi::{Environment, Mode, versions};
 use nsv_codegen::interrupt::Scratch;
 
 use super::child;
@@ -159,28 +159,31 @@ fn cargo(toolchain: &Toolchain, folder: &Path) -> Finding {
 
 /// CasADi, which takes derivatives that are not stored yet.
 fn python() -> Finding {
-    let settings = Settings::from_environment("specs/partials", Mode::Offline);
+    let environment = match Environment::from_variables("specs/partials", Mode::Offline) {
+        Ok(environment) => environment,
+        Err(error) => return failed("casadi", Failure::new(Exit::Environment, error)),
+    };
     let optional = |found: String, remedy: String| Finding {
         state: State::Optional,
         what: "casadi",
         found,
         remedy: Some(remedy),
     };
-    let Some(python) = settings.installed_python() else {
+    let Some(python) = environment.installed_python() else {
         let base =
-            child::answer(std::process::Command::new(&settings.base_python).arg("--version"));
+            child::answer(std::process::Command::new(&environment.base_python).arg("--version"));
         return match base {
             Some(version) => optional(
                 "not installed; derivatives of specifications with committed partials need none".to_owned(),
                 format!("nsv installs it with {} when a specification needs it, or set NSV_PYTHON", version.trim()),
             ),
             None => optional(
-                format!("not installed, and `{}` cannot be run", settings.base_python.display()),
+                format!("not installed, and `{}` cannot be run", environment.base_python.display()),
                 "install Python 3.9 or newer with its venv module, or set NSV_PYTHON to an interpreter with casadi".to_owned(),
             ),
         };
     };
-    match versions(&python, settings.timeout) {
+    match versions(&python, environment.timeout) {
         Ok(found) => good(
             "casadi",
             format!(

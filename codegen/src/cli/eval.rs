@@ -12,7 +12,7 @@ use serde_json::{Map, Value};
 use super::compile::{Math, Partials, compile, load};
 use super::failure::{Exit, Failure};
 use super::output;
-use super::settings::Overrides;
+use super::settings::Settings;
 
 /// Print every named quantity of the law at given states, as JSON
 #[derive(clap::Args)]
@@ -21,7 +21,7 @@ pub(crate) struct Args {
     #[arg(value_name = "SPEC")]
     spec: PathBuf,
     #[command(flatten)]
-    settings: Overrides,
+    settings: Settings,
     /// JSON object with a number, list or list of rows for each input, SI: `t, x1, .., th1, h1, zeta1, W1, eps1, sigma1, phi1, ..`;
     /// parameters and the true exosystem states `w1, ..` may be left out
     #[arg(long, value_name = "FILE.json")]

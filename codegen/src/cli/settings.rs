@@ -4,7 +4,7 @@ use nsv_spec::compose::split;
 
 /// Values set on the command line.
 #[derive(clap::Args, Clone, Debug, Default)]
-pub(crate) struct Overrides {
+pub(crate) struct Settings {
     /// Set a value of the specification, such as `controller.blocks.speed.K=2`; `~` takes the key away, `@FILE` gives it the value
     /// that it has in another specification
     #[arg(long = "set", value_name = "PATH=VALUE", value_parser = setting)]

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 
 use nsv_codegen::casadi::store::Store;
-use nsv_codegen::casadi::{Error, Mode, Provider, Question, Settings};
+use nsv_codegen::casadi::{Environment, Error, Mode, Provider, Question};
 use nsv_codegen::ir::Program;
 
 use super::{formula, partials, path, rates};
@@ -36,11 +36,11 @@ fn cache_with_product() -> tempfile::TempDir {
 fn a_cached_export_is_committed_when_it_is_used() {
     let (cache, specs) = (cache_with_product(), tempfile::tempdir().unwrap());
     let directory = specs.path().join("partials");
-    let settings = Settings {
+    let environment = Environment {
         cache: Some(cache.path().to_owned()),
-        ..Settings::offline(&directory)
+        ..Environment::offline(&directory)
     };
-    let mut provider = Provider::new(settings, |_| {});
+    let mut provider = Provider::new(environment, |_| {});
     provider.partials(&product(), &rates(1, &["x"])).unwrap();
     provider.commit().unwrap();
     let stored = Store::new(&directory).keys().unwrap();
@@ -58,14 +58,14 @@ fn a_cached_export_is_committed_when_it_is_used() {
         "no temporary file stays"
     );
 
-    let idle = Provider::new(Settings::offline(&directory), |_| {});
+    let idle = Provider::new(Environment::offline(&directory), |_| {});
     assert_eq!(idle.unused().unwrap(), BTreeSet::from([key.clone()]));
 }
 
 #[test]
 fn a_missing_export_is_reported() {
     let empty = tempfile::tempdir().unwrap();
-    let mut provider = Provider::new(Settings::offline(empty.path()), |_| {});
+    let mut provider = Provider::new(Environment::offline(empty.path()), |_| {});
     let error = provider
         .partials(&product(), &rates(1, &["x"]))
         .unwrap_err();
@@ -88,7 +88,7 @@ fn changed(change: impl Fn(String) -> String) -> String {
         .unwrap();
     let text = fs::read_to_string(entry.path()).unwrap();
     fs::write(specs.path().join(entry.file_name()), change(text)).unwrap();
-    let mut provider = Provider::new(Settings::offline(specs.path()), |_| {});
+    let mut provider = Provider::new(Environment::offline(specs.path()), |_| {});
     let error = provider
         .partials(&product(), &rates(1, &["x"]))
         .unwrap_err();
@@ -119,13 +119,13 @@ fn a_broken_cache_entry_is_absent() {
         .unwrap()
         .unwrap();
     fs::write(entry.path(), "{").unwrap();
-    let settings = Settings {
+    let environment = Environment {
         cache: Some(cache.path().to_owned()),
         python: Some("/nonexistent/python".into()),
         mode: Mode::Provision,
-        ..Settings::offline(specs.path())
+        ..Environment::offline(specs.path())
     };
-    let mut provider = Provider::new(settings, |_| {});
+    let mut provider = Provider::new(environment, |_| {});
     let error = provider
         .partials(&product(), &rates(1, &["x"]))
         .unwrap_err();

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use nsv_codegen::casadi::{Error, Mode, Provider, Settings};
+use nsv_codegen::casadi::{Environment, Error, Mode, Provider};
 use nsv_codegen::ir::Program;
 
 use super::{formula, path, rates};
@@ -23,17 +23,17 @@ fn failure(python: &str) -> Error {
 
 fn failure_within(python: &str, timeout: Duration) -> Error {
     let empty = tempfile::tempdir().unwrap();
-    let settings = Settings {
+    let environment = Environment {
         python: Some(path("fake_python").join(python)),
         mode: Mode::Provision,
         timeout,
-        ..Settings::offline(empty.path())
+        ..Environment::offline(empty.path())
     };
-    ask(settings)
+    ask(environment)
 }
 
-fn ask(settings: Settings) -> Error {
-    Provider::new(settings, |_| {})
+fn ask(environment: Environment) -> Error {
+    Provider::new(environment, |_| {})
         .partials(&square(), &rates(1, &["x"]))
         .unwrap_err()
 }
@@ -91,13 +91,13 @@ fn endless_output_is_cut() {
 
 /// A cache directory and a base interpreter that plays `python3`.
 fn provision(base: &str, cache: &Path) -> Error {
-    let settings = Settings {
+    let environment = Environment {
         cache: Some(cache.to_owned()),
         base_python: path("fake_python").join(base),
         mode: Mode::Provision,
-        ..Settings::offline(cache.join("none"))
+        ..Environment::offline(cache.join("none"))
     };
-    ask(settings)
+    ask(environment)
 }
 
 #[test]
@@ -133,9 +133,9 @@ fn an_installation_is_used_and_kept() {
 #[test]
 fn an_environment_needs_a_place() {
     let empty = tempfile::tempdir().unwrap();
-    let error = ask(Settings {
+    let error = ask(Environment {
         mode: Mode::Provision,
-        ..Settings::offline(empty.path())
+        ..Environment::offline(empty.path())
     });
     assert!(matches!(error, Error::CacheMissing), "{error:?}");
 }

@@ -19,7 +19,7 @@ use std::fs;
 use std::path::PathBuf;
 
 use nsv_codegen::casadi::store::Store;
-use nsv_codegen::casadi::{Job, Mode, Provider, Settings};
+use nsv_codegen::casadi::{Environment, Job, Mode, Provider};
 use nsv_codegen::ir::Program;
 
 /// A file of this folder.
@@ -60,7 +60,7 @@ fn partials(formula: &Program, job: &Job) -> Program {
     if let Some(python) = env::var_os("NSV_PYTHON") {
         ask_again(python.into(), formula, job);
     }
-    let mut provider = Provider::new(Settings::offline(path("partials")), |_| {});
+    let mut provider = Provider::new(Environment::offline(path("partials")), |_| {});
     let program = provider
         .partials(formula, job)
         .unwrap_or_else(|error| panic!("{error}"));
@@ -70,12 +70,12 @@ fn partials(formula: &Program, job: &Job) -> Program {
 
 fn ask_again(python: PathBuf, formula: &Program, job: &Job) {
     let scratch = tempfile::tempdir().unwrap();
-    let settings = Settings {
+    let environment = Environment {
         python: Some(python),
         mode: Mode::Provision,
-        ..Settings::offline(scratch.path())
+        ..Environment::offline(scratch.path())
     };
-    let mut provider = Provider::new(settings, |_| {});
+    let mut provider = Provider::new(environment, |_| {});
     provider
         .partials(formula, job)
         .unwrap_or_else(|error| panic!("{error}"));

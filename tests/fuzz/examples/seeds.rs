@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use nsv_codegen::casadi::{Mode, Provider, Settings};
+use nsv_codegen::casadi::{Environment, Mode, Provider};
 use nsv_codegen::ir::{Program, random};
 use nsv_fuzz::entry::QUESTIONS;
 use nsv_spec::diagnostic::FileId;
@@ -58,7 +58,8 @@ fn main() {
     }
     let scratch = tempfile::tempdir().expect("a directory");
     let mut provider = Provider::new(
-        Settings::from_environment(scratch.path(), Mode::Provision),
+        Environment::from_variables(scratch.path(), Mode::Provision)
+            .expect("variables that can be used"),
         |_| {},
     );
     for (at, (formula, job)) in QUESTIONS.iter().enumerate() {

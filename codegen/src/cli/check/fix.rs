@@ -12,13 +12,13 @@ use nsv_spec::diagnostic::{Diagnostics, Fixed};
 use super::Checked;
 use crate::cli::failure::{Exit, Failure};
 use crate::cli::output::note;
-use crate::cli::settings::Overrides;
+use crate::cli::settings::Settings;
 
 /// Most rounds: a fix may bring to light what was hidden behind a fault, such as names behind syntax.
 const ROUNDS: usize = 10;
 
 /// Mends a specification as far as that is certain, tells what was changed, and gives what is left.
-pub(super) fn run<'a>(path: &'a Path, settings: &Overrides) -> Result<Vec<Checked<'a>>, Failure> {
+pub(super) fn run<'a>(path: &'a Path, settings: &Settings) -> Result<Vec<Checked<'a>>, Failure> {
     for _ in 0..ROUNDS {
         let checked = super::check(path, settings);
         let mendable = checked

@@ -14,7 +14,7 @@ use super::compile::show;
 use super::failure::{Exit, Failure};
 use super::output::{self, note};
 use super::render::{more, records};
-use super::settings::Overrides;
+use super::settings::Settings;
 
 /// Check specifications: names, units, shapes, ranges; every fault at once, with its place
 #[derive(clap::Args)]
@@ -23,7 +23,7 @@ pub(crate) struct Args {
     #[arg(required = true, value_name = "SPEC")]
     specs: Vec<PathBuf>,
     #[command(flatten)]
-    settings: Overrides,
+    settings: Settings,
     /// List the defaults that were filled in
     #[arg(short, long)]
     verbose: bool,
@@ -84,7 +84,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
 }
 
 /// The specification itself and each variant of its sweep, of which only what was not said before is told.
-fn check<'a>(path: &'a Path, settings: &Overrides) -> Vec<Checked<'a>> {
+fn check<'a>(path: &'a Path, settings: &Settings) -> Vec<Checked<'a>> {
     let composition = match Composition::read(path, &settings.values) {
         Ok(composition) => composition,
         Err(faults) => return vec![checked(path, None, Err(faults))],

@@ -10,7 +10,7 @@ use super::explain;
 use crate::cli::compile::{Math, Partials, load, lower};
 use crate::cli::failure::{Exit, Failure};
 use crate::cli::output;
-use crate::cli::settings::Overrides;
+use crate::cli::settings::Settings;
 
 /// What to show on standard output; no file is written then.
 #[derive(clap::Args)]
@@ -84,7 +84,7 @@ impl Args {
 pub(super) fn run(
     args: &Args,
     specs: &[PathBuf],
-    settings: &Overrides,
+    settings: &Settings,
     math: Math,
 ) -> Result<(), Failure> {
     let stages = stage::names(math.into());

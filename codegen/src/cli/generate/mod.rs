@@ -14,7 +14,7 @@ use super::compile::{Math, Partials, compile, load};
 use super::failure::{Exit, Failure};
 use super::files::replace;
 use super::output::note;
-use super::settings::Overrides;
+use super::settings::Settings;
 use difference::{Difference, compare};
 use target::Target;
 
@@ -25,7 +25,7 @@ pub(crate) struct Args {
     #[arg(required = true, value_name = "SPEC")]
     specs: Vec<PathBuf>,
     #[command(flatten)]
-    settings: Overrides,
+    settings: Settings,
     /// Folder for the modules; default: `generated/src` of the workspace around the specification
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,

@@ -10,7 +10,7 @@ use super::compile::{Math, Partials, compile, load};
 use super::failure::{Exit, Failure};
 use super::files;
 use super::runner::{self, Cache, Campaign, Job, Package, Program, Recordings, Replay, Work};
-use super::settings::Overrides;
+use super::settings::Settings;
 use super::simulate::{Files, Flown, Format, recording};
 use crate::report::Plant;
 use header::{Header, expect_whole};
@@ -25,7 +25,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "SPEC")]
     spec: Option<PathBuf>,
     #[command(flatten)]
-    settings: Overrides,
+    settings: Settings,
     /// Write the signals of one run in SI units, as CSV or Parquet by the name's ending
     #[arg(long, value_name = "FILE.csv|.parquet", value_parser = recording)]
     out: Option<PathBuf>,
@@ -105,7 +105,7 @@ fn shown(wanted: Option<u64>, campaign: &Campaign) -> Result<u64, Failure> {
 /// The simulator that flew the parts, and the arithmetic that it was compiled with.
 fn simulator(
     specification: &Path,
-    settings: &Overrides,
+    settings: &Settings,
     header: &Header,
 ) -> Result<(Plant, Math, Program), Failure> {
     let model = load(specification, settings)?;

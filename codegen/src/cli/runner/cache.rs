@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use nsv_codegen::casadi::{Mode, Settings};
+use nsv_codegen::casadi::cache_folder;
 
 use crate::cli::failure::{Exit, Failure};
 
@@ -17,8 +17,7 @@ pub(crate) struct Cache {
 impl Cache {
     /// The folder that the partial derivatives are cached in too; made if it is not there.
     pub(crate) fn open() -> Result<Cache, Failure> {
-        let root = Settings::from_environment("", Mode::Offline).cache;
-        let root = root.ok_or_else(|| {
+        let root = cache_folder().ok_or_else(|| {
             Failure::new(Exit::Environment, "no place for built simulators").with_help(REMEDY)
         })?;
         // Cargo runs elsewhere: a relative folder would be another one there.

@@ -18,7 +18,7 @@ use super::failure::{Exit, Failure};
 use super::files;
 use super::output::note;
 use super::runner::{self, Cache, Campaign, Event, Job, Package, Part, Recordings, Replay, Work};
-use super::settings::Overrides;
+use super::settings::Settings;
 use crate::report::Plant;
 use crate::report::number::count;
 use progress::Progress;
@@ -33,7 +33,7 @@ pub(crate) struct Args {
     #[arg(value_name = "SPEC")]
     spec: PathBuf,
     #[command(flatten)]
-    settings: Overrides,
+    settings: Settings,
     /// Seed of noise and dispersions; default: the scenario's
     #[arg(long, value_name = "N")]
     seed: Option<u64>,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use nsv_codegen::casadi::{Provider, Settings};
+use nsv_codegen::casadi::{Environment, Provider};
 use nsv_codegen::driver::lower;
 use nsv_codegen::ir::build::size;
 use nsv_codegen::ir::{Program, Type};
@@ -17,7 +17,7 @@ use crate::emitted::{Function, Module};
 pub fn compiled(name: &str) -> (Model, Programs) {
     let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../../specs/{name}.yaml"));
     let (model, _) = nsv_spec::load(&path).unwrap_or_else(|faults| panic!("{}: {:?}", path.display(), faults.items));
-    let mut provider = Provider::new(Settings::offline(path.with_file_name("partials")), |_| {});
+    let mut provider = Provider::new(Environment::offline(path.with_file_name("partials")), |_| {});
     let programs = lower(&model, &mut provider).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     (model, programs)
 }
