@@ -19,42 +19,6 @@ fn check(arguments: &[&str], code: i32, said: &str) {
 }
 
 #[test]
-fn wrong_usage_is_two() {
-    check(&[], 2, "Usage: nsv");
-    check(&["simulate"], 2, "SPEC");
-    check(&["simulate", "x.yaml", "--runs", "0"], 2, "--runs");
-    check(&["simulate", "x.yaml", "--horizon", "-1"], 2, "positive");
-    check(&["simulate", "x.yaml", "--out", "run.txt"], 2, ".parquet");
-    check(&["simulate", PENDULUM, "--horizon", "1e12"], 2, "steps");
-    check(
-        &["simulate", PENDULUM, "--out", "/no/such/x.csv"],
-        3,
-        "/no/such",
-    );
-    check(&["eval", "x.yaml"], 2, "--at");
-}
-
-#[test]
-fn a_time_to_wait_that_cannot_be_used_is_an_environment_failure() {
-    for (arguments, value) in [
-        (&["simulate", PENDULUM][..], "1e19"),
-        (&["simulate", PENDULUM], "2min"),
-        (&["doctor"], "0"),
-    ] {
-        let output = Command::new(env!("CARGO_BIN_EXE_nsv"))
-            .args(arguments)
-            .env("NSV_CASADI_TIMEOUT", value)
-            .output()
-            .expect("nsv starts");
-        let said = [output.stdout, output.stderr].concat();
-        let said = String::from_utf8_lossy(&said);
-        assert_eq!(output.status.code(), Some(3), "{value}: {said}");
-        let named = format!("NSV_CASADI_TIMEOUT is `{value}`, expected seconds");
-        assert!(said.contains(&named), "{said}");
-    }
-}
-
-#[test]
 fn the_schema_is_json_on_standard_output() {
     let output = nsv(&["schema"]);
     assert!(output.status.success() && output.stderr.is_empty());

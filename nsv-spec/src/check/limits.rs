@@ -12,5 +12,5 @@ pub(crate) const EXOSYSTEM: usize = disturbance::MAX_EXOSYSTEM;
 pub(crate) const NUMBER: f64 = numbers::LARGEST;
 pub(crate) const NETWORK: usize = network::MAX_NODES as usize;
 pub(crate) const SUBSTEPS: usize = scenario::MAX_SUBSTEPS as usize;
-pub(crate) const RUNS: usize = scenario::MAX_RUNS as usize;
+pub(crate) const RUNS: usize = crate::model::MAX_RUNS as usize;
 pub(crate) const DELAY: usize = hardware::MAX_DELAY as usize;

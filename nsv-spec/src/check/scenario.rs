@@ -3,11 +3,10 @@
 use super::Context;
 use super::plant::SECOND;
 use crate::diagnostic::{Rule, Span, rounded};
-use crate::model::{MAX_STEPS, NoiseModel, Scenario, Scheme};
+use crate::model::{MAX_RUNS, MAX_STEPS, NoiseModel, Scenario, Scheme};
 use crate::spec::{self, Located};
 
 pub(super) const MAX_SUBSTEPS: u64 = 1000;
-pub(super) const MAX_RUNS: u64 = 1_000_000_000;
 /// Sample times outside this range are slips of a unit, s.
 const SAMPLE_TIMES: (f64, f64) = (1e-6, 10.0);
 

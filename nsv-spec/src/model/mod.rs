@@ -417,6 +417,9 @@ pub enum Scheme {
     RungeKutta4,
 }
 
+/// Most runs of a campaign.
+pub const MAX_RUNS: u64 = 1_000_000_000;
+
 /// Most plant steps of one run.
 pub const MAX_STEPS: f64 = 1e9;
 

@@ -28,6 +28,9 @@ use quantile::normal_quantile;
 
 pub use philox::philox4x32_10;
 
+/// Runs that noise tells apart: a larger number of a run draws what a smaller one does.
+pub const RUNS: u64 = 1 << 48;
+
 /// Draws of one purpose in consecutive runs of a campaign, one in each lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Noise<T: Real = f64> {

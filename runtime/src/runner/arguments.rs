@@ -11,6 +11,7 @@ use std::thread;
 use std::vec::Vec;
 
 use crate::ensemble::{Campaign, Shard};
+use crate::noise;
 
 /// What the arguments ask for.
 #[derive(Debug, PartialEq)]
@@ -54,6 +55,7 @@ pub(super) enum UsageError {
     Missing(&'static str),
     Needs(&'static str, &'static str),
     MergeWithParts,
+    TooManyRuns(&'static str),
 }
 
 impl fmt::Display for UsageError {
@@ -71,6 +73,11 @@ impl fmt::Display for UsageError {
             Self::MergeWithParts => write!(
                 f,
                 "`--merge` goes with none of `--shard`, `--checkpoint` and `--run-table`"
+            ),
+            Self::TooManyRuns(options) => write!(
+                f,
+                "{options} is more than {}, the runs that noise tells apart",
+                noise::RUNS
             ),
         }
     }
@@ -171,6 +178,17 @@ impl Request {
     fn complete(mut self, trajectory_run: Option<u64>) -> Result<Self, UsageError> {
         if self.campaign.horizon.is_nan() {
             return Err(UsageError::Missing("--horizon"));
+        }
+        let Campaign {
+            first_run, runs, ..
+        } = self.campaign;
+        if runs > noise::RUNS {
+            return Err(UsageError::TooManyRuns("`--runs`"));
+        }
+        if first_run > noise::RUNS - runs {
+            return Err(UsageError::TooManyRuns(
+                "the sum of `--first-run` and `--runs`",
+            ));
         }
         match &mut self.trajectory {
             Some((_, run)) => *run = trajectory_run.unwrap_or(self.campaign.first_run),
@@ -297,6 +315,8 @@ mod tests {
         expected.campaign.horizon = 20.0;
         assert!(found.campaign.threads >= 1);
         assert_eq!(found, expected);
+        let last = request("--horizon 1 --first-run 281474976710655");
+        assert_eq!(last.campaign.first_run, (1 << 48) - 1);
         assert_eq!(
             request("--horizon 1 --first-run 4 --trajectory t").trajectory,
             Some(("t".into(), 4))
@@ -322,6 +342,21 @@ mod tests {
             error("--horizon 1 --seed -1"),
             "`--seed` is `-1`, expected a whole number"
         );
+        for (runs, what) in [
+            ("--runs 281474976710657", "`--runs`"),
+            ("--runs 18446744073709551615", "`--runs`"),
+            (
+                "--runs 2 --first-run 281474976710655",
+                "the sum of `--first-run` and `--runs`",
+            ),
+        ] {
+            assert_eq!(
+                error(&std::format!("--horizon 1 {runs}")),
+                std::format!(
+                    "{what} is more than 281474976710656, the runs that noise tells apart"
+                )
+            );
+        }
         assert_eq!(error("--horizon 1 verbose"), "unknown argument `verbose`");
         assert_eq!(
             error("--horizon 1 --trajectory-run 2"),

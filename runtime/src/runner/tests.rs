@@ -175,7 +175,7 @@ impl Write for Closed {
 #[test]
 fn a_closed_pipe_ends_the_campaign() {
     // Far more runs than anyone could wait for: only the first progress line ends them.
-    let runs = u64::MAX.to_string();
+    let runs = crate::noise::RUNS.to_string();
     let failure =
         runner(&["--horizon", "1", "--runs", &runs], &mut Closed).expect_err("nobody reads");
     assert!(failure.is_closed_pipe() && failure.exit_code() == 1);

@@ -24,7 +24,7 @@ pub(crate) struct Args {
     specs: Vec<PathBuf>,
     #[command(flatten)]
     settings: Settings,
-    /// List the defaults that were filled in
+    /// List the defaults that were filled in; JSON always has them
     #[arg(short, long)]
     verbose: bool,
     /// Apply the changes that are certain to mend a fault, and show what is left
@@ -60,6 +60,13 @@ struct Checked<'a> {
 
 /// Runs the verb.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    if args.verbose && args.format == Format::Sarif {
+        let failure = Failure::new(
+            Exit::Usage,
+            "SARIF has no place for the defaults that `--verbose` lists",
+        );
+        return Err(failure.with_help("leave out `--verbose`, or choose another `--format`"));
+    }
     let mut checked: Vec<Checked<'_>> = Vec::new();
     for path in &args.specs {
         checked.extend(match args.fix {

@@ -55,6 +55,15 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     };
     let rule = Rule::find(code).ok_or_else(|| unknown(code))?;
     let example = &rule.explanation().example;
+    if args.example.is_some() && args.format == Format::Json {
+        let failure = Failure::new(
+            Exit::Usage,
+            "`--example` prints a specification, which is no JSON",
+        );
+        return Err(
+            failure.with_help("`--format json` without `--example` has both sides of the example")
+        );
+    }
     match args.example {
         Some(Side::Broken) => output::data(&String::from_utf8_lossy(
             &example.broken().unwrap_or_default(),

@@ -11,7 +11,7 @@ use super::failure::{Exit, Failure};
 use super::files;
 use super::runner::{self, Cache, Campaign, Job, Package, Program, Recordings, Replay, Work};
 use super::settings::Settings;
-use super::simulate::{Files, Flown, Format, recording};
+use super::simulate::{Files, Flown, Format, nowhere, recording};
 use crate::report::Plant;
 use header::{Header, expect_whole};
 
@@ -42,6 +42,9 @@ pub(crate) struct Args {
 
 /// Runs the verb.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    if let (Some(run), None, None) = (args.run, &args.out, &args.report) {
+        return Err(nowhere(run));
+    }
     let headers: Vec<Header> = args
         .parts
         .iter()

@@ -11,7 +11,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use nsv_codegen::interrupt::Scratch;
-use nsv_spec::model::{MAX_STEPS, Model};
+use nsv_spec::model::{MAX_RUNS, MAX_STEPS, Model};
 
 use super::compile::{Math, Partials, compile, compose, shown};
 use super::failure::{Exit, Failure};
@@ -38,7 +38,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
     /// Number of runs; default: the scenario's
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_RUNS))]
     runs: Option<u64>,
     /// Length of a run, s; default: the scenario's
     #[arg(long, value_name = "T", allow_negative_numbers = true, value_parser = seconds)]
@@ -77,7 +77,7 @@ pub(crate) struct Args {
     #[arg(long, value_enum, default_value_t)]
     math: Math,
     /// The run whose signals are written, counted from 0; without --runs it is the only one simulated
-    #[arg(long, value_name = "K")]
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u64).range(..MAX_RUNS))]
     run: Option<u64>,
 }
 
@@ -107,6 +107,12 @@ fn part(text: &str) -> Result<Part, String> {
 
 /// Runs the verb.
 pub(crate) fn run(args: &Args) -> Result<(), Failure> {
+    let shows = args.out.is_some() || args.report.is_some();
+    if let (Some(run), Some(_), false) = (args.run, args.runs, shows) {
+        return Err(
+            nowhere(run).with_help("name it, or leave out `--runs` to simulate this run alone")
+        );
+    }
     let composition = compose(&args.spec, &args.settings)?;
     let model = shown(composition.base())?;
     // Before the campaign, which may take long.
@@ -146,6 +152,14 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         report: args.report.as_deref(),
     })?;
     flown.tell(args.format)
+}
+
+/// One run is chosen, but nothing shows it.
+pub(super) fn nowhere(run: u64) -> Failure {
+    let message = format!(
+        "`--run {run}` chooses the run whose signals are written, but there is no `--out` or `--report` to write them to"
+    );
+    Failure::new(Exit::Usage, message)
 }
 
 /// What to simulate, and the run to show.
