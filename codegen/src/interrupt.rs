@@ -39,7 +39,7 @@ pub fn install() {
         // On a line of its own, behind what may tell the progress.
         let _ = writeln!(
             io::stderr(),
-            "\ninterrupted: nothing is left but what `--checkpoint` keeps"
+            "\ninterrupted: each file that was asked for is whole or as it was before"
         );
         std::process::exit(INTERRUPTED);
     };

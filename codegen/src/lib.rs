@@ -9,3 +9,4 @@ pub mod limits;
 pub mod lower;
 pub mod opt;
 pub mod seal;
+pub mod whole;

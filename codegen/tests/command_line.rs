@@ -176,7 +176,7 @@ fn interrupted(command: &mut Command, program: &Path, began: impl FnOnce()) {
     );
     let mut child = command
         .stdout(Stdio::null())
-        .stderr(Stdio::null())
+        .stderr(Stdio::piped())
         .spawn()
         .expect("nsv starts");
     while !told.exists() {
@@ -191,7 +191,10 @@ fn interrupted(command: &mut Command, program: &Path, began: impl FnOnce()) {
         |text: &str| Pid::from_raw(text.trim().parse().expect("a process id")).expect("not zero");
     let hanging = pid(&std::fs::read_to_string(&told).expect("the script tells its process id"));
     kill_process(pid(&child.id().to_string()), Signal::INT).expect("nsv gets the signal");
-    assert_eq!(child.wait().expect("nsv ends").code(), Some(130));
+    let output = child.wait_with_output().expect("nsv ends");
+    let stderr = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(130), "{stderr}");
+    assert!(stderr.contains("whole or as it was"), "{stderr}");
     // The orphan is reaped by init a moment after it is killed.
     while test_kill_process(hanging).is_ok() && alive(hanging.as_raw_nonzero().get()) {
         std::thread::yield_now();

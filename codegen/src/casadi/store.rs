@@ -3,13 +3,14 @@
 use std::collections::BTreeSet;
 use std::fmt;
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use super::document::{CASADI_VERSION, Export, Request, SCHEMA};
 use super::error::Error;
 use super::layout::render;
 use super::request;
+use crate::whole;
 
 /// Largest export file that is read, in bytes.
 pub(super) const MAX_BYTES: u64 = 128 << 20;
@@ -102,7 +103,7 @@ impl Store {
         if fs::read(&path).is_ok_and(|present| present == text.as_bytes()) {
             return Ok(());
         }
-        write_whole(&self.directory, &path, &text).map_err(|error| Error::Storage { path, error })
+        whole::write(&path, text.as_bytes()).map_err(|error| Error::Storage { path, error })
     }
 
     /// Keys of the exports present.
@@ -135,17 +136,4 @@ fn read_bounded(path: &Path, length: u64) -> io::Result<String> {
         ));
     }
     fs::read_to_string(path)
-}
-
-fn write_whole(directory: &Path, path: &Path, text: &str) -> io::Result<()> {
-    fs::create_dir_all(directory)?;
-    let mut builder = tempfile::Builder::new();
-    // A temporary file is private by default; an export is for everybody who may read the directory.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o644));
-    let mut file = builder.tempfile_in(directory)?;
-    file.write_all(text.as_bytes())?;
-    file.as_file().sync_all()?;
-    file.persist(path).map_err(|error| error.error)?;
-    Ok(())
 }

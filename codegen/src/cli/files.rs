@@ -1,11 +1,12 @@
-//! Writing files so that readers see the old text or the new one, never a part.
+//! Files that a verb writes: sets of texts, all or none, and numbers of any length.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 
 use nsv_codegen::interrupt::{Scratch, shielded};
-use tempfile::{NamedTempFile, TempPath};
+use nsv_codegen::whole::{folder_of, stage};
+use tempfile::TempPath;
 
 use super::failure::{Exit, Failure};
 
@@ -15,7 +16,7 @@ pub(crate) fn replace(texts: &[(PathBuf, &str)], removed: &[PathBuf]) -> Result<
         let staged: Vec<(TempPath, &PathBuf)> = texts
             .iter()
             .map(|(path, text)| {
-                stage(path, text)
+                stage(path, text.as_bytes())
                     .map(|staged| (staged, path))
                     .map_err(|error| Failure::io("write", path, &error))
             })
@@ -30,28 +31,6 @@ pub(crate) fn replace(texts: &[(PathBuf, &str)], removed: &[PathBuf]) -> Result<
         }
         Ok(())
     })
-}
-
-/// A temporary sibling of `path` with that text.
-fn stage(path: &Path, text: &str) -> io::Result<TempPath> {
-    if path.is_dir() {
-        return Err(io::ErrorKind::IsADirectory.into());
-    }
-    let folder = folder_of(path);
-    std::fs::create_dir_all(folder)?;
-    let mut file: NamedTempFile = builder().tempfile_in(folder)?;
-    file.write_all(text.as_bytes())?;
-    file.as_file().sync_all()?;
-    Ok(file.into_temp_path())
-}
-
-fn builder() -> tempfile::Builder<'static, 'static> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".nsv-");
-    // Readable by whom the umask lets read, as any other file.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    builder
 }
 
 /// Writes one file of any size through `write`; nothing is at `path` before all of it is.
@@ -74,6 +53,10 @@ pub(crate) fn write<E: std::error::Error + 'static>(
         ),
     })?;
     file.flush().map_err(|error| failed(&error))?;
+    if let Ok(present) = std::fs::metadata(path) {
+        let kept = file.get_ref().set_permissions(present.permissions());
+        kept.map_err(|error| failed(&error))?;
+    }
     drop(file);
     std::fs::rename(&staged, path).map_err(|error| failed(&error))
 }
@@ -131,12 +114,6 @@ fn expect_folder(path: &Path) -> Result<(), Failure> {
         }
         Err(error) => Err(failed(error)),
     }
-}
-
-fn folder_of(path: &Path) -> &Path {
-    path.parent()
-        .filter(|parent| !parent.as_os_str().is_empty())
-        .unwrap_or(Path::new("."))
 }
 
 #[cfg(test)]
@@ -222,5 +199,18 @@ mod tests {
         assert_eq!(names(folder.path()), [""; 0]);
         write(&path, |file| file.write_all(b"whole")).unwrap();
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "whole");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_file_keeps_its_permissions() {
+        use std::os::unix::fs::PermissionsExt as _;
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("out.csv");
+        std::fs::write(&path, "old").unwrap();
+        std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o640)).unwrap();
+        write(&path, |file| file.write_all(b"new")).unwrap();
+        let mode = std::fs::metadata(&path).unwrap().permissions().mode();
+        assert_eq!(mode & 0o777, 0o640);
     }
 }

@@ -4,9 +4,9 @@
 //! new one. It is left alone if it has changed since it was read, or is not below the specification's directory.
 
 use std::fs;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
+use nsv_codegen::whole;
 use nsv_spec::diagnostic::{Diagnostics, Fixed};
 
 use super::Checked;
@@ -43,7 +43,8 @@ fn apply(spec: &Path, faults: &Diagnostics, fixed: &Fixed) -> Result<(), Failure
     if present != source.text.as_bytes() {
         return Err(refuse(name, "it has changed since it was read"));
     }
-    replace(&target, fixed.text.as_bytes()).map_err(|error| refuse(name, &error.to_string()))?;
+    whole::write(&target, fixed.text.as_bytes())
+        .map_err(|error| refuse(name, &error.to_string()))?;
     for change in &fixed.applied {
         let (line, column) = faults.sources.location(change.span);
         let range = change.span.start as usize..change.span.end as usize;
@@ -73,18 +74,6 @@ fn target(spec: &Path, name: &Path) -> Result<PathBuf, String> {
         true => Ok(target),
         false => Err("it is outside the specification's directory".into()),
     }
-}
-
-/// Puts a complete new file in the place of the old one, with its permissions.
-fn replace(target: &Path, text: &[u8]) -> io::Result<()> {
-    let directory = target.parent().unwrap_or(Path::new("."));
-    let mut copy = tempfile::NamedTempFile::new_in(directory)?;
-    copy.write_all(text)?;
-    copy.as_file()
-        .set_permissions(fs::metadata(target)?.permissions())?;
-    copy.as_file().sync_all()?;
-    copy.persist(target).map_err(|error| error.error)?;
-    Ok(())
 }
 
 fn refuse(name: &Path, reason: &str) -> Failure {

@@ -2,7 +2,6 @@
 
 mod page;
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use nsv_spec::diagnostic::Rule;
@@ -10,7 +9,7 @@ use nsv_spec::diagnostic::explain::Example;
 use serde_json::{Value, json};
 
 use super::failure::{Exit, Failure};
-use super::output;
+use super::{files, output};
 
 /// Explain the code of a diagnostic, or list all codes
 #[derive(clap::Args)]
@@ -122,10 +121,10 @@ fn document(rule: Rule) -> Value {
 }
 
 fn write_pages(directory: &Path) -> Result<(), Failure> {
-    fs::create_dir_all(directory).map_err(|error| Failure::io("make", directory, &error))?;
-    for (name, text) in page::all()? {
-        let path = directory.join(name);
-        fs::write(&path, text).map_err(|error| Failure::io("write", &path, &error))?;
-    }
-    Ok(())
+    let pages = page::all()?;
+    let texts: Vec<(PathBuf, &str)> = pages
+        .iter()
+        .map(|(name, text)| (directory.join(name), text.as_str()))
+        .collect();
+    files::replace(&texts, &[])
 }

@@ -1,9 +1,8 @@
 //! `nsv new`: a specification to start from.
 
-use std::fs::OpenOptions;
-use std::io::Write as _;
 use std::path::PathBuf;
 
+use nsv_codegen::whole;
 use nsv_spec::load_str;
 
 use super::compile::show;
@@ -65,19 +64,13 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
         show(&faults);
         return Err(Failure::Reported(Exit::Usage));
     }
-    let mut file = OpenOptions::new()
-        .write(true)
-        .create_new(true)
-        .open(&path)
-        .map_err(|error| match error.kind() {
-            std::io::ErrorKind::AlreadyExists => {
-                let message = format!("`{}` is there already", path.display());
-                Failure::new(Exit::Usage, message).with_help("choose another name")
-            }
-            _ => Failure::io("write", &path, &error),
-        })?;
-    file.write_all(text.as_bytes())
-        .map_err(|error| Failure::io("write", &path, &error))?;
+    whole::create(&path, text.as_bytes()).map_err(|error| match error.kind() {
+        std::io::ErrorKind::AlreadyExists => {
+            let message = format!("`{}` is there already", path.display());
+            Failure::new(Exit::Usage, message).with_help("choose another name")
+        }
+        _ => Failure::io("write", &path, &error),
+    })?;
     note(format_args!(
         "wrote `{0}`: `nsv check {0}`, then `nsv simulate {0} --report report.html`, which takes derivatives with CasADi \
          (needs Python, and about 110 MB from PyPI the first time)",
