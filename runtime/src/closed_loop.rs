@@ -14,7 +14,7 @@ pub struct Options {
     pub run: u64,
     /// Whether the plant is disturbed by noise.
     pub noise: bool,
-    /// Whether the plant's parameters are dispersed; if not, they take their nominal values.
+    /// Whether parameters, initial states and biases of sensors are drawn for each run; if not, they take their nominal values.
     pub dispersion: bool,
 }
 

@@ -40,7 +40,7 @@ pub struct Campaign {
     pub settle: f64,
     /// Whether the plant is disturbed by noise.
     pub noise: bool,
-    /// Whether the plant's parameters are dispersed.
+    /// Whether parameters, initial states and biases of sensors are drawn for each run.
     pub dispersion: bool,
     /// Lanes to simulate runs in, the widest of the processor if `None`; no result depends on it.
     pub width: Option<Width>,

@@ -95,7 +95,7 @@ pub(super) fn help(name: &str) -> String {
   --settle S           time from which the tracking error counts, s (default 0)
   --threads T          threads (default: all cores)
   --no-noise           leave out the noise
-  --no-dispersion      nominal parameters
+  --no-dispersion      nominal parameters, initial states and biases of sensors
   --trajectory FILE    write the telemetry of one run
   --trajectory-run K   its number (default: the first run)
   --band FILE          write percentiles over the runs against time

@@ -24,7 +24,7 @@ pub(crate) struct Campaign {
     pub threads: usize,
     /// Whether noise acts.
     pub noise: bool,
-    /// Whether plant parameters are dispersed.
+    /// Whether parameters, initial states and biases of sensors are drawn for each run.
     pub dispersion: bool,
 }
 

@@ -67,7 +67,7 @@ pub(crate) struct Args {
     /// Leave out all noise
     #[arg(long)]
     no_noise: bool,
-    /// Give every plant parameter its nominal value
+    /// Leave out what differs from run to run: parameters, initial states and biases of sensors take their nominal values
     #[arg(long)]
     no_dispersion: bool,
     /// Worker threads; default: one for each core. Results do not depend on it
