@@ -17,7 +17,7 @@ use crate::seal::seal;
 pub struct Compiled {
     /// Text of each file by its path inside the module's folder (`mod.rs`, `controller.rs`, ..), under its [seal](crate::seal).
     pub files: BTreeMap<String, String>,
-    /// Every named quantity of the law as a program, for `nsv eval`.
+    /// Every quantity of the law as a program, for `nsv eval`.
     pub eval: Program,
 }
 

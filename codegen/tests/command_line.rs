@@ -360,6 +360,10 @@ fn quantities_are_evaluated_or_the_missing_ones_named() {
     let found = document(&output);
     assert_eq!(found["e1"], serde_json::json!([0.1]));
     assert!(found["V"].as_f64().is_some_and(|v| v > 0.0), "{found}");
+    let text = String::from_utf8_lossy(&output.stdout);
+    let inner = ["e1", "Lam1_filter", "bracket1", "alpha1", "u", "V_W2", "LV"];
+    let places = inner.map(|name| text.find(&format!("\n  \"{name}\"")).expect(name));
+    assert!(places.is_sorted(), "in the order of the equations: {text}");
     std::fs::write(&path, r#"{"t": 0, "y9": 1}"#).expect("a file");
     let output = with_cache(&[
         "eval",

@@ -1,12 +1,13 @@
-//! `nsv eval`: every named quantity of the law at given states.
+//! `nsv eval`: every quantity of the law at given states, in the order of its equations.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use nsv_codegen::ir::build::size;
 use nsv_codegen::ir::eval::eval;
 use nsv_codegen::ir::{Program, Shape, Type, Values};
 use nsv_spec::model::{Disturbance, Model};
+use serde::{Serialize, Serializer};
 use serde_json::{Map, Value};
 
 use super::compile::{Math, Partials, compile, load};
@@ -14,7 +15,7 @@ use super::failure::{Exit, Failure};
 use super::output;
 use super::settings::Settings;
 
-/// Print every named quantity of the law at given states, as JSON
+/// Print every quantity of the law at given states as JSON, in the order of its equations
 #[derive(clap::Args)]
 pub(crate) struct Args {
     /// Specification
@@ -171,8 +172,17 @@ fn entries(value: &Value, shape: Shape) -> Option<Vec<f64>> {
     }
 }
 
+/// Values in the order of the equations.
+struct Quantities(Vec<(String, Value)>);
+
+impl Serialize for Quantities {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+    }
+}
+
 /// The outputs with their shapes; a number that is not finite is `null`.
-fn document(program: &Program, outputs: &Values) -> BTreeMap<String, Value> {
+fn document(program: &Program, outputs: &Values) -> Quantities {
     let shown = program.outputs.iter().filter_map(|(name, id)| {
         let data = outputs.get(name)?;
         let value = match program.ty(*id) {
@@ -191,7 +201,7 @@ fn document(program: &Program, outputs: &Values) -> BTreeMap<String, Value> {
         };
         Some((name.clone(), value))
     });
-    shown.collect()
+    Quantities(shown.collect())
 }
 
 #[cfg(test)]
@@ -236,13 +246,15 @@ mod tests {
     }
 
     #[test]
-    fn quantities_keep_their_shapes() {
+    fn quantities_keep_their_shapes_and_their_order() {
         let program = program();
         let given = given(json!({"t": 3, "x1": [1, 10], "W1": [[1, 2], [3, 4], [5, 6]]}));
         let values = inputs(&program, &given, &defaults()).unwrap();
         let shown = document(&program, &eval(&program, &values).unwrap());
-        let expected = json!({"W": [[1.0, 2.0], [3.0, 4.0], [5.0, 6.0]], "late": true, "t": 3.0, "y": [21.0, 43.0, 65.0]});
-        assert_eq!(serde_json::to_value(shown).unwrap(), expected);
+        assert_eq!(
+            serde_json::to_string(&shown).unwrap(),
+            r#"{"y":[21.0,43.0,65.0],"late":true,"W":[[1.0,2.0],[3.0,4.0],[5.0,6.0]],"t":3.0}"#
+        );
     }
 
     #[test]

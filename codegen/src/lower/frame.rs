@@ -72,7 +72,7 @@ pub fn program(law: &Law, name: &str, frame: &Frame) -> Program {
 }
 
 /// Quantities that the outputs of a frame depend on.
-fn needed(law: &Law, frame: &Frame) -> BTreeSet<String> {
+pub(super) fn needed(law: &Law, frame: &Frame) -> BTreeSet<String> {
     let mut needed: BTreeSet<String> = BTreeSet::new();
     let mut pending: Vec<String> = frame
         .outputs

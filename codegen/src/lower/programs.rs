@@ -1,5 +1,6 @@
 //! The programs of a law: what each emitted function is given and returns.
 
+use super::frame::needed;
 use super::{Frame, program};
 use crate::derive::law::Law;
 use crate::derive::symbol::{Symbol, Term, name};
@@ -18,7 +19,7 @@ pub struct Programs {
     pub plant: Program,
     /// V and LV along the true closed loop.
     pub lyapunov: Program,
-    /// Every named quantity of the continuous-time law.
+    /// Every quantity of the continuous-time law, V and LV.
     pub quantities: Program,
 }
 
@@ -193,52 +194,28 @@ fn lyapunov(law: &Law) -> Program {
     )
 }
 
-/// Quantities that `nsv eval` prints, by base name; with a block number where they have one.
-const REPORTED: &[&str] = &[
-    "F",
-    "G",
-    "H",
-    "e",
-    "s",
-    "k",
-    "E",
-    "cosE",
-    "c",
-    "z",
-    "P",
-    "A_hat",
-    "w_hat",
-    "D_hat",
-    "Ybar_norm",
-    "Psi",
-    "Lam",
-    "alpha",
-    "d",
-];
-
+/// Every quantity of the law in the order of its equations: all that the control, the errors, the rates of the states and V depend on.
+/// Of what the chain rule makes for LV, LV alone.
 fn quantities(law: &Law) -> Program {
     let mut inputs = measurements(law);
     inputs.extend(exosystems(law));
     inputs.extend(states(law, ""));
-    let mut outputs: Vec<String> = ["y_r", "y_r_dot", "u", "u_sat", "V", "LV"]
-        .map(String::from)
-        .into();
+    let mut ends: Vec<String> = ["u_sat", "V"].map(String::from).into();
     for i in 1..=law.order() {
-        outputs.extend(REPORTED.iter().map(|base| format!("{base}{i}")));
-        outputs.extend([format!("k{i}_dot"), format!("h{i}_dot")]);
+        ends.extend(["E", "c", "d"].map(|base| format!("{base}{i}")));
+        ends.extend([format!("k{i}_dot"), format!("h{i}_dot")]);
     }
-    outputs.extend(law.states.iter().map(|state| format!("{}_dot", state.name)));
-    outputs.retain(|quantity| law.contains(quantity));
-    let mut known = std::collections::BTreeSet::new();
-    outputs.retain(|quantity| known.insert(quantity.clone()));
-    program(
-        law,
-        "quantities",
-        &Frame {
-            inputs,
-            outputs: same_names(outputs),
-            plant_prefix: "plant.",
-            ..Frame::default()
-        },
-    )
+    ends.extend(law.states.iter().map(|state| format!("{}_dot", state.name)));
+    ends.retain(|quantity| law.contains(quantity));
+    let mut frame = Frame {
+        inputs,
+        outputs: same_names(ends),
+        plant_prefix: "plant.",
+        ..Frame::default()
+    };
+    let needed = needed(law, &frame);
+    let names = law.equations().iter().map(|equation| &equation.name);
+    let shown = names.filter(|name| needed.contains(*name) || *name == "LV");
+    frame.outputs = same_names(shown.cloned().collect());
+    program(law, "quantities", &frame)
 }

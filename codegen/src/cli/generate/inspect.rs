@@ -57,7 +57,7 @@ enum Which {
     Initial,
     /// Lyapunov function and its generator
     Lyapunov,
-    /// Every named quantity of the law
+    /// Every quantity of the law, V and LV
     Quantities,
 }
 
