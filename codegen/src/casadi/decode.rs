@@ -10,9 +10,9 @@ use super::document::{Node, Tape};
 use super::error::TapeError;
 use super::hexfloat;
 use super::request::Question;
-use super::sweep::sweep;
 use crate::ir::build::size;
 use crate::ir::{Comparison, Kernel, Op, PolynomialId, Program, Shape, ValueId};
+use crate::opt::dead_code;
 
 /// Largest tape that is read, in nodes.
 pub(super) const MAX_NODES: usize = 1_000_000;
@@ -45,8 +45,7 @@ pub fn decode(question: &Question<'_>, tape: &Tape) -> Result<Program, TapeError
         decoder.terms.push(term);
     }
     decoder.outputs(&job.outputs(formula))?;
-    sweep(&mut decoder.program);
-    Ok(decoder.program)
+    Ok(dead_code::run(decoder.program))
 }
 
 /// What a node of the tape is.

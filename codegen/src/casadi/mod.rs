@@ -27,7 +27,6 @@ mod process;
 mod provider;
 mod request;
 pub mod store;
-mod sweep;
 
 pub use decode::decode;
 pub use environment::{Environment, Mode, cache_folder};

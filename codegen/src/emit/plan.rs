@@ -4,6 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::ir::{Op, Operator, Program, Shape, Type, ValueId};
+use crate::opt::dead_code::live;
 
 /// Largest number of operations and operands in one formula; a longer one is cut by a temporary.
 const WEIGHT: usize = 18;
@@ -47,22 +48,6 @@ impl Plan {
             live,
         }
     }
-}
-
-/// Whether some output depends on each value.
-pub(crate) fn live(program: &Program) -> Vec<bool> {
-    let mut live = vec![false; program.instructions.len()];
-    for (_, output) in &program.outputs {
-        live[output.0 as usize] = true;
-    }
-    for index in (0..live.len()).rev() {
-        if live[index] {
-            for operand in program.instructions[index].op.operands() {
-                live[operand.0 as usize] = true;
-            }
-        }
-    }
-    live
 }
 
 /// Names of live values; inputs have theirs already.

@@ -12,11 +12,11 @@ use crate::emit::expression::{Fragment, Level};
 use crate::emit::family::{self, FamilyNames};
 use crate::emit::literal;
 use crate::emit::names::{Scope, snake};
-use crate::emit::plan::live;
 use crate::emit::source::{mentions, prologue};
 use crate::emit::table::Tables;
 use crate::ir::horner::Horner;
 use crate::ir::{MonomialBasis, Op, PolynomialData, PolynomialFamily, Program};
+use crate::opt::dead_code::live;
 
 /// The polynomials and bases of a set of programs, each once, with the names of their functions.
 #[derive(Clone, Debug, Default)]

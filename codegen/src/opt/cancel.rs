@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 
 use crate::ir::{Function, Op, Operator, Program, Shape, ValueId};
 
-use super::dead_code::needed;
+use super::dead_code::live;
 use super::dependence::{Dependence, dependences};
 use super::rewrite::rewrite;
 use super::sparse::Entries;
@@ -62,7 +62,7 @@ fn staying(program: &Program) -> Vec<bool> {
     for (_, output) in &program.outputs {
         staying[output.0 as usize] = true;
     }
-    let needed = needed(program, |_| false);
+    let needed = live(program);
     let users = program.instructions.iter().zip(needed);
     for (user, _) in users.filter(|(_, needed)| *needed) {
         let cancelled = match user.op {

@@ -6,8 +6,8 @@ use crate::ir::{
 };
 
 /// Removes unused instructions, polynomials, bases and origins.
-pub(super) fn run(program: Program) -> Program {
-    let needed = needed(&program, |_| false);
+pub(crate) fn run(program: Program) -> Program {
+    let needed = live(&program);
     keep_needed(program, &needed)
 }
 
@@ -41,8 +41,13 @@ fn keep_needed(mut program: Program, needed: &[bool]) -> Program {
     program
 }
 
+/// Which instructions an output depends on.
+pub(crate) fn live(program: &Program) -> Vec<bool> {
+    needed(program, |_| false)
+}
+
 /// Which instructions an output or an instruction of interest depends on.
-pub(super) fn needed(program: &Program, of_interest: impl Fn(&Instruction) -> bool) -> Vec<bool> {
+fn needed(program: &Program, of_interest: impl Fn(&Instruction) -> bool) -> Vec<bool> {
     let mut needed: Vec<bool> = program.instructions.iter().map(of_interest).collect();
     for (_, value) in &program.outputs {
         needed[value.0 as usize] = true;

@@ -12,7 +12,7 @@ mod blocks;
 mod cancel;
 mod combine;
 mod contract;
-mod dead_code;
+pub(crate) mod dead_code;
 mod differences;
 mod divisors;
 mod elementary;

@@ -1,6 +1,6 @@
 //! The one traversal behind the passes: it rebuilds a program from front to back and asks a rule about each instruction.
 
-use super::dead_code::needed;
+use super::dead_code::live;
 use crate::ir::{Function, Instruction, Op, Operator, Program, Type, ValueId};
 
 /// Rebuilds `program`. The rule sees each instruction with its operands already replaced, and the program so far; it gives the value to
@@ -60,10 +60,9 @@ pub(super) fn rewrite_counting(
 
 fn count(program: &Program) -> Vec<u32> {
     let mut uses = vec![0; program.instructions.len()];
-    let needed = needed(program, |_| false);
-    let users = program.instructions.iter().zip(needed);
+    let users = program.instructions.iter().zip(live(program));
     let operands = users
-        .filter(|(_, needed)| *needed)
+        .filter(|(_, live)| *live)
         .flat_map(|(user, _)| user.op.operands());
     for value in operands.chain(program.outputs.iter().map(|(_, value)| *value)) {
         uses[value.0 as usize] += 1;
