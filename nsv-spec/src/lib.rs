@@ -28,6 +28,7 @@ pub mod yaml;
 
 use std::path::Path;
 
+pub use check::RUST_WORDS;
 use compose::Composition;
 use diagnostic::{Diagnostic, Diagnostics};
 use model::Model;

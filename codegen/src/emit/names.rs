@@ -3,25 +3,15 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use nsv_spec::RUST_WORDS;
 use proc_macro2::{Ident, Span};
 
 /// Longest identifier; longer names are cut.
 const LENGTH: usize = 64;
 
-/// Keywords of edition 2024, reserved ones included, sorted.
-const KEYWORDS: [&str; 53] = [
-    "Self", "_", "abstract", "as", "async", "await", "become", "box", "break", "const", "continue",
-    "crate", "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if",
-    "impl", "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub",
-    "ref", "return", "self", "static", "struct", "super", "trait", "true", "try", "type", "typeof",
-    "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
-];
-
-/// Names with a meaning in emitted functions: the number type and its literals, types and variants, and constants, which `let` would take
-/// for patterns.
-const OCCUPIED: [&str; 28] = [
+/// Names with a meaning in emitted functions: the number type and its literals, types, and constants, which `let` would take for patterns.
+const OCCUPIED: [&str; 24] = [
     "Clock",
-    "Err",
     "FRAC_1_PI",
     "FRAC_PI_2",
     "FRAC_PI_4",
@@ -30,8 +20,6 @@ const OCCUPIED: [&str; 28] = [
     "INPUT_LIMIT",
     "Matrix",
     "NOISE_CHANNELS",
-    "None",
-    "Ok",
     "PI",
     "Params",
     "Prepared",
@@ -40,7 +28,6 @@ const OCCUPIED: [&str; 28] = [
     "SAMPLE_TIME",
     "STATES",
     "Sde",
-    "Some",
     "State",
     "Status",
     "T",
@@ -67,7 +54,7 @@ fn sanitised(name: &str) -> String {
     if identifier.starts_with(|c: char| c.is_ascii_digit()) {
         identifier.insert(0, 'n');
     }
-    if KEYWORDS.binary_search(&identifier.as_str()).is_ok()
+    if RUST_WORDS.contains(&identifier.as_str())
         || OCCUPIED.binary_search(&identifier.as_str()).is_ok()
     {
         identifier.push('_');
@@ -191,8 +178,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn keywords_are_sorted() {
-        assert!(KEYWORDS.is_sorted() && OCCUPIED.is_sorted());
+    fn every_word_of_rust_and_of_the_emitted_code_is_changed() {
+        assert!(OCCUPIED.is_sorted());
+        for word in RUST_WORDS.iter().chain(&OCCUPIED) {
+            assert_eq!(sanitised(word), format!("{word}_"));
+        }
     }
 
     #[test]

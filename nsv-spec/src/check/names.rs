@@ -12,7 +12,7 @@ use crate::yaml::excerpt;
 pub(super) const MAX_LENGTH: usize = 64;
 
 /// Words that are no identifiers in Rust, or that cannot be bound by `let`.
-const RUST_WORDS: [&str; 56] = [
+pub const RUST_WORDS: [&str; 56] = [
     "as", "break", "const", "continue", "crate", "else", "enum", "extern", "false", "fn", "for",
     "if", "impl", "in", "let", "loop", "match", "mod", "move", "mut", "pub", "ref", "return",
     "self", "Self", "static", "struct", "super", "trait", "true", "type", "unsafe", "use", "where",
