@@ -137,8 +137,10 @@ impl Band {
         }
     }
 
+    /// Reads what `encode` wrote of so many runs.
     pub(crate) fn decode<L: ClosedLoop>(
         grid: Grid,
+        runs: u64,
         decoder: &mut Decoder<'_>,
     ) -> Result<Self, Corrupt> {
         let mut band = Self::new::<L>(grid);
@@ -146,6 +148,9 @@ impl Band {
         for cell in &mut band.cells {
             cell.sum = ExactSum::decode(decoder)?;
             cell.values = Sketch::decode(BINS, decoder)?;
+            if cell.values.count() > runs {
+                return Err(Corrupt);
+            }
         }
         Ok(band)
     }

@@ -49,7 +49,8 @@ impl Flight<'_> {
         let mut state = lock(&self.state);
         let mut since = lock(&self.since);
         let now = Instant::now();
-        state.spent_ns += now.duration_since(*since).as_nanos() as u64;
+        let spent = now.duration_since(*since).as_nanos() as u64;
+        state.spent_ns = state.spent_ns.saturating_add(spent);
         *since = now;
         state.clone()
     }

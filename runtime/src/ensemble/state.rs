@@ -38,7 +38,7 @@ impl State {
     /// Adds the runs of another part.
     pub(crate) fn merge(&mut self, other: State) {
         self.tally.merge(other.tally);
-        self.spent_ns += other.spent_ns;
+        self.spent_ns = self.spent_ns.saturating_add(other.spent_ns);
     }
 
     /// The statistics of the runs done.

@@ -246,9 +246,36 @@ impl Tally {
             *count = decoder.count()?;
         }
         if campaign.band {
-            tally.band = Some(Band::decode::<L>(grid::<L>(campaign), decoder)?);
+            tally.band = Some(Band::decode::<L>(grid::<L>(campaign), tally.runs, decoder)?);
         }
+        tally.expect_counts(samples_in::<L>(campaign.horizon))?;
         Ok(tally)
+    }
+
+    /// Counts of runs of so many samples behind the first: none is of more than there are, so that no sum of parts overflows.
+    fn expect_counts(&self, samples: u64) -> Result<(), Corrupt> {
+        let most = samples
+            .checked_add(1)
+            .and_then(|samples| samples.checked_mul(self.runs))
+            .ok_or(Corrupt)?;
+        let (worst, ratios) = (self.worst.len() as u64, &self.ratios);
+        let of_runs = [
+            self.nonfinite,
+            self.violations,
+            worst,
+            ratios.count(),
+            self.settled_ratios.count(),
+        ];
+        let of_samples = [self.samples, self.settled];
+        let saturated = self.saturated.iter().all(|&count| count <= self.samples);
+        if of_runs.into_iter().all(|count| count <= self.runs)
+            && of_samples.into_iter().all(|count| count <= most)
+            && saturated
+        {
+            Ok(())
+        } else {
+            Err(Corrupt)
+        }
     }
 }
 
@@ -280,4 +307,36 @@ fn quantiles(ratios: &Sketch) -> Option<RatioQuantiles> {
         max: ratios.percentile(100)?,
         accuracy: ratios.accuracy(),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::campaign;
+    use super::{Decoder, Encoder, Tally};
+    use crate::mock::MockLoop;
+
+    #[test]
+    fn counts_of_more_than_the_runs_are_refused() {
+        let campaign = campaign();
+        let read = |change: fn(&mut Tally)| {
+            let mut tally = Tally::new::<MockLoop<true>>(&campaign);
+            (tally.runs, tally.samples) = (2, 20);
+            change(&mut tally);
+            let mut encoder = Encoder::default();
+            tally.encode(&mut encoder);
+            let bytes = encoder.bytes();
+            Tally::decode::<MockLoop<true>>(&campaign, &mut Decoder::new(&bytes)).is_ok()
+        };
+        assert!(read(|_| ()));
+        assert!(!read(|tally| tally.runs = u64::MAX));
+        assert!(!read(|tally| tally.samples = u64::MAX));
+        assert!(!read(|tally| tally.settled = u64::MAX));
+        assert!(!read(|tally| tally.nonfinite = 3));
+        assert!(!read(|tally| tally.violations = 3));
+        assert!(!read(|tally| tally.saturated[0] = 21));
+        assert!(!read(|tally| {
+            (0..3).for_each(|_| tally.ratios.push(1.0));
+            tally.settle();
+        }));
+    }
 }

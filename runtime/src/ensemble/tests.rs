@@ -420,6 +420,47 @@ fn damaged_bytes_are_refused_or_change_the_state() {
     }
 }
 
+/// What the fuzzer does with texts, for bytes that carry a checksum: whatever is read can be merged and told.
+#[test]
+fn damaged_bytes_that_are_read_do_no_harm() {
+    let few = Campaign {
+        runs: 20,
+        horizon: 0.2,
+        settle: 0.1,
+        ..campaign()
+    };
+    let start = || State::new::<MockLoop<true>>(&few);
+    let bytes = fly_on(&few, Shard::WHOLE, start()).encode();
+    let noise = Noise::<f64>::process(11, 0);
+    let draw =
+        |trial, channel, count: usize| (noise.uniform(trial, channel) * count as f64) as usize;
+    let mut read = 0;
+    for trial in 0..5000 {
+        let mut damaged = bytes.clone();
+        for change in 0..=draw(trial, 0, 3) as u32 {
+            // Half of the changes are in the counts at the head.
+            let length = [64, damaged.len()][draw(trial, 4 * change + 1, 2)];
+            let place = draw(trial, 4 * change + 2, length);
+            damaged[place] = match draw(trial, 4 * change + 3, 4) {
+                0 => damaged[place] ^ 0x80,
+                1 => damaged[place].wrapping_add(1),
+                2 => 0xff,
+                _ => draw(trial, 4 * change + 4, 256) as u8,
+            };
+        }
+        if let Ok(state) = State::decode::<MockLoop<true>>(&few, Shard::WHOLE, &damaged) {
+            let mut merged = start();
+            merged.merge(state.clone());
+            merged.merge(state);
+            let summary = statistics(merged);
+            let band = summary.band.expect("it is kept");
+            (0..band.rows()).for_each(|row| drop(band.row(row)));
+            read += 1;
+        }
+    }
+    assert!((100..4900).contains(&read), "{read} were read");
+}
+
 #[test]
 fn memory_does_not_grow_with_the_runs() {
     let campaign = many();

@@ -168,8 +168,10 @@ impl ExactSum {
         for digit in first..end.ok_or(Corrupt)? {
             sum.digits[digit as usize] = decoder.signed()?;
         }
-        // Only the unique form is written.
-        if sum.carried() == sum.digits {
+        // Only the unique form is written, and no sum of 2^64 numbers is near the end of the last digit.
+        let (last, rest) = sum.digits.split_last().ok_or(Corrupt)?;
+        let carried = rest.iter().all(|digit| *digit >> BITS == 0);
+        if carried && (*last >> BITS == 0 || *last >> BITS == -1) {
             Ok(sum)
         } else {
             Err(Corrupt)

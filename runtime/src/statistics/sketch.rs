@@ -247,19 +247,35 @@ impl Sketch {
         if sketch.shift >= u64::BITS || bins > limit as u64 {
             return Err(Corrupt);
         }
-        let mut bin = 0_u64;
+        let (mut bin, mut count) = (0_u64, 0_u64);
         for index in 0..bins {
             let step = decoder.count()?;
             if step == 0 && index > 0 {
                 return Err(Corrupt);
             }
             bin = bin.checked_add(step).ok_or(Corrupt)?;
-            sketch.bins.push((bin, decoder.count()?));
+            let inside = decoder.count()?;
+            if inside == 0 || bin > u64::MAX >> sketch.shift {
+                return Err(Corrupt);
+            }
+            count = count.checked_add(inside).ok_or(Corrupt)?;
+            sketch.bins.push((bin, inside));
         }
         sketch.infinite = [decoder.count()?, decoder.count()?];
+        let infinite = sketch.infinite[0].checked_add(sketch.infinite[1]);
+        let all = infinite.and_then(|infinite| count.checked_add(infinite));
+        if all.is_none() {
+            return Err(Corrupt);
+        }
         if bins > 0 {
             let (least, largest) = (decoder.float()?, decoder.float()?);
-            if least.is_nan() || largest.is_nan() {
+            let place = |value: f64| key(value) >> sketch.shift;
+            let ends = [sketch.bins.first(), sketch.bins.last()].map(|bin| bin.map(|bin| bin.0));
+            // In the first and the last bin, hence in order but for a bin of both.
+            if !(least.is_finite() && largest.is_finite())
+                || key(least) > key(largest)
+                || ends != [Some(place(least)), Some(place(largest))]
+            {
                 return Err(Corrupt);
             }
             sketch.range = Some((least, largest));
@@ -429,5 +445,24 @@ mod tests {
             }
             assert!(Sketch::decode(65, &mut Decoder::new(&bytes)).is_err());
         }
+    }
+
+    #[test]
+    fn a_sketch_that_cannot_be_is_refused() {
+        let read = |change: fn(&mut Sketch)| {
+            let mut changed = sketch(64, [-1.0, 2.0, f64::INFINITY]);
+            change(&mut changed);
+            let mut encoder = Encoder::default();
+            changed.encode(&mut encoder);
+            Sketch::decode(64, &mut Decoder::new(&encoder.bytes())).is_ok()
+        };
+        assert!(read(|_| ()));
+        assert!(!read(|sketch| sketch.range = Some((2.0, -1.0))));
+        assert!(!read(|sketch| sketch.range = Some((-1.0, 3.0))));
+        assert!(!read(|sketch| sketch.range = Some((f64::NAN, 2.0))));
+        assert!(!read(|sketch| sketch.shift = 1));
+        assert!(!read(|sketch| sketch.bins[0].1 = 0));
+        assert!(!read(|sketch| sketch.bins[0].1 = u64::MAX));
+        assert!(!read(|sketch| sketch.infinite[0] = u64::MAX - 2));
     }
 }
