@@ -3,10 +3,7 @@
 //! On interval i of an axis only the B-splines i to i + degree are not zero, polynomials of `s = x - break_i`. The value is the sum of the
 //! curves along the last axis under the products of the other axes' splines, summed along the later axes first, each sum from the left.
 
-use crate::real::{Mask, Real};
-
-/// More lanes than any type has.
-const MOST_LANES: usize = 16;
+use crate::real::{MOST_LANES, Mask, Real};
 
 /// One axis, for polynomials of `P` coefficients.
 #[derive(Clone, Copy, Debug)]
@@ -240,6 +237,7 @@ type OfLanes<R> = [R; MOST_LANES];
 /// What each lane has; the places beyond are filled up.
 #[inline(always)]
 fn of_lanes<T: Real, R: Copy>(beyond: R, of: impl Fn(usize) -> R) -> OfLanes<R> {
+    const { assert!(T::LANES <= MOST_LANES) };
     let mut all = [beyond; MOST_LANES];
     let mut lane = 0;
     while lane < T::LANES {

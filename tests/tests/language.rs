@@ -38,7 +38,7 @@ fn edited(edits: &[(&str, &str)]) -> Result<(Model, Programs), DeriveError> {
     Ok((model, programs))
 }
 
-/// The edit needs nothing new, and the loop still tracks for two seconds.
+/// The edit needs nothing new, and the loop still tracks for a second.
 fn check_edit(edits: &[(&str, &str)]) -> (Model, Programs) {
     let short = ("horizon: 20 s", "horizon: 1 s");
     let settled = ("settle: 4.5 s", "settle: 0.5 s");

@@ -1,9 +1,6 @@
 //! Arguments that the branch-free text of a function does not cover.
 
-use crate::real::{Mask, Real};
-
-/// More lanes than any type has.
-const MOST_LANES: usize = 16;
+use crate::real::{MOST_LANES, Mask, Real};
 
 /// `f` of the arguments in the lanes of `rare`, `usual` in the others. No lane's value depends on another lane. The usual path costs one
 /// branch.
@@ -20,6 +17,7 @@ pub fn replaced<T: Real, const N: usize>(
     if T::LANES == 1 {
         return T::from_f64(replace_one(arguments.map(T::to_f64), f));
     }
+    const { assert!(T::LANES <= MOST_LANES) };
     let (mut lanes, mut values) = ([[0.0; N]; MOST_LANES], [0.0; MOST_LANES]);
     for lane in 0..T::LANES {
         lanes[lane] = arguments.map(|argument| argument.lane(lane));

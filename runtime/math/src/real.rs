@@ -83,6 +83,9 @@ macro_rules! fused {
     };
 }
 
+/// As many lanes as the widest type has, 16 numbers of single precision.
+pub const MOST_LANES: usize = 16;
+
 /// Real numbers in floating point. Arithmetic is IEEE 754, rounded to nearest, and fused by [`Real::mul_add`] alone.
 pub trait Real:
     Copy

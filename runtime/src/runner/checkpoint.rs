@@ -74,7 +74,7 @@ impl fmt::Display for Refusal {
                 "has version {found} of the format, this program reads version {VERSION}"
             ),
             Self::Damaged => write!(f, "is damaged: its contents do not match its checksum"),
-            Self::InUse => write!(f, "is being gone on with by another program"),
+            Self::InUse => write!(f, "is in use by another program"),
             Self::Other(fields) => {
                 write!(f, "is of another campaign:")?;
                 for (index, field) in fields.iter().enumerate() {

@@ -265,7 +265,7 @@ fn a_state_is_gone_on_with_by_one_program_at_a_time() {
     let refused = runner(&with(&["--checkpoint", &state]), &mut Vec::new());
     let refused = format!("{}", refused.expect_err("it is claimed"));
     assert!(
-        refused.ends_with("is being gone on with by another program"),
+        refused.ends_with("is in use by another program"),
         "{refused}"
     );
     drop(claim);
