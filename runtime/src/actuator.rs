@@ -2,7 +2,7 @@
 //!
 //! The controller knows nothing of it. An actuator moves once in each step of the plant, which sees it held over the step.
 
-use crate::hardware::to_multiple;
+use crate::quantum::to_multiple;
 use crate::real::Real;
 
 /// A fault, from its time on.

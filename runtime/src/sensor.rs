@@ -1,7 +1,7 @@
 //! What happens to a state on its way to the controller: bias, noise, rounding, lost samples.
 
-use crate::hardware::to_multiple;
 use crate::noise::Noise;
+use crate::quantum::to_multiple;
 use crate::real::Real;
 
 /// A sensor; what it lacks is 0.
