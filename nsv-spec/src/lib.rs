@@ -28,7 +28,7 @@ pub mod yaml;
 
 use std::path::Path;
 
-pub use check::RUST_WORDS;
+pub use check::{RUST_WORDS, is_of_the_law};
 use compose::Composition;
 use diagnostic::{Diagnostic, Diagnostics};
 use model::Model;

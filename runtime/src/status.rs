@@ -13,7 +13,8 @@ impl Status {
     pub const CONSTRAINT_VIOLATED: Self = Self(1);
     /// Some input was limited to its range.
     pub const SATURATED: Self = Self(1 << 1);
-    /// A measurement, a state or the control was NaN or infinite; the output is the safe one and the states do not advance.
+    /// A measurement, a next state or the control was NaN or infinite, so the output is the safe one. After a measurement that is not
+    /// finite the states are as they were; where the law overflowed on finite ones they are given up, and the next finite sample starts anew.
     pub const NON_FINITE_INPUT: Self = Self(1 << 2);
 
     /// Whether every event of `events` is in the set.

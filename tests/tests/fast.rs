@@ -51,11 +51,26 @@ fn perturbed(program: &Program, pattern: u64) -> Program {
     noisy
 }
 
-/// Largest difference of the entries.
+/// Largest difference of the entries; infinite where one has a number and the other has not.
 fn difference(a: &[f64], b: &[f64]) -> f64 {
-    a.iter()
-        .zip(b)
-        .fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
+    let differences = a.iter().zip(b).map(|(a, b)| match (a - b).abs() {
+        _ if a == b || a.is_nan() && b.is_nan() => 0.0,
+        apart if apart.is_finite() => apart,
+        _ => f64::INFINITY,
+    });
+    differences.fold(0.0, f64::max)
+}
+
+#[test]
+fn a_number_is_far_from_none() {
+    let (nan, infinite) = (f64::NAN, f64::INFINITY);
+    for pair in [[nan, 1.0], [1.0, nan], [infinite, 1.0], [nan, infinite]] {
+        assert_eq!(difference(&[0.0, pair[0]], &[0.0, pair[1]]), infinite);
+    }
+    assert_eq!(
+        difference(&[nan, infinite, 3.0], &[nan, infinite, 1.0]),
+        2.0
+    );
 }
 
 /// The largest difference of an output of the two programs, as a fraction of what it may be, and that output.

@@ -5,8 +5,10 @@ use std::fs;
 use std::path::Path;
 
 use nsv_codegen::casadi::Provider;
-use nsv_codegen::driver::{compile, library};
+use nsv_codegen::driver::{compile, library, lower};
+use nsv_codegen::ir::Op;
 use nsv_codegen::opt::Arithmetic;
+use nsv_spec::is_of_the_law;
 use nsv_tests::specification::{model, provider, repository, specifications};
 
 /// Module, title and files of a specification.
@@ -83,5 +85,36 @@ fn the_same_specification_gives_the_same_bytes() {
     for path in specifications("specs") {
         let twice = [(); 2].map(|()| generate(&path, &mut provider(&path)));
         assert_eq!(twice[0], twice[1]);
+    }
+}
+
+/// A value of an emitted law that ends in the number of its block, or a derivative of one, has no name that a specification could give to something else.
+#[test]
+fn names_of_the_law_are_reserved() {
+    for path in specifications("specs") {
+        let model = model(&path);
+        let programs = lower(&model, &mut provider(&path)).unwrap();
+        let definitions = model.definitions.iter().map(|known| known.name.as_str());
+        let states = model.blocks.iter().flat_map(|block| &block.states);
+        let own: BTreeSet<&str> = definitions
+            .chain(states.map(|state| state.name.as_str()))
+            .collect();
+        for program in [programs.initial, programs.control] {
+            let values = program
+                .instructions
+                .iter()
+                .filter(|value| !matches!(value.op, Op::Const(_)));
+            for name in values.filter_map(|value| value.name.as_deref()) {
+                let quantity = name
+                    .rsplit_once("_dot")
+                    .map_or(name, |(quantity, _)| quantity);
+                let numbered = quantity.ends_with(|c: char| c.is_ascii_digit());
+                assert!(
+                    !numbered || own.contains(name) || is_of_the_law(name),
+                    "{}: `{name}`",
+                    model.name
+                );
+            }
+        }
     }
 }

@@ -166,6 +166,51 @@ fn files_are_short_and_finished() {
     }
 }
 
+/// Folders whose code is a function of its arguments.
+#[test]
+fn disk_processes_and_environment_have_their_places() {
+    let outside = [
+        "std::fs",
+        "fs::",
+        "std::process",
+        "Command::new",
+        "env::var",
+        "std::net",
+    ];
+    let outside = outside.map(str::to_owned);
+    for folder in ["derive", "lower", "ir", "opt", "emit", "report"] {
+        for (path, text) in sources(&format!("codegen/src/{folder}")) {
+            let tests = path.file_name().is_some_and(|name| name == "tests.rs");
+            let compiled = text.split("#[cfg(test)]").next().unwrap();
+            if !tests {
+                check_absent(&path, compiled, code, &outside);
+            }
+        }
+    }
+}
+
+/// Files and folders that the map of the code names are there.
+#[test]
+fn the_map_of_the_code_leads_somewhere() {
+    let map = fs::read_to_string(repository("ARCHITECTURE.md")).unwrap();
+    let folders = [
+        "nsv-spec/",
+        "codegen/",
+        "runtime/",
+        "generated/",
+        "tests/",
+        "docs/",
+    ];
+    let paths: Vec<&str> = map
+        .split('`')
+        .filter(|part| folders.iter().any(|folder| part.starts_with(folder)) && !part.contains(' '))
+        .collect();
+    assert!(paths.len() > 20);
+    for path in paths {
+        assert!(repository(path).exists(), "ARCHITECTURE.md names `{path}`");
+    }
+}
+
 /// The compiler knows no specification by name.
 #[test]
 fn the_compiler_has_no_favourite() {

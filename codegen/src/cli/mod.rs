@@ -1,4 +1,4 @@
-//! The command line: one verb per file. Only this module touches disk, processes and standard streams.
+//! The command line: one verb per file or folder.
 //!
 //! Data goes to standard output, everything else to standard error. Exit codes: 0 ok, 1 the specification has errors, 2 usage,
 //! 3 environment, 4 a check failed, 130 interrupted.

@@ -451,12 +451,12 @@ fn argument(name: &str) -> TokenStream {
 const STEP_DOCS: [&str; 5] = [
     "One sample: the control for the time since start (s) and the measured states (SI), after which the states are those of the next sample.",
     "",
-    "Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`], the status has \
-     `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a control is at its limit, `CONSTRAINT_VIOLATED` \
-     that an error has reached its bound and the barrier was clamped.",
+    "Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`] and the status has \
+     `NON_FINITE_INPUT`. `SATURATED` means that a control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound \
+     and the barrier was clamped.",
     "",
-    "The first step with finite measurements initialises the states; so does the step after one whose law overflowed although its \
-     measurements were finite, since such states are beyond use.",
+    "The first step with finite measurements initialises the states. A measurement that is not finite leaves them as they were; a law \
+     that overflows although its measurements are finite gives them up, and the next step with finite measurements starts anew.",
 ];
 
 fn any(masks: impl Iterator<Item = TokenStream>) -> TokenStream {

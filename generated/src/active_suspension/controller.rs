@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 450a679f622c9b697b8f34b05b94e403688059600b302242ffd822821dbab96f
+// SHA-256 of the text below: 1801f9ae01ff872da687deacc93457340bf288e88085cb1c7375306803ad01a9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 20 additions, 46 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
 // control: 94 additions, 145 multiplications, 7 divisions, 2 square roots, 8 elementary functions, 9 comparisons and selections
@@ -227,14 +227,13 @@ impl<T: Real> Controller<T> {
     /// One sample: the control for the time since start (s) and the measured states (SI), after
     /// which the states are those of the next sample.
     ///
-    /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
-    /// the status has `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a
-    /// control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
-    /// barrier was clamped.
+    /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`]
+    /// and the status has `NON_FINITE_INPUT`. `SATURATED` means that a control is at its limit,
+    /// `CONSTRAINT_VIOLATED` that an error has reached its bound and the barrier was clamped.
     ///
-    /// The first step with finite measurements initialises the states; so does the step after one
-    /// whose law overflowed although its measurements were finite, since such states are beyond
-    /// use.
+    /// The first step with finite measurements initialises the states. A measurement that is not
+    /// finite leaves them as they were; a law that overflows although its measurements are finite
+    /// gives them up, and the next step with finite measurements starts anew.
     #[inline(always)]
     pub fn step(
         &mut self,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0aae9fb1b57b268d72557e4fc77b0b629aa65507565244889b82ff32f0f555a7
+// SHA-256 of the text below: 03caa5977b14c0d871ea7e0d431f01f4d5fdbdd5f83390b77f5f10c51a8df608
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 17 additions, 52 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 83 additions, 120 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
@@ -247,14 +247,13 @@ impl<T: Real> Controller<T> {
     /// One sample: the control for the time since start (s) and the measured states (SI), after
     /// which the states are those of the next sample.
     ///
-    /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
-    /// the status has `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a
-    /// control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
-    /// barrier was clamped.
+    /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`]
+    /// and the status has `NON_FINITE_INPUT`. `SATURATED` means that a control is at its limit,
+    /// `CONSTRAINT_VIOLATED` that an error has reached its bound and the barrier was clamped.
     ///
-    /// The first step with finite measurements initialises the states; so does the step after one
-    /// whose law overflowed although its measurements were finite, since such states are beyond
-    /// use.
+    /// The first step with finite measurements initialises the states. A measurement that is not
+    /// finite leaves them as they were; a law that overflows although its measurements are finite
+    /// gives them up, and the next step with finite measurements starts anew.
     #[inline(always)]
     pub fn step(
         &mut self,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 601ea109ade242342374048454b4817aaeeec4220e68f493338305df924c1bbb
+// SHA-256 of the text below: 70e69b98052a067672834a40c6f74908a372824facdb00d42e6fe12ca7f401ad
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 55 additions, 83 multiplications, 3 divisions, 0 square roots, 4 elementary functions, 31 comparisons and selections
 // control: 108 additions, 147 multiplications, 4 divisions, 0 square roots, 4 elementary functions, 34 comparisons and selections
@@ -192,14 +192,13 @@ impl<T: Real> Controller<T> {
     /// One sample: the control for the time since start (s) and the measured states (SI), after
     /// which the states are those of the next sample.
     ///
-    /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
-    /// the status has `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a
-    /// control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
-    /// barrier was clamped.
+    /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`]
+    /// and the status has `NON_FINITE_INPUT`. `SATURATED` means that a control is at its limit,
+    /// `CONSTRAINT_VIOLATED` that an error has reached its bound and the barrier was clamped.
     ///
-    /// The first step with finite measurements initialises the states; so does the step after one
-    /// whose law overflowed although its measurements were finite, since such states are beyond
-    /// use.
+    /// The first step with finite measurements initialises the states. A measurement that is not
+    /// finite leaves them as they were; a law that overflows although its measurements are finite
+    /// gives them up, and the next step with finite measurements starts anew.
     #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> Output<T> {
         let clock = clock(t);

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: db4f1b80789c992b0a503656a120f3d4c4ef93d855235eab37066f7adce58b55
+// SHA-256 of the text below: e951c58fee8d072f609b5d330d8379b0ddf97725583883c73985d271f174f56d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 21 additions, 58 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 78 additions, 127 multiplications, 7 divisions, 3 square roots, 9 elementary functions, 9 comparisons and selections
@@ -240,14 +240,13 @@ impl<T: Real> Controller<T> {
     /// One sample: the control for the time since start (s) and the measured states (SI), after
     /// which the states are those of the next sample.
     ///
-    /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
-    /// the status has `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a
-    /// control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
-    /// barrier was clamped.
+    /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`]
+    /// and the status has `NON_FINITE_INPUT`. `SATURATED` means that a control is at its limit,
+    /// `CONSTRAINT_VIOLATED` that an error has reached its bound and the barrier was clamped.
     ///
-    /// The first step with finite measurements initialises the states; so does the step after one
-    /// whose law overflowed although its measurements were finite, since such states are beyond
-    /// use.
+    /// The first step with finite measurements initialises the states. A measurement that is not
+    /// finite leaves them as they were; a law that overflows although its measurements are finite
+    /// gives them up, and the next step with finite measurements starts anew.
     #[inline(always)]
     pub fn step(
         &mut self,

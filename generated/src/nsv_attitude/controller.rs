@@ -1,4 +1,4 @@
-// SHA-256 of the text below: f7627cf2d65e3eec7f1ce51362f8e90f9ddb8c85c97c2ce6d089981c3650abd0
+// SHA-256 of the text below: ff6814f15e89842e946bba3e4c018e35c733add4c5f0558d46d769b0d139ba69
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 60 additions, 101 multiplications, 6 divisions, 0 square roots, 20 elementary functions, 6 comparisons and selections
 // control: 520 additions, 797 multiplications, 11 divisions, 4 square roots, 26 elementary functions, 21 comparisons and selections
@@ -233,14 +233,13 @@ impl<T: Real> Controller<T> {
     /// One sample: the control for the time since start (s) and the measured states (SI), after
     /// which the states are those of the next sample.
     ///
-    /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
-    /// the status has `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a
-    /// control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
-    /// barrier was clamped.
+    /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`]
+    /// and the status has `NON_FINITE_INPUT`. `SATURATED` means that a control is at its limit,
+    /// `CONSTRAINT_VIOLATED` that an error has reached its bound and the barrier was clamped.
     ///
-    /// The first step with finite measurements initialises the states; so does the step after one
-    /// whose law overflowed although its measurements were finite, since such states are beyond
-    /// use.
+    /// The first step with finite measurements initialises the states. A measurement that is not
+    /// finite leaves them as they were; a law that overflows although its measurements are finite
+    /// gives them up, and the next step with finite measurements starts anew.
     #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) -> Output<T> {
         let clock = clock(t);

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 07994893c7976f59d461c84e4c468dcc2076412890cf9cdea2b4922401e25468
+// SHA-256 of the text below: 74fa6ba4e1466f7788e3bd2518171923eef5e6181365900a97356a3b98b56922
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 87 additions, 134 multiplications, 6 divisions, 0 square roots, 12 elementary functions, 43 comparisons and selections
 // control: 547 additions, 830 multiplications, 11 divisions, 4 square roots, 18 elementary functions, 58 comparisons and selections
@@ -233,14 +233,13 @@ impl<T: Real> Controller<T> {
     /// One sample: the control for the time since start (s) and the measured states (SI), after
     /// which the states are those of the next sample.
     ///
-    /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
-    /// the status has `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a
-    /// control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
-    /// barrier was clamped.
+    /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`]
+    /// and the status has `NON_FINITE_INPUT`. `SATURATED` means that a control is at its limit,
+    /// `CONSTRAINT_VIOLATED` that an error has reached its bound and the barrier was clamped.
     ///
-    /// The first step with finite measurements initialises the states; so does the step after one
-    /// whose law overflowed although its measurements were finite, since such states are beyond
-    /// use.
+    /// The first step with finite measurements initialises the states. A measurement that is not
+    /// finite leaves them as they were; a law that overflows although its measurements are finite
+    /// gives them up, and the next step with finite measurements starts anew.
     #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) -> Output<T> {
         let clock = clock(t);

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 39c68c088e0a6b5a44c51072d39a41d196e5b80aa4999c5a2a319e7882e451c1
+// SHA-256 of the text below: fb2406f26e16a803234bc8e2321136e867abd781e105aa23b9d2c849ff08f0c1
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 77 additions, 155 multiplications, 6 divisions, 0 square roots, 19 elementary functions, 3 comparisons and selections
 // control: 708 additions, 1018 multiplications, 12 divisions, 3 square roots, 26 elementary functions, 19 comparisons and selections
@@ -219,14 +219,13 @@ impl<T: Real> Controller<T> {
     /// One sample: the control for the time since start (s) and the measured states (SI), after
     /// which the states are those of the next sample.
     ///
-    /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`],
-    /// the status has `NON_FINITE_INPUT`, and the states do not advance. `SATURATED` means that a
-    /// control is at its limit, `CONSTRAINT_VIOLATED` that an error has reached its bound and the
-    /// barrier was clamped.
+    /// Where a measurement, a next state or the control is not finite, the control is [`SAFE_INPUT`]
+    /// and the status has `NON_FINITE_INPUT`. `SATURATED` means that a control is at its limit,
+    /// `CONSTRAINT_VIOLATED` that an error has reached its bound and the barrier was clamped.
     ///
-    /// The first step with finite measurements initialises the states; so does the step after one
-    /// whose law overflowed although its measurements were finite, since such states are beyond
-    /// use.
+    /// The first step with finite measurements initialises the states. A measurement that is not
+    /// finite leaves them as they were; a law that overflows although its measurements are finite
+    /// gives them up, and the next step with finite measurements starts anew.
     #[inline(always)]
     pub fn step(&mut self, t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> Output<T> {
         let clock = clock(t);

@@ -49,7 +49,7 @@ use crate::expr::Symbol;
 use crate::expr::arena::Arena;
 use crate::model::{Block, Constant, Definition, Input, Model, Parameter, State};
 use crate::spec::Spec;
-pub use names::RUST_WORDS;
+pub use names::{RUST_WORDS, is_of_the_law};
 use scope::{Dependence, Names};
 pub(crate) use tables::{MAX_AXES, MAX_POINTS, MAX_VALUES};
 

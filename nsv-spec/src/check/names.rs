@@ -22,12 +22,13 @@ pub const RUST_WORDS: [&str; 56] = [
 ];
 
 /// Names of the emitted functions' own values and arguments.
-const EMITTED: [&str; 10] = [
-    "y_r", "y_r_dot", "u", "u_sat", "V", "LV", "state", "params", "plant", "next",
+const EMITTED: [&str; 9] = [
+    "y_r", "u", "u_sat", "V", "LV", "state", "params", "plant", "next",
 ];
 
-/// Quantities of the law that are numbered by block, such as `x1` and `k2_dot`.
-const NUMBERED: [&str; 26] = [
+/// Quantities of the law that are numbered by block, such as `x1` and `k2_dot`. Those that are numbers of the specification, as `M1` of
+/// an exosystem, are not values of the emitted code.
+const NUMBERED: [&str; 42] = [
     "x",
     "th",
     "h",
@@ -38,22 +39,38 @@ const NUMBERED: [&str; 26] = [
     "phi",
     "w",
     "e",
+    "s",
     "k",
     "E",
     "c",
+    "z",
     "Lam",
+    "Lam0_",
     "P",
     "A_hat",
     "D_hat",
+    "w_hat",
     "alpha",
+    "bracket",
     "Ybar_norm",
+    "Ybar_square",
     "Psi",
     "F",
     "G",
     "H",
+    "SH",
+    "HSigma",
+    "G_norm2_",
+    "H_norm2_",
+    "SH_norm2_",
     "d",
     "t",
     "ratio",
+    "violated",
+    "cosE",
+    "sec2E",
+    "s_c",
+    "s_scale",
 ];
 
 /// Module names that clash with the surroundings of the emitted code.
@@ -258,7 +275,7 @@ impl Context<'_> {
             };
             let message = format!("{noun} `{shown}` has the name of {what}");
             self.fault(Rule::E0111, name.span, message, help);
-        } else if usage == Use::Emitted && reserved(text) {
+        } else if usage == Use::Emitted && is_of_the_law(text) {
             let message = format!("{noun} `{shown}` is the name of a quantity of the control law");
             self.fault(
                 Rule::E0112,
@@ -306,15 +323,17 @@ impl Context<'_> {
     }
 }
 
-/// Whether the emitted code uses a name itself.
-fn reserved(name: &str) -> bool {
-    let stem = name
-        .strip_suffix("_dot")
-        .unwrap_or(name)
-        .trim_end_matches(|c: char| c.is_ascii_digit());
-    let numbered =
-        stem.len() < name.strip_suffix("_dot").unwrap_or(name).len() && NUMBERED.contains(&stem);
-    numbered || EMITTED.contains(&name)
+/// Whether a name is that of a quantity of the law, which the emitted code uses itself.
+pub fn is_of_the_law(name: &str) -> bool {
+    let digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    // Derivatives are `_dot`, `_dot2`, ..
+    let quantity = name
+        .rsplit_once("_dot")
+        .filter(|(_, order)| digits(order))
+        .map_or(name, |(quantity, _)| quantity);
+    let stem = quantity.trim_end_matches(|c: char| c.is_ascii_digit());
+    let numbered = stem.len() < quantity.len() && NUMBERED.contains(&stem);
+    numbered || EMITTED.contains(&name) || quantity == "y_r"
 }
 
 fn words<T>(all: &[Named<T>]) -> impl Iterator<Item = &Word> {
