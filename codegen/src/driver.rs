@@ -24,7 +24,7 @@ pub struct Compiled {
 /// Derives and lowers: the programs before any optimisation.
 pub fn lower(model: &Model, partials: &mut dyn Partials) -> Result<Programs, DeriveError> {
     let programs = Programs::new(&derive(model, partials)?);
-    // The literals of a law are finite, since the check admits no gain whose powers overflow.
+    // The literals of a law are finite: the check admits no gain whose powers overflow, and numbers of formulas as they are written.
     for program in programs.all() {
         program.assert_sound();
     }

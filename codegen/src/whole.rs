@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::io::{self, Write as _};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use tempfile::TempPath;
 
@@ -10,28 +10,36 @@ use crate::interrupt::shielded;
 
 /// Puts `text` at `path`, in the place of what is there.
 pub fn write(path: &Path, text: &[u8]) -> io::Result<()> {
-    shielded(|| {
-        stage(path, text)?
-            .persist(path)
-            .map_err(|error| error.error)
-    })
+    shielded(|| stage(path, text)?.persist())
 }
 
 /// As [`write`], but fails if anything is at `path`.
 pub fn create(path: &Path, text: &[u8]) -> io::Result<()> {
     shielded(|| {
-        let staged = stage(path, text)?;
-        staged.persist_noclobber(path).map_err(|error| error.error)
+        let Staged { file, target } = stage(path, text)?;
+        file.persist_noclobber(target).map_err(|error| error.error)
     })
 }
 
-/// A complete temporary beside `path`, whose folder is made if need be: with the permissions of the file that is there, else those of the
-/// umask. To be called under [`shielded`] until it is renamed or dropped.
-pub fn stage(path: &Path, text: &[u8]) -> io::Result<TempPath> {
-    if path.is_dir() {
-        return Err(io::ErrorKind::IsADirectory.into());
+/// A complete temporary file with the place that it is for. To be made and renamed, or dropped, under [`shielded`].
+#[derive(Debug)]
+pub struct Staged {
+    file: TempPath,
+    target: PathBuf,
+}
+
+impl Staged {
+    /// Puts it in its place.
+    pub fn persist(self) -> io::Result<()> {
+        self.file.persist(self.target).map_err(|error| error.error)
     }
-    let folder = folder_of(path);
+}
+
+/// Writes `text` to a temporary file beside `path`. Its permissions are those of the file that is there, else those of the umask. A
+/// folder that is missing is made.
+pub fn stage(path: &Path, text: &[u8]) -> io::Result<Staged> {
+    let target = target(path)?;
+    let folder = folder_of(&target);
     fs::create_dir_all(folder)?;
     let mut builder = tempfile::Builder::new();
     builder.prefix(".nsv-");
@@ -40,11 +48,23 @@ pub fn stage(path: &Path, text: &[u8]) -> io::Result<TempPath> {
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let mut file = builder.tempfile_in(folder)?;
     file.write_all(text)?;
-    if let Ok(present) = fs::metadata(path) {
+    if let Ok(present) = fs::metadata(&target) {
         file.as_file().set_permissions(present.permissions())?;
     }
     file.as_file().sync_all()?;
-    Ok(file.into_temp_path())
+    let file = file.into_temp_path();
+    Ok(Staged { file, target })
+}
+
+/// The file that is written for `path`: behind a link, not the link. Folders, devices and pipes are refused, for a rename would put a
+/// file in their place.
+pub fn target(path: &Path) -> io::Result<PathBuf> {
+    match fs::metadata(path) {
+        Ok(present) if present.is_file() => fs::canonicalize(path),
+        Ok(present) if present.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
+        Ok(_) => Err(io::Error::other("it is no regular file")),
+        Err(_) => Ok(path.to_owned()),
+    }
 }
 
 /// The folder of a file.
@@ -70,6 +90,20 @@ mod tests {
         assert_eq!(fs::read(&path).unwrap(), b"third");
         assert!(write(folder_of(&path), b"a folder").is_err());
         assert_eq!(fs::read_dir(folder_of(&path)).unwrap().count(), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn links_are_followed_and_devices_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        fs::write(at("file"), b"old").unwrap();
+        std::os::unix::fs::symlink(at("file"), at("link")).unwrap();
+        write(&at("link"), b"new").unwrap();
+        assert_eq!(fs::read(at("file")).unwrap(), b"new");
+        assert!(fs::symlink_metadata(at("link")).unwrap().is_symlink());
+        let refused = write(Path::new("/dev/null"), b"").unwrap_err();
+        assert_eq!(refused.to_string(), "it is no regular file");
     }
 
     #[cfg(unix)]

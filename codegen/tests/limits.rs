@@ -196,6 +196,9 @@ const ELSEWHERE: &[&str] = &[
 
 #[test]
 fn the_most_is_accepted_and_one_more_is_refused_with_its_fault() {
+    for what in ELSEWHERE {
+        assert!(LIMITS.iter().any(|limit| limit.what == *what), "{what}");
+    }
     for limit in LIMITS
         .iter()
         .filter(|limit| !ELSEWHERE.contains(&limit.what))
@@ -210,8 +213,7 @@ fn the_most_is_accepted_and_one_more_is_refused_with_its_fault() {
     }
 }
 
-const MAGNITUDE: &str =
-    "magnitude in SI of a number of controller, plant or scenario, and of its inverse";
+const MAGNITUDE: &str = "magnitude in SI of a gain, parameter or other number under a key of its own, and of its inverse";
 
 #[test]
 fn numbers_whose_powers_overflow_are_refused() {

@@ -75,3 +75,16 @@ fn an_option_without_effect_is_two_and_says_what_is_missing() {
     let defaults = ["check", PENDULUM, "-v", "--format", "sarif"];
     check(&defaults, 2, "no place for the defaults");
 }
+
+#[test]
+fn a_negative_number_is_told_as_one() {
+    for option in ["--seed", "--runs", "--run", "--threads", "--horizon"] {
+        check(
+            &["simulate", PENDULUM, option, "-1"],
+            2,
+            "invalid value '-1'",
+        );
+    }
+    let shard = ["simulate", PENDULUM, "--checkpoint", "s", "--shard", "-1/3"];
+    check(&shard, 2, "expected K/N");
+}

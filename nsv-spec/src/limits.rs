@@ -108,7 +108,7 @@ pub const LIMITS: &[Limit] = &[
     limit("states of an exosystem", check::EXOSYSTEM, Rule::E0503),
     limit("nodes of a network", check::NETWORK, Rule::E0609),
     Limit {
-        what: "magnitude in SI of a number of controller, plant or scenario, and of its inverse",
+        what: "magnitude in SI of a gain, parameter or other number under a key of its own, and of its inverse",
         most: check::NUMBER,
         rule: Rule::E0602,
     },

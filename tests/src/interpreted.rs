@@ -10,7 +10,7 @@ use nsv_spec::model::{Model, NoiseModel};
 /// What a run showed.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// Largest `||e_1|| / k_1`; 0 without a constraint.
+    /// Largest `||y - y_r|| / k_1`; 0 without a constraint.
     pub ratio: f64,
     /// Root mean square of `y - y_r` after the settling time, over channels and samples.
     pub rms: f64,

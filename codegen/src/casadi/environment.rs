@@ -69,7 +69,8 @@ impl Environment {
 
     /// As the user's variables have it: `NSV_PYTHON`, [`cache_folder`] and `NSV_CASADI_TIMEOUT` in seconds.
     pub fn from_variables(exports: impl Into<PathBuf>, mode: Mode) -> Result<Self, Error> {
-        let timeout = env::var_os(TIMEOUT_VARIABLE).map_or(Ok(TIMEOUT), |text| {
+        let given = env::var_os(TIMEOUT_VARIABLE).filter(|text| !text.is_empty());
+        let timeout = given.map_or(Ok(TIMEOUT), |text| {
             seconds(&text).ok_or_else(|| Error::Variable {
                 name: TIMEOUT_VARIABLE,
                 value: text.to_string_lossy().into_owned(),

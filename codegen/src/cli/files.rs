@@ -1,30 +1,27 @@
-//! Files that a verb writes: sets of texts, all or none, and numbers of any length.
+//! Files that a verb writes: sets of texts, and numbers of any length.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 
 use nsv_codegen::interrupt::{Scratch, shielded};
-use nsv_codegen::whole::{folder_of, stage};
-use tempfile::TempPath;
+use nsv_codegen::whole::{Staged, folder_of, stage, target};
 
 use super::failure::{Exit, Failure};
 
 /// Replaces a set of files: all texts are on disk before the first old file goes, so a full disk changes nothing.
 pub(crate) fn replace(texts: &[(PathBuf, &str)], removed: &[PathBuf]) -> Result<(), Failure> {
     shielded(|| {
-        let staged: Vec<(TempPath, &PathBuf)> = texts
+        let failed = |path: &Path, error: &io::Error| Failure::io("write", path, error);
+        let staged: Vec<(Staged, &PathBuf)> = texts
             .iter()
-            .map(|(path, text)| {
-                stage(path, text.as_bytes())
-                    .map(|staged| (staged, path))
-                    .map_err(|error| Failure::io("write", path, &error))
+            .map(|(path, text)| match stage(path, text.as_bytes()) {
+                Ok(staged) => Ok((staged, path)),
+                Err(error) => Err(failed(path, &error)),
             })
             .collect::<Result<_, _>>()?;
         for (staged, path) in staged {
-            staged
-                .persist(path)
-                .map_err(|error| Failure::io("write", path, &error.error))?;
+            staged.persist().map_err(|error| failed(path, &error))?;
         }
         for path in removed {
             std::fs::remove_file(path).map_err(|error| Failure::io("remove", path, &error))?;
@@ -39,10 +36,8 @@ pub(crate) fn write<E: std::error::Error + 'static>(
     write: impl FnOnce(&mut BufWriter<File>) -> Result<(), E>,
 ) -> Result<(), Failure> {
     let failed = |error: &io::Error| Failure::io("write", path, error);
-    if path.is_dir() {
-        return Err(failed(&io::ErrorKind::IsADirectory.into()));
-    }
-    let scratch = Scratch::new_in(folder_of(path)).map_err(|error| failed(&error))?;
+    let target = target(path).map_err(|error| failed(&error))?;
+    let scratch = Scratch::new_in(folder_of(&target)).map_err(|error| failed(&error))?;
     let staged = scratch.path().join("staged");
     let mut file = BufWriter::new(File::create(&staged).map_err(|error| failed(&error))?);
     write(&mut file).map_err(|error| match operating_system(&error) {
@@ -53,12 +48,12 @@ pub(crate) fn write<E: std::error::Error + 'static>(
         ),
     })?;
     file.flush().map_err(|error| failed(&error))?;
-    if let Ok(present) = std::fs::metadata(path) {
+    if let Ok(present) = std::fs::metadata(&target) {
         let kept = file.get_ref().set_permissions(present.permissions());
         kept.map_err(|error| failed(&error))?;
     }
     drop(file);
-    std::fs::rename(&staged, path).map_err(|error| failed(&error))
+    std::fs::rename(&staged, target).map_err(|error| failed(&error))
 }
 
 /// The operating system's error at the root of a writer's.
@@ -103,9 +98,7 @@ fn place(path: &Path) -> PathBuf {
 
 fn expect_folder(path: &Path) -> Result<(), Failure> {
     let failed = |error: io::Error| Failure::io("write", path, &error);
-    if path.is_dir() {
-        return Err(failed(io::ErrorKind::IsADirectory.into()));
-    }
+    target(path).map_err(failed)?;
     match std::fs::metadata(folder_of(path)) {
         Ok(folder) if folder.is_dir() => Ok(()),
         Ok(_) => Err(failed(io::Error::other("its folder is a file"))),

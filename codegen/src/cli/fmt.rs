@@ -27,9 +27,7 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     for path in &args.specs {
         let (old, new) = formatted(path)?;
         if new != old {
-            // Through a link the file behind it is written, not the link replaced.
-            let target = std::fs::canonicalize(path).unwrap_or_else(|_| path.clone());
-            changed.push((target, new));
+            changed.push((path.clone(), new));
             let verb = if args.check {
                 "would change"
             } else {

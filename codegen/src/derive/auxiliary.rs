@@ -18,7 +18,7 @@ impl Law<'_> {
 
     /// zeta_i' = -C_i zeta_i + G_i zeta_{i+1}, and G_n (sat(u) - u) for the last.
     pub(super) fn define_auxiliary_rate(&mut self, i: usize, block: &Block) {
-        self.group(format!("auxiliary system of block {i} (13) (E1)"));
+        self.group(format!("auxiliary system of block {i} (13), erratum 1"));
         let leak = self.leak(i, block);
         let (input, text) = if i == self.order() {
             (name("u_sat") - name("u"), "(sat(u) - u)".to_string())

@@ -153,7 +153,7 @@ impl Law<'_> {
             add(
                 self,
                 "noise",
-                "||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2)  (64) (E4, E7)",
+                "||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2)  (64), errata 4 and 7",
                 sigma,
             );
             let ratio = quantity("Psi") / (quantity("phi").pow(2) + s.pow(2));

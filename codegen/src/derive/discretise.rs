@@ -148,13 +148,16 @@ impl Law<'_> {
         let (floor, text) = match bound.phi_min {
             PhiFloor::Auto => {
                 let floor = (name(format!("Psi{i}")) * number(dt / 0.1)).apply(Function::Sqrt);
-                (floor, format!("phi_min = sqrt(Psi_{i} dt / 0.1)  (E11)"))
+                (
+                    floor,
+                    format!("phi_min = sqrt(Psi_{i} dt / 0.1), erratum 11"),
+                )
             }
-            PhiFloor::Value(value) => (number(value), "phi_min, declared  (E11)".to_string()),
+            PhiFloor::Value(value) => (number(value), "phi_min, declared, erratum 11".to_string()),
         };
         let floor = self.define(format!("phi{i}_min"), text, floor);
         let text = format!(
-            "phi_{i}(t + dt) = phi_{i} exp(-dt (Psi_{i}/(phi_{i}^2 + s_{i}^2) + kappa_phi)) if ||e_{i}|| >= iota_phi, else phi_{i}; at least phi_min  (68) (E11)"
+            "phi_{i}(t + dt) = phi_{i} exp(-dt (Psi_{i}/(phi_{i}^2 + s_{i}^2) + kappa_phi)) if ||e_{i}|| >= iota_phi, else phi_{i}; at least phi_min  (68), erratum 11"
         );
         self.define(format!("phi{i}_next"), text, next.max(floor));
     }

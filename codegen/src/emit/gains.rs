@@ -96,7 +96,13 @@ fn matrix(matrix: &Matrix) -> String {
     let other = (0..data.len()).filter(|at| !on_diagonal(at));
     if rows == cols && other.into_iter().all(|at| data[at] == 0.0) {
         let values = (0..data.len()).filter(on_diagonal).map(|at| data[at]);
-        return diagonal(&values.collect::<Vec<_>>());
+        let shown = diagonal(&values.collect::<Vec<_>>());
+        // One number for several rows is a multiple of the identity.
+        return match shown.as_str() {
+            "1" if *rows > 1 => "I".to_owned(),
+            one if *rows > 1 && !one.starts_with("diag") => format!("{one} I"),
+            _ => shown,
+        };
     }
     let row = |row: &[f64]| {
         row.iter()
@@ -120,7 +126,9 @@ mod tests {
             cols: data.len() / rows,
             data: data.to_vec(),
         };
-        assert_eq!(matrix(&of(2, &[20.0, 0.0, 0.0, 20.0])), "20");
+        assert_eq!(matrix(&of(2, &[20.0, 0.0, 0.0, 20.0])), "20 I");
+        assert_eq!(matrix(&of(2, &[1.0, 0.0, 0.0, 1.0])), "I");
+        assert_eq!(matrix(&of(1, &[20.0])), "20");
         assert_eq!(matrix(&of(2, &[20.0, 0.0, 0.0, 1e-9])), "diag(20, 1e-9)");
         assert_eq!(matrix(&of(2, &[1.0, 0.5, 0.0, 1.0])), "(1 0.5; 0 1)");
         assert_eq!(matrix(&of(2, &[1.0, 2.5])), "(1; 2.5)");

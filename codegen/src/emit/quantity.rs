@@ -18,7 +18,7 @@ pub(crate) fn describe(name: &str, blocks: &[Block]) -> String {
         }
         "h" => "Filtered virtual control h (33)",
         "zeta" => "Auxiliary anti-windup state zeta (13)",
-        "W" => "Network weights W_hat (32) (65), one row per monomial and one column per channel",
+        "W" => "Network weights W_hat, one row per monomial and one column per channel",
         "eps" => "Bound eps_hat of the approximation error (66)",
         "sigma" => "Bound sigma_hat of the noise intensity (67)",
         "phi" => "Noise term phi (68), kept positive",

@@ -14,6 +14,9 @@ use super::rewrite::{Uses, limited, literal, rewrite, rewrite_counting};
 /// Largest number of terms that are looked at together.
 const LARGEST: usize = 16;
 
+/// Most polynomials that the name of a sum tells.
+const MOST_NAMES: usize = 8;
+
 /// Combines polynomials, and folds literal arguments of those that are left.
 pub(super) fn run(program: Program) -> Program {
     let mut known = Polynomials::of(&program);
@@ -37,7 +40,7 @@ pub(super) fn run(program: Program) -> Program {
 enum Place {
     /// They are of one family.
     Family(ValueId),
-    /// They are data at these arguments, besides literals.
+    /// They are data at these arguments, in whatever order, besides literals.
     Arguments(Vec<ValueId>),
 }
 
@@ -51,7 +54,11 @@ fn place(program: &Program, id: ValueId, uses: &Uses) -> Option<Place> {
             let family = matches!(program.instruction(*values).op, Op::Family(..));
             family.then_some(Place::Family(*values))
         }
-        Op::Polynomial(_, arguments) => Some(Place::Arguments(variables(program, arguments))),
+        Op::Polynomial(_, arguments) => {
+            let mut variables = variables(program, arguments);
+            variables.sort_unstable();
+            Some(Place::Arguments(variables))
+        }
         _ => None,
     }
 }
@@ -221,12 +228,24 @@ fn combined(
     coefficients.drain(..leading.min(length - 1));
     let names: Vec<&str> = members.map(|(_, member)| member.name.as_str()).collect();
     let member = FamilyMember {
-        name: names.join("_and_"),
+        name: joined(&names),
         coefficients,
     };
     let id = known.add_family(program, &argument, vec![member]);
     let values = program.push(Op::Family(id, z));
     Some(program.push(Op::Element(values, 0, 0)))
+}
+
+/// The name of a sum: all names, or the first of many.
+fn joined(names: &[&str]) -> String {
+    let all = names.join("_and_");
+    match all.split("_and_").count() {
+        ..=MOST_NAMES => all,
+        _ => format!(
+            "{}_and_others",
+            names[0].split("_and_").next().unwrap_or_default()
+        ),
+    }
 }
 
 /// Polynomial data in a sum: its factor and its arguments.
@@ -278,9 +297,11 @@ fn combined_data(
         let value = sums.into_values().next().unwrap_or(0.0);
         return Some(program.scalar(value));
     }
-    let name = |(_, id, _): &Part| program.polynomials[id.0 as usize].name.clone();
+    let of = parts
+        .iter()
+        .map(|(_, id, _)| program.polynomials[id.0 as usize].name.as_str());
     let data = PolynomialData {
-        name: parts.iter().map(name).collect::<Vec<_>>().join("_and_"),
+        name: joined(&of.collect::<Vec<_>>()),
         arguments: occurring.iter().map(|&at| names[at].clone()).collect(),
         terms: sums
             .into_iter()

@@ -17,7 +17,7 @@ pub(crate) struct Outcome {
     pub violated: Option<f64>,
     /// Clopper-Pearson interval of `violated`.
     pub violated_interval95: Option<[f64; 2]>,
-    /// Distribution over the runs of the largest ||e_1||/k_1.
+    /// Distribution over the runs of the largest ||y - y_r||/k_1.
     pub ratio: Option<Quantiles>,
     /// The same from the settling time on.
     pub settled_ratio: Option<Quantiles>,
@@ -50,7 +50,7 @@ pub(crate) struct Quantiles {
     pub accuracy: Option<f64>,
 }
 
-/// A run with a large ||e_1||/k_1.
+/// A run with a large ||y - y_r||/k_1.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub(crate) struct WorstRun {
     /// Its number.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 1801f9ae01ff872da687deacc93457340bf288e88085cb1c7375306803ad01a9
+// SHA-256 of the text below: 6810fe335d520de5e30398d3de8e2891920e449c0468f4c3679d1307a6d1dff9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 20 additions, 46 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
 // control: 94 additions, 145 multiplications, 7 divisions, 2 square roots, 8 elementary functions, 9 comparisons and selections
@@ -46,7 +46,7 @@ pub struct State<T> {
     ///
     /// `h_1' = (alpha_1 - h_1) / Fl_1`
     pub h1: Vector<T, 1>,
-    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: speed (v).
+    /// Network weights W_hat, one row per monomial and one column per channel: speed (v).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
     /// a = Gamma_2 lambda_2 (32): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
@@ -74,7 +74,7 @@ pub struct State<T> {
     /// Noise term phi (68), kept positive: actuator (f).
     ///
     /// `phi_3(t + dt) = phi_3 exp(-dt (Psi_3/(phi_3^2 + s_3^2) + kappa_phi)) if ||e_3|| >=
-    /// iota_phi, else phi_3; at least phi_min (68) (E11)`
+    /// iota_phi, else phi_3; at least phi_min (68), erratum 11`
     pub phi3: T,
 }
 
@@ -733,7 +733,7 @@ pub fn law<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
     let zeta1_dot = state.zeta2 - t4;
 
@@ -791,7 +791,7 @@ pub fn law<T: Real>(
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -(bracket2 * prepared.alpha2_1);
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
     let zeta2_dot = prepared.G2 * state.zeta3 - t8;
 
@@ -834,8 +834,8 @@ pub fn law<T: Real>(
     let t11 = Psi3 / (state.phi3 * state.phi3 + t9);
     // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-    // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi
-    // cos^2 E / (phi^2 + s^2) (64)
+    // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64), errata 4 and 7 + e
+    // Psi cos^2 E / (phi^2 + s^2) (64)
     let Lam3 = e3
         * (real(150.0) + t10 * t10 * real(0.25) + real(4.32) * state.sigma3 * s_scale3
             + t11);
@@ -850,7 +850,7 @@ pub fn law<T: Real>(
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-2.0))).min(Vector::splat(real(2.0)));
 
-    // -- auxiliary system of block 3 (13) (E1) --
+    // -- auxiliary system of block 3 (13), erratum 1 --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
     let zeta3_dot = (u_sat + t13) * real(60.0) - t12;
 
@@ -872,7 +872,7 @@ pub fn law<T: Real>(
     ]);
 
     // -- states of block 3, one sample later --
-    // phi_min = sqrt(Psi_3 dt / 0.1) (E11)
+    // phi_min = sqrt(Psi_3 dt / 0.1), erratum 11
     let phi3_min = real(0.030547012947258853);
 
     // -- states of block 1, one sample later --
@@ -902,7 +902,7 @@ pub fn law<T: Real>(
     // sigma3(t + dt) = sigma3 + g sigma3', g = (1 - exp(-a dt))/a, a = taubar_3 lambda_sigma (67)
     state.sigma3 = state.sigma3 + real(0.000999950001666625) * sigma3_dot;
     // phi_3(t + dt) = phi_3 exp(-dt (Psi_3/(phi_3^2 + s_3^2) + kappa_phi)) if ||e_3|| >= iota_phi,
-    // else phi_3; at least phi_min (68) (E11)
+    // else phi_3; at least phi_min (68), erratum 11
     state.phi3 = T::select(
             s3.sqrt().ge(real(0.02)),
             state.phi3 * (-(real(0.001) * phi3_decay)).exp(),

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 9b2bc407573c53f9a03b3257bb20e7544a8f4a1a4e74d734036f3795d68322d9
+// SHA-256 of the text below: c0d8535b971236c4d499273467e6a0260f61849c7f3674445f451746495a6ecc
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 252 additions, 356 multiplications, 10 divisions, 2 square roots, 9 elementary functions, 15 comparisons and selections
 
@@ -121,7 +121,7 @@ pub fn lyapunov<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
     let zeta1_dot = state.zeta2 - t20;
 
@@ -189,7 +189,7 @@ pub fn lyapunov<T: Real>(
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -t29;
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
     let zeta2_dot = G2 * state.zeta3 - t27;
 
@@ -237,8 +237,8 @@ pub fn lyapunov<T: Real>(
     let t33 = Psi3 / (t32 + t30);
     // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-    // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi
-    // cos^2 E / (phi^2 + s^2) (64)
+    // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64), errata 4 and 7 + e
+    // Psi cos^2 E / (phi^2 + s^2) (64)
     let Lam3 = e3
         * (real(150.0) + t31 * t31 * real(0.25) + real(4.32) * state.sigma3 * s_scale3
             + t33);
@@ -253,7 +253,7 @@ pub fn lyapunov<T: Real>(
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-2.0))).min(Vector::splat(real(2.0)));
 
-    // -- auxiliary system of block 3 (13) (E1) --
+    // -- auxiliary system of block 3 (13), erratum 1 --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
     let zeta3_dot = (u_sat + t35) * real(60.0) - t34;
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 4a582012037543d2a093413dd6221c758a8f31bd6419bfcb4386027133123e92
+// SHA-256 of the text below: d868c61f14b4f883e5eb69c9b0d5ce4e594dff57d097546a5a98dd9b099efc67
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 0 additions, 1 multiplications, 0 divisions, 0 square roots, 0 elementary functions, 0 comparisons and selections
 // control: 98 additions, 120 multiplications, 0 divisions, 0 square roots, 3 elementary functions, 2 comparisons and selections
@@ -41,8 +41,7 @@ pub struct State<T> {
     ///
     /// `zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)`
     pub zeta3: Vector<T, 1>,
-    /// Network weights W_hat (32) (65), one row per monomial and one column per channel:
-    /// acceleration (w).
+    /// Network weights W_hat, one row per monomial and one column per channel: acceleration (w).
     ///
     /// `W_3(t + dt) = (1 - g Gamma_3 lambda_3) W_3 + g Gamma_3 P_3 c_3 I_3, g = (1 - exp(-a dt))/a,
     /// a = Gamma_3 lambda_3 (65): W_3' = Gamma_3 (P_3 c_3 I_3 - lambda_3 W_3)`
@@ -521,7 +520,7 @@ pub fn law<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
     let zeta1_dot = state.zeta2 - t1;
 
@@ -569,7 +568,7 @@ pub fn law<T: Real>(
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -bracket2;
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
     let zeta2_dot = state.zeta3 - t5;
 
@@ -652,7 +651,7 @@ pub fn law<T: Real>(
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-20.0))).min(Vector::splat(real(20.0)));
 
-    // -- auxiliary system of block 3 (13) (E1) --
+    // -- auxiliary system of block 3 (13), erratum 1 --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
     let zeta3_dot = u_sat + bracket3 - t10;
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: cbaede178487c42156cb864f2538cc5777d1c860d4c27e045350658d8e090a3a
+// SHA-256 of the text below: 2f15ebe81d0979b87ab50212341675e2ed1db38fda7b5dde538e0d3e9e2f0261
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 190 additions, 212 multiplications, 0 divisions, 0 square roots, 3 elementary functions, 2 comparisons and selections
 
@@ -87,7 +87,7 @@ pub fn lyapunov<T: Real>(
     // F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1
     let bracket1 = t11 - y_r_dot + Lam1;
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
     let zeta1_dot = state.zeta2 - t11;
 
@@ -140,7 +140,7 @@ pub fn lyapunov<T: Real>(
     // F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2
     let bracket2 = bracket1_dot + t20 + Lam2;
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
     let zeta2_dot = state.zeta3 - t20;
 
@@ -235,7 +235,7 @@ pub fn lyapunov<T: Real>(
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-20.0))).min(Vector::splat(real(20.0)));
 
-    // -- auxiliary system of block 3 (13) (E1) --
+    // -- auxiliary system of block 3 (13), erratum 1 --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
     let zeta3_dot = u_sat + bracket3 - t34;
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 03caa5977b14c0d871ea7e0d431f01f4d5fdbdd5f83390b77f5f10c51a8df608
+// SHA-256 of the text below: a98025a326913c975177ee7c4bd4c37b3d46e3f2a8c8ca4aa70a93e562a237f9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 17 additions, 52 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 83 additions, 120 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
@@ -50,8 +50,7 @@ pub struct State<T> {
     ///
     /// `h_1' = (alpha_1 - h_1) / Fl_1`
     pub h1: Vector<T, 1>,
-    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: link_rate
-    /// (v1).
+    /// Network weights W_hat, one row per monomial and one column per channel: link_rate (v1).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
     /// a = Gamma_2 lambda_2 (32): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
@@ -809,7 +808,7 @@ pub fn law<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
     let zeta1_dot = state.zeta2 - t5;
 
@@ -857,7 +856,7 @@ pub fn law<T: Real>(
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -(bracket2 * prepared.alpha2_1);
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
     let zeta2_dot = prepared.G2 * state.zeta3 - t7;
 
@@ -891,7 +890,7 @@ pub fn law<T: Real>(
     // alpha_3 = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
     let alpha3 = -bracket3;
 
-    // -- auxiliary system of block 3 (13) (E1) --
+    // -- auxiliary system of block 3 (13), erratum 1 --
     // zeta_3' = -C_3 zeta_3 + G_3 zeta_4
     let zeta3_dot = state.zeta4 - t9;
 
@@ -933,7 +932,7 @@ pub fn law<T: Real>(
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-3.0))).min(Vector::splat(real(3.0)));
 
-    // -- auxiliary system of block 4 (13) (E1) --
+    // -- auxiliary system of block 4 (13), erratum 1 --
     // zeta_4' = -C_4 zeta_4 + G_4 (sat(u) - u)
     let zeta4_dot = (u_sat + t11) * real(250.0) - t10;
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 4a66eb15443d08589c6324540a6e845a3d73c93a7c35163a1f3498b7b581d9a0
+// SHA-256 of the text below: fc1de1390d4cd395b389ec24845261a05eba0ac421244c1592112e997bebfa74
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 237 additions, 315 multiplications, 6 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
 
@@ -286,7 +286,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
         let alpha1 = -bracket1;
 
-        // -- auxiliary system of block 1 (13) (E1) --
+        // -- auxiliary system of block 1 (13), erratum 1 --
         // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
         let zeta1_dot = state.zeta2 - t23;
 
@@ -341,7 +341,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
         let alpha2 = -t30;
 
-        // -- auxiliary system of block 2 (13) (E1) --
+        // -- auxiliary system of block 2 (13), erratum 1 --
         // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
         let zeta2_dot = G2 * state.zeta3 - t28;
 
@@ -380,7 +380,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // alpha_3 = -G_3^-1 [ F_3 + A_hat_3 - h_2' + C_3 zeta_3 + D_hat_3 + Lam_3 ]
         let alpha3 = -bracket3;
 
-        // -- auxiliary system of block 3 (13) (E1) --
+        // -- auxiliary system of block 3 (13), erratum 1 --
         // zeta_3' = -C_3 zeta_3 + G_3 zeta_4
         let zeta3_dot = state.zeta4 - t33;
 
@@ -422,7 +422,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // sat(u), each component limited to +-u_max (8)
         let u_sat = u.max(Vector::splat(real(-3.0))).min(Vector::splat(real(3.0)));
 
-        // -- auxiliary system of block 4 (13) (E1) --
+        // -- auxiliary system of block 4 (13), erratum 1 --
         // zeta_4' = -C_4 zeta_4 + G_4 (sat(u) - u)
         let zeta4_dot = (u_sat + t35) * real(250.0) - t34;
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 05a2eb0212ecf04f09cc6bd18b109b8d3a2ecd9ac3ddb01de0ca83bc3e38cbc0
+// SHA-256 of the text below: 85044cd5dcec867f6659e737607f38e815b11f4a5df9e7aa59c4ca6a30bd0284
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 1990 additions, 2485 multiplications, 18 divisions, 3 square roots, 30 elementary functions, 30 comparisons and selections
 
@@ -1025,7 +1025,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
         let alpha1 = -t66;
 
-        // -- auxiliary system of block 1 (13) (E1) --
+        // -- auxiliary system of block 1 (13), erratum 1 --
         // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
         let zeta1_dot = G1 * state.zeta2 - t62;
 
@@ -1110,8 +1110,8 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
         // before the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat
         // Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi
-        // cos^2 E / (phi^2 + s^2) (64)
+        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64), errata 4 and 7 +
+        // e Psi cos^2 E / (phi^2 + s^2) (64)
         let Lam2 = e2 * (t78 + t75 * state.sigma2 * s_scale2 + t77 * t52)
             + Lam2_error_bound;
 
@@ -1128,7 +1128,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
             .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
             .min(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]));
 
-        // -- auxiliary system of block 2 (13) (E1) --
+        // -- auxiliary system of block 2 (13), erratum 1 --
         let t81: Vector<T, 3> = Vector::from_f64([
             7.375621211696555e-7,
             7.375621211696555e-8,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 70e69b98052a067672834a40c6f74908a372824facdb00d42e6fe12ca7f401ad
+// SHA-256 of the text below: e6df3e7f98c407218c2852e0908f685a5849f6b33faa35aa18d88a13997b46e7
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 55 additions, 83 multiplications, 3 divisions, 0 square roots, 4 elementary functions, 31 comparisons and selections
 // control: 108 additions, 147 multiplications, 4 divisions, 0 square roots, 4 elementary functions, 34 comparisons and selections
@@ -48,7 +48,7 @@ pub struct State<T> {
     ///
     /// `h_1' = (alpha_1 - h_1) / Fl_1`
     pub h1: Vector<T, 1>,
-    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: rate (q).
+    /// Network weights W_hat, one row per monomial and one column per channel: rate (q).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
     /// a = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
@@ -676,7 +676,7 @@ pub fn law<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
     let zeta1_dot = state.zeta2 - t5;
 
@@ -725,7 +725,7 @@ pub fn law<T: Real>(
         .max(Vector::splat(real(-0.4363323129985824)))
         .min(Vector::splat(real(0.4363323129985824)));
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
     let zeta2_dot = prepared.G2 * (u_sat + t8) - t7;
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 27e883127de8cab5c2b93fecf5b3e2b1bb57d8d34c6602a439f4f8736946f670
+// SHA-256 of the text below: b2e356ba06e3e82fa11cc007186a189c3396142f094af42672859d0cb01ade7f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 268 additions, 352 multiplications, 6 divisions, 0 square roots, 10 elementary functions, 70 comparisons and selections
 
@@ -176,7 +176,7 @@ pub fn lyapunov<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
     let zeta1_dot = state.zeta2 - t45;
 
@@ -228,7 +228,7 @@ pub fn lyapunov<T: Real>(
         .max(Vector::splat(real(-0.4363323129985824)))
         .min(Vector::splat(real(0.4363323129985824)));
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
     let zeta2_dot = G2 * (u_sat + t51) - t49;
 

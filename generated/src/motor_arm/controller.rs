@@ -1,4 +1,4 @@
-// SHA-256 of the text below: e951c58fee8d072f609b5d330d8379b0ddf97725583883c73985d271f174f56d
+// SHA-256 of the text below: 519de6e0bec1f9af4fa226ac20562820a0e5ea16277c5d0358c09b28119473fa
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 21 additions, 58 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 78 additions, 127 multiplications, 7 divisions, 3 square roots, 9 elementary functions, 9 comparisons and selections
@@ -46,8 +46,7 @@ pub struct State<T> {
     ///
     /// `h_1' = (alpha_1 - h_1) / Fl_1`
     pub h1: Vector<T, 1>,
-    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: speed
-    /// (rate).
+    /// Network weights W_hat, one row per monomial and one column per channel: speed (rate).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
     /// a = Gamma_2 lambda_2 (32): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
@@ -71,7 +70,7 @@ pub struct State<T> {
     /// Noise term phi (68), kept positive: speed (rate).
     ///
     /// `phi_2(t + dt) = phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)) if ||e_2|| >=
-    /// iota_phi, else phi_2; at least phi_min (68) (E11)`
+    /// iota_phi, else phi_2; at least phi_min (68), erratum 11`
     pub phi2: T,
     /// Filtered virtual control h (33): current (amps).
     ///
@@ -518,8 +517,8 @@ pub fn initial<T: Real>(
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E)
     // (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of
-    // the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) +
-    // e Psi cos^2 E / (phi^2 + s^2) ...
+    // the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64), errata 4
+    // and 7 + e Psi cos^2 E / (phi^2 ...
     let Lam2 = e2 * (t10 + s_c1 * s_c1 * real(0.25) + Psi2 / (real(100.0) + s2 * s2));
 
     // -- virtual control (31) of block 2 --
@@ -562,7 +561,7 @@ pub struct Prepared<T> {
     pub Lam2_2: T,
     /// Part of `alpha2`.
     pub alpha2_1: T,
-    /// `phi_min = sqrt(Psi_2 dt / 0.1) (E11)`
+    /// `phi_min = sqrt(Psi_2 dt / 0.1), erratum 11`
     pub phi2_min: T,
 }
 
@@ -611,7 +610,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- states of block 2, one sample later --
-    // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
+    // phi_min = sqrt(Psi_2 dt / 0.1), erratum 11
     let phi2_min = (Psi2 * real(0.01)).sqrt();
     let Lam2_1 = real(0.05) * G_norm2_2;
     let Lam2_2 = H_norm2_2 * Ybar_norm2;
@@ -803,7 +802,7 @@ pub fn law<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
     let zeta1_dot = state.zeta2 - t5;
 
@@ -846,8 +845,8 @@ pub fn law<T: Real>(
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E)
     // (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of
-    // the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) +
-    // e Psi cos^2 E / (phi^2 + s^2) ...
+    // the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64), errata 4
+    // and 7 + e Psi cos^2 E / (phi^2 ...
     let Lam2 = e2 * (t9 + prepared.Lam2_2 * state.sigma2 * s_scale2 + t8)
         + Lam2_error_bound;
     // ||c_2||^2
@@ -861,7 +860,7 @@ pub fn law<T: Real>(
     // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
     let alpha2 = -(bracket2 * prepared.alpha2_1);
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
     let zeta2_dot = prepared.G2 * state.zeta3 - t11;
 
@@ -916,7 +915,7 @@ pub fn law<T: Real>(
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-40.0))).min(Vector::splat(real(40.0)));
 
-    // -- auxiliary system of block 3 (13) (E1) --
+    // -- auxiliary system of block 3 (13), erratum 1 --
     // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
     let zeta3_dot = (u_sat + t14) * real(40.0) - t13;
 
@@ -943,7 +942,7 @@ pub fn law<T: Real>(
     // sigma2(t + dt) = sigma2 + g sigma2', g = (1 - exp(-a dt))/a, a = taubar_2 lambda_sigma (67)
     state.sigma2 = state.sigma2 + real(0.000999950001666625) * sigma2_dot;
     // phi_2(t + dt) = phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)) if ||e_2|| >= iota_phi,
-    // else phi_2; at least phi_min (68) (E11)
+    // else phi_2; at least phi_min (68), erratum 11
     state.phi2 = T::select(
             s2.sqrt().ge(real(0.2)),
             state.phi2 * (-(real(0.001) * phi2_decay)).exp(),

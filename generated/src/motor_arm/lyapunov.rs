@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 0d563b710951ed81724192fd013da6632bed27fa3525f953ee6da42aa5953e8a
+// SHA-256 of the text below: f85cc90622b54a8cdbe49b6fbcd1addcafe510bc29496b5c2d5751e89800ba61
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 282 additions, 424 multiplications, 15 divisions, 2 square roots, 13 elementary functions, 15 comparisons and selections
 
@@ -427,7 +427,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
         let alpha1 = -bracket1;
 
-        // -- auxiliary system of block 1 (13) (E1) --
+        // -- auxiliary system of block 1 (13), erratum 1 --
         // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
         let zeta1_dot = state.zeta2 - t23;
 
@@ -503,7 +503,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // before the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e /
         // (2 cos^2 E) (63) + eps_hat Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4),
         // G, c, eta_3 of the outer block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 +
-        // varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2 + s^2) ...
+        // varsigma^2) (64), errata 4 and 7 + e Psi cos^2 E / (phi^2 ...
         let Lam2 = e2 * (t36 + t35) + Lam2_error_bound;
         // ||c_2||^2
         let s_c2 = c2.sum_squares();
@@ -518,7 +518,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // alpha_2 = -G_2^-1 [ F_2 + A_hat_2 - h_1' + C_2 zeta_2 + D_hat_2 + Lam_2 ]
         let alpha2 = -t40;
 
-        // -- auxiliary system of block 2 (13) (E1) --
+        // -- auxiliary system of block 2 (13), erratum 1 --
         // zeta_2' = -C_2 zeta_2 + G_2 zeta_3
         let zeta2_dot = G2 * state.zeta3 - t38;
 
@@ -583,7 +583,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // sat(u), each component limited to +-u_max (8)
         let u_sat = u.max(Vector::splat(real(-40.0))).min(Vector::splat(real(40.0)));
 
-        // -- auxiliary system of block 3 (13) (E1) --
+        // -- auxiliary system of block 3 (13), erratum 1 --
         // zeta_3' = -C_3 zeta_3 + G_3 (sat(u) - u)
         let zeta3_dot = (u_sat + t43) * real(40.0) - t42;
 

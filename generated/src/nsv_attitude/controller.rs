@@ -1,4 +1,4 @@
-// SHA-256 of the text below: ff6814f15e89842e946bba3e4c018e35c733add4c5f0558d46d769b0d139ba69
+// SHA-256 of the text below: 3adfc78b9e442a7d5aa5bdf3f723fc1c15ce83f2fda940fd48c051badf5e125f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 60 additions, 101 multiplications, 6 divisions, 0 square roots, 20 elementary functions, 6 comparisons and selections
 // control: 520 additions, 797 multiplications, 11 divisions, 4 square roots, 26 elementary functions, 21 comparisons and selections
@@ -39,8 +39,8 @@ pub struct State<T> {
     ///
     /// `zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)`
     pub zeta2: Vector<T, 3>,
-    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: attitude
-    /// (alpha, beta, mu).
+    /// Network weights W_hat, one row per monomial and one column per channel: attitude (alpha,
+    /// beta, mu).
     ///
     /// `W_1(t + dt) = (1 - g Gamma_1 lambda_1) W_1 + g Gamma_1 P_1 c_1 I_1, g = (1 - exp(-a dt))/a,
     /// a = Gamma_1 lambda_1 (32): W_1' = Gamma_1 (P_1 c_1 I_1 - lambda_1 W_1)`
@@ -58,8 +58,7 @@ pub struct State<T> {
     ///
     /// `h_1' = (alpha_1 - h_1) / Fl_1`
     pub h1: Vector<T, 3>,
-    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: rates (p,
-    /// q, r).
+    /// Network weights W_hat, one row per monomial and one column per channel: rates (p, q, r).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
     /// a = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
@@ -85,7 +84,7 @@ pub struct State<T> {
     /// Noise term phi (68), kept positive: rates (p, q, r).
     ///
     /// `phi_2(t + dt) = phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)) if ||e_2|| >=
-    /// iota_phi, else phi_2; at least phi_min (68) (E11)`
+    /// iota_phi, else phi_2; at least phi_min (68), erratum 11`
     pub phi2: T,
 }
 
@@ -692,13 +691,13 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5`, `kbar = 2`, `C = 20`,
-/// `Fl = 0.1 s`, `S = 10`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`, `Gamma = 1`, `lambda = 0.1`,
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5`, `kbar = 2`, `C = 20
+/// I`, `Fl = 0.1 s`, `S = 10 I`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`, `Gamma = 1`, `lambda = 0.1`,
 /// `iota = 0.1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2`, `kbar = 2`, `C = 50`,
-/// `S = (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4)`, `M = (0 3; -3 0) in each channel`,
-/// `N = 1 in each channel`, `L = diag((0 2), (3 0), (1 1))`, `eta_1 = 0.1`, `Gamma = 1`,
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2`, `kbar = 2`, `C = 50
+/// I`, `S = (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4)`, `M = (0 3; -3 0) in each
+/// channel`, `N = I in each channel`, `L = diag((0 2), (3 0), (1 1))`, `eta_1 = 0.1`, `Gamma = 1`,
 /// `lambda = 0.1`, `iota = 0.1`, `iota_0 = 0.1`, `b = 2`, `eta_noise = 0.1`, `taubar = 1`,
 /// `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 2`, `iota_phi = 0.01`.
 ///
@@ -888,7 +887,7 @@ pub fn law<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -Vector([t29[0], t30, t29[1]]);
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
     let zeta1_dot = G1 * state.zeta2 - t28;
 
@@ -964,8 +963,8 @@ pub fn law<T: Real>(
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b)
     // (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) +
-    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2
-    // + s^2) (64)
+    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64), errata 4 and 7 + e Psi cos^2 E /
+    // (phi^2 + s^2) (64)
     let Lam2 = e2 * (t40 + t38 * state.sigma2 * s_scale2 + t39 * t23) + Lam2_error_bound;
 
     // -- control (64) of block 2 --
@@ -981,7 +980,7 @@ pub fn law<T: Real>(
         .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
         .min(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]));
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
     let zeta2_dot = Vector::<
         T,
@@ -1042,7 +1041,7 @@ pub fn law<T: Real>(
         real(-1.3981226186927993e-5) * th2_dot[4]
             + real(0.0019919747640585435) * th2_dot[5],
     ]);
-    // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
+    // phi_min = sqrt(Psi_2 dt / 0.1), erratum 11
     let phi2_min = (Psi2 * real(0.02)).sqrt();
 
     // -- states of block 1, one sample later --
@@ -1083,7 +1082,7 @@ pub fn law<T: Real>(
     // sigma2(t + dt) = sigma2 + g sigma2', g = (1 - exp(-a dt))/a, a = taubar_2 lambda_sigma (67)
     state.sigma2 = state.sigma2 + real(0.001999800013332667) * sigma2_dot;
     // phi_2(t + dt) = phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)) if ||e_2|| >= iota_phi,
-    // else phi_2; at least phi_min (68) (E11)
+    // else phi_2; at least phi_min (68), erratum 11
     state.phi2 = T::select(
             s2.sqrt().ge(real(0.01)),
             state.phi2 * (-(real(0.002) * phi2_decay)).exp(),
@@ -1108,13 +1107,13 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5`, `kbar = 2`, `C = 20`,
-/// `Fl = 0.1 s`, `S = 10`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`, `Gamma = 1`, `lambda = 0.1`,
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 1.5`, `kbar = 2`, `C = 20
+/// I`, `Fl = 0.1 s`, `S = 10 I`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`, `Gamma = 1`, `lambda = 0.1`,
 /// `iota = 0.1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2`, `kbar = 2`, `C = 50`,
-/// `S = (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4)`, `M = (0 3; -3 0) in each channel`,
-/// `N = 1 in each channel`, `L = diag((0 2), (3 0), (1 1))`, `eta_1 = 0.1`, `Gamma = 1`,
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 2`, `kbar = 2`, `C = 50
+/// I`, `S = (-1.5 0 0; 1.5 0 0; 0 1.5 0; 0 1 0; 0 0 -2; 0 0 4)`, `M = (0 3; -3 0) in each
+/// channel`, `N = I in each channel`, `L = diag((0 2), (3 0), (1 1))`, `eta_1 = 0.1`, `Gamma = 1`,
 /// `lambda = 0.1`, `iota = 0.1`, `iota_0 = 0.1`, `b = 2`, `eta_noise = 0.1`, `taubar = 1`,
 /// `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 2`, `iota_phi = 0.01`.
 ///

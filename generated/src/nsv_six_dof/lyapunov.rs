@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 1cbb9083596c1d98fe58c3f61e374d51219a1721fd1081d975204a6624ec25a4
+// SHA-256 of the text below: 644346b0131ba712430b104cfc539b1ce3ef6d4591564ce436999e755d9aea7d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 1967 additions, 2434 multiplications, 18 divisions, 3 square roots, 24 elementary functions, 110 comparisons and selections
 
@@ -1156,7 +1156,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
         let alpha1 = -t107;
 
-        // -- auxiliary system of block 1 (13) (E1) --
+        // -- auxiliary system of block 1 (13), erratum 1 --
         // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
         let zeta1_dot = G1 * state.zeta2 - t103;
 
@@ -1241,8 +1241,8 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
         // before the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat
         // Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi
-        // cos^2 E / (phi^2 + s^2) (64)
+        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64), errata 4 and 7 +
+        // e Psi cos^2 E / (phi^2 + s^2) (64)
         let Lam2 = e2 * (t119 + t116 * state.sigma2 * s_scale2 + t118 * t93)
             + Lam2_error_bound;
 
@@ -1259,7 +1259,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
             .max(Vector::<T, 3>::from_f64([-2000000.0, -20000000.0, -20000000.0]))
             .min(Vector::<T, 3>::from_f64([2000000.0, 20000000.0, 20000000.0]));
 
-        // -- auxiliary system of block 2 (13) (E1) --
+        // -- auxiliary system of block 2 (13), erratum 1 --
         let t122: Vector<T, 3> = Vector::from_f64([
             7.375621211696555e-7,
             7.375621211696555e-8,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: a42b8f8916ff20f84bb7564c0c734bec7315b77fb527b0a83f61a87da0be729f
+// SHA-256 of the text below: 6b57b31de4f5b6208a2af346107df2171cfa351c60d8b480aa210fce1d0beb3f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 5 additions, 18 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
 // control: 39 additions, 63 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 6 comparisons and selections
@@ -42,8 +42,7 @@ pub struct State<T> {
     ///
     /// `h_1' = (alpha_1 - h_1) / Fl_1`
     pub h1: Vector<T, 1>,
-    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: speed
-    /// (omega).
+    /// Network weights W_hat, one row per monomial and one column per channel: speed (omega).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
     /// a = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
@@ -561,7 +560,7 @@ pub fn law<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
     let zeta1_dot = state.zeta2 - t5;
 
@@ -608,7 +607,7 @@ pub fn law<T: Real>(
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-8.0))).min(Vector::splat(real(8.0)));
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
     let zeta2_dot = prepared.G2 * (u_sat + t8) - t7;
 

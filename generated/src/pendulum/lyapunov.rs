@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 9ac35a448c5160e599b07e584134a3cffa972266d65698ee1f5fea0280dedbb2
+// SHA-256 of the text below: de97140b6a560a173708124d2b5251bc6384d0ac656db429b51681e5099ab31f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 142 additions, 202 multiplications, 8 divisions, 0 square roots, 10 elementary functions, 18 comparisons and selections
 
@@ -113,7 +113,7 @@ pub fn lyapunov<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
     let zeta1_dot = state.zeta2 - t16;
 
@@ -163,7 +163,7 @@ pub fn lyapunov<T: Real>(
     // sat(u), each component limited to +-u_max (8)
     let u_sat = u.max(Vector::splat(real(-8.0))).min(Vector::splat(real(8.0)));
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
     let zeta2_dot = G2 * (u_sat + t22) - t20;
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 471d3b9e73aa258ad67e91356306b45965aa68c0a84330698cf2291e3d869001
+// SHA-256 of the text below: 22ce8d966789432646af237969bacf42a129ff3e7b2d22365a98516321db0de9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 
 //! Single-link arm in a gusty wind
@@ -15,7 +15,7 @@ pub use params::Params;
 pub use simulator::Simulator;
 
 /// SHA-256 of the specification.
-pub const SPEC_HASH: &str = "1a4dc31c8b8f80dd213e6bd36beee0e688e8525cc62b205874fb23a2869e509d";
+pub const SPEC_HASH: &str = "fb2d020148181bf3fb2770fbb7275bde2b3e95348412c72b237f739a7f05fe40";
 
 /// Version of the generator.
 pub const GENERATOR: &str = "0.1.0";

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 2efe0f1161a8fdb2c7390725dbc9fd44f41c2c0bbb55599bf830d34c442ff398
+// SHA-256 of the text below: 099d7bef589fc82995b0147c389c41e4c346cb7a40cb5c5626f7c215a090ce63
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 31 additions, 76 multiplications, 5 divisions, 0 square roots, 16 elementary functions, 3 comparisons and selections
 // control: 279 additions, 423 multiplications, 13 divisions, 3 square roots, 20 elementary functions, 13 comparisons and selections
@@ -43,8 +43,7 @@ pub struct State<T> {
     ///
     /// `h_1' = (alpha_1 - h_1) / Fl_1`
     pub h1: Vector<T, 3>,
-    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: rates (p,
-    /// q, r).
+    /// Network weights W_hat, one row per monomial and one column per channel: rates (p, q, r).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
     /// a = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
@@ -70,7 +69,7 @@ pub struct State<T> {
     /// Noise term phi (68), kept positive: rates (p, q, r).
     ///
     /// `phi_2(t + dt) = phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)) if ||e_2|| >=
-    /// iota_phi, else phi_2; at least phi_min (68) (E11)`
+    /// iota_phi, else phi_2; at least phi_min (68), erratum 11`
     pub phi2: T,
 }
 
@@ -491,7 +490,7 @@ pub struct Prepared<T> {
     pub Lam2_1: T,
     /// Part of `u`.
     pub u_1: Vector<T, 3>,
-    /// `phi_min = sqrt(Psi_2 dt / 0.1) (E11)`
+    /// `phi_min = sqrt(Psi_2 dt / 0.1), erratum 11`
     pub phi2_min: T,
 }
 
@@ -542,7 +541,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
         + real(0.01) * (SH_norm2_2 * SH_norm2_2);
 
     // -- states of block 2, one sample later --
-    // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
+    // phi_min = sqrt(Psi_2 dt / 0.1), erratum 11
     let phi2_min = (Psi2 * real(0.02)).sqrt();
     let Lam2_1 = H_norm2_2 * Ybar_norm2;
     let u_1 = Vector::splat(real(1.0)).quotient(Vector([F2_2, F2_4, F2_6]));
@@ -659,15 +658,15 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 6`, `kbar = 2`, `C = 20`,
-/// `Fl = 0.01 s`, `eta_2 = 1`, `eta_3 = 1`.
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 6`, `kbar = 2`, `C = 20
+/// I`, `Fl = 0.01 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 20`, `kbar = 10`, `C = 50`,
-/// `S = (14.6 0 0; 23 0 0; 14 0 0; 0 14.6 0; 0 23 0; 0 14 0; 0 0 8; 0 0 -1)`, `M = diag((-0.2 12 0; -12 -0.2 0; 0 0 -1),
-/// (-0.2 12 0; -12 -0.2 0; 0 0 -1), diag(0, -3))`, `N = diag((1 0; 0 0; 0 2), (1 0; 0 0; 0 2),
-/// (0; 0.5))`, `L = diag((1 0 1), (1 0 1), (1 1))`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`,
-/// `iota = 1`, `iota_0 = 0.1`, `b = 1`, `eta_noise = 0.01`, `taubar = 1`, `lambda_sigma = 0.1`,
-/// `varsigma = 1`, `kappa_phi = 0.5`, `iota_phi = 0.2`.
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 20`, `kbar = 10`, `C = 50
+/// I`, `S = (14.6 0 0; 23 0 0; 14 0 0; 0 14.6 0; 0 23 0; 0 14 0; 0 0 8; 0 0 -1)`, `M =
+/// diag((-0.2 12 0; -12 -0.2 0; 0 0 -1), (-0.2 12 0; -12 -0.2 0; 0 0 -1), diag(0, -3))`, `N =
+/// diag((1 0; 0 0; 0 2), (1 0; 0 0; 0 2), (0; 0.5))`, `L = diag((1 0 1), (1 0 1), (1 1))`,
+/// `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`, `iota_0 = 0.1`, `b = 1`, `eta_noise = 0.01`,
+/// `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 0.5`, `iota_phi = 0.2`.
 ///
 /// Operations: 260 additions, 363 multiplications, 6 divisions, 2 square roots, 12 elementary
 /// functions, 13 comparisons and selections.
@@ -763,7 +762,7 @@ pub fn law<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -Vector([t13, t12[0], t12[1]]);
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
     let zeta1_dot = G1 * state.zeta2 - t11;
 
@@ -820,8 +819,8 @@ pub fn law<T: Real>(
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b)
     // (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) +
-    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2
-    // + s^2) (64)
+    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64), errata 4 and 7 + e Psi cos^2 E /
+    // (phi^2 + s^2) (64)
     let Lam2 = e2 * (t19 + prepared.Lam2_1 * state.sigma2 * s_scale2 + t18)
         + Lam2_error_bound;
 
@@ -837,7 +836,7 @@ pub fn law<T: Real>(
         .max(Vector::<T, 3>::from_f64([-0.2, -0.2, -0.05]))
         .min(Vector::<T, 3>::from_f64([0.2, 0.2, 0.05]));
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     let t22 = u_sat + t21;
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
     let zeta2_dot = Vector([
@@ -931,7 +930,7 @@ pub fn law<T: Real>(
     // sigma2(t + dt) = sigma2 + g sigma2', g = (1 - exp(-a dt))/a, a = taubar_2 lambda_sigma (67)
     state.sigma2 = state.sigma2 + real(0.001999800013332667) * sigma2_dot;
     // phi_2(t + dt) = phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)) if ||e_2|| >= iota_phi,
-    // else phi_2; at least phi_min (68) (E11)
+    // else phi_2; at least phi_min (68), erratum 11
     state.phi2 = T::select(
             s2.sqrt().ge(real(0.2)),
             state.phi2 * (-(real(0.002) * phi2_decay)).exp(),
@@ -954,15 +953,15 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 6`, `kbar = 2`, `C = 20`,
-/// `Fl = 0.01 s`, `eta_2 = 1`, `eta_3 = 1`.
+/// Gains of block 1, `attitude`, which are numbers in the formulas: `K = 6`, `kbar = 2`, `C = 20
+/// I`, `Fl = 0.01 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 20`, `kbar = 10`, `C = 50`,
-/// `S = (14.6 0 0; 23 0 0; 14 0 0; 0 14.6 0; 0 23 0; 0 14 0; 0 0 8; 0 0 -1)`, `M = diag((-0.2 12 0; -12 -0.2 0; 0 0 -1),
-/// (-0.2 12 0; -12 -0.2 0; 0 0 -1), diag(0, -3))`, `N = diag((1 0; 0 0; 0 2), (1 0; 0 0; 0 2),
-/// (0; 0.5))`, `L = diag((1 0 1), (1 0 1), (1 1))`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`,
-/// `iota = 1`, `iota_0 = 0.1`, `b = 1`, `eta_noise = 0.01`, `taubar = 1`, `lambda_sigma = 0.1`,
-/// `varsigma = 1`, `kappa_phi = 0.5`, `iota_phi = 0.2`.
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 20`, `kbar = 10`, `C = 50
+/// I`, `S = (14.6 0 0; 23 0 0; 14 0 0; 0 14.6 0; 0 23 0; 0 14 0; 0 0 8; 0 0 -1)`, `M =
+/// diag((-0.2 12 0; -12 -0.2 0; 0 0 -1), (-0.2 12 0; -12 -0.2 0; 0 0 -1), diag(0, -3))`, `N =
+/// diag((1 0; 0 0; 0 2), (1 0; 0 0; 0 2), (0; 0.5))`, `L = diag((1 0 1), (1 0 1), (1 1))`,
+/// `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`, `iota_0 = 0.1`, `b = 1`, `eta_noise = 0.01`,
+/// `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 1`, `kappa_phi = 0.5`, `iota_phi = 0.2`.
 ///
 /// Operations: 279 additions, 423 multiplications, 13 divisions, 3 square roots, 20 elementary
 /// functions, 13 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 92d7da0efcce580f91d3f97c60b1c16584331f6be5640970c7c11f649e6f4cc7
+// SHA-256 of the text below: d613d50529210ed3e6b5ddab6ef89bd96546b007af541188073ef6c2abcaf4e9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 1005 additions, 1206 multiplications, 20 divisions, 2 square roots, 20 elementary functions, 19 comparisons and selections
 
@@ -331,7 +331,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
         let alpha1 = -t40;
 
-        // -- auxiliary system of block 1 (13) (E1) --
+        // -- auxiliary system of block 1 (13), erratum 1 --
         // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
         let zeta1_dot = G1 * state.zeta2 - t36;
 
@@ -418,8 +418,8 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
         // before the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat
         // Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi
-        // cos^2 E / (phi^2 + s^2) (64)
+        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64), errata 4 and 7 +
+        // e Psi cos^2 E / (phi^2 + s^2) (64)
         let Lam2 = e2 * (t61 + t58 * state.sigma2 * s_scale2 + t60) + Lam2_error_bound;
 
         // -- control (64) of block 2 --
@@ -435,7 +435,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
             .max(Vector::<T, 3>::from_f64([-0.2, -0.2, -0.05]))
             .min(Vector::<T, 3>::from_f64([0.2, 0.2, 0.05]));
 
-        // -- auxiliary system of block 2 (13) (E1) --
+        // -- auxiliary system of block 2 (13), erratum 1 --
         let t64 = u_sat + t63;
         // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
         let zeta2_dot = Vector([t8 * t64[0], t9 * t64[1], t10 * t64[2]]) - t62;

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 38ecc41bdb5276ac0aa00c104816d38890e8cd090a35b1a013ce7e2431562220
+// SHA-256 of the text below: 976d8cf1867bfb22a293448dc08b51c57611725b2bb0b0dfa1398c50537fc131
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 27 additions, 65 multiplications, 3 divisions, 0 square roots, 10 elementary functions, 3 comparisons and selections
 // control: 229 additions, 295 multiplications, 4 divisions, 0 square roots, 27 elementary functions, 16 comparisons and selections
@@ -598,11 +598,11 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 6`, `kbar = 2`, `C = 20`,
-/// `Fl = 0.005 s`, `eta_2 = 1`, `eta_3 = 1`.
+/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 6`, `kbar = 2`, `C = 20
+/// I`, `Fl = 0.005 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 40`, `kbar = 20`, `C = 50`,
-/// `S = 100`, `eta_1 = 1`.
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 40`, `kbar = 20`, `C = 50
+/// I`, `S = 100 I`, `eta_1 = 1`.
 ///
 /// Operations: 210 additions, 241 multiplications, 3 divisions, 0 square roots, 19 elementary
 /// functions, 16 comparisons and selections.
@@ -759,7 +759,7 @@ pub fn law<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
     let zeta1_dot = state.zeta2 - t33;
 
@@ -804,7 +804,7 @@ pub fn law<T: Real>(
         .max(Vector::<T, 6>::from_f64([-97.6, -186.4, -89.4, -24.2, -20.1, -21.3]))
         .min(Vector::<T, 6>::from_f64([97.6, 186.4, 89.4, 24.2, 20.1, 21.3]));
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     let t43 = u_sat + t42;
     let t44 = Vector([
         t17 * t43[0] + t18 * t43[1] + t19 * t43[2],
@@ -856,11 +856,11 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 6`, `kbar = 2`, `C = 20`,
-/// `Fl = 0.005 s`, `eta_2 = 1`, `eta_3 = 1`.
+/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 6`, `kbar = 2`, `C = 20
+/// I`, `Fl = 0.005 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 40`, `kbar = 20`, `C = 50`,
-/// `S = 100`, `eta_1 = 1`.
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 40`, `kbar = 20`, `C = 50
+/// I`, `S = 100 I`, `eta_1 = 1`.
 ///
 /// Operations: 229 additions, 295 multiplications, 4 divisions, 0 square roots, 27 elementary
 /// functions, 16 comparisons and selections.

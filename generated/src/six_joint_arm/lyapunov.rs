@@ -1,4 +1,4 @@
-// SHA-256 of the text below: bfcc25e02c4bc1f8ba931e7b8da9f196551d637a87cff749fc055d5191454e99
+// SHA-256 of the text below: 60610721b08d5f7967141b2b4fa9d452b51f80e85610147f7b33e08169bec900
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 1077 additions, 1472 multiplications, 21 divisions, 0 square roots, 35 elementary functions, 38 comparisons and selections
 
@@ -1156,7 +1156,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
         let alpha1 = -bracket1;
 
-        // -- auxiliary system of block 1 (13) (E1) --
+        // -- auxiliary system of block 1 (13), erratum 1 --
         // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
         let zeta1_dot = state.zeta2 - t104;
 
@@ -1202,7 +1202,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
             .max(Vector::<T, 6>::from_f64([-97.6, -186.4, -89.4, -24.2, -20.1, -21.3]))
             .min(Vector::<T, 6>::from_f64([97.6, 186.4, 89.4, 24.2, 20.1, 21.3]));
 
-        // -- auxiliary system of block 2 (13) (E1) --
+        // -- auxiliary system of block 2 (13), erratum 1 --
         let t115 = u_sat + t114;
         let t116 = Vector([
             t37 * t115[0] + t38 * t115[1] + t39 * t115[2],

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 03229919e241b9bd59b893cbd7a96ceb2abf885691aa70b8b6c7b242064334c7
+// SHA-256 of the text below: 49556677337e50ba37a9541a518490a6716615737561a2b0034486d2c66c622e
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 40 additions, 65 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 274 additions, 386 multiplications, 8 divisions, 3 square roots, 11 elementary functions, 13 comparisons and selections
@@ -49,8 +49,8 @@ pub struct State<T> {
     ///
     /// `h_1' = (alpha_1 - h_1) / Fl_1`
     pub h1: Vector<T, 3>,
-    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: velocity
-    /// (surge, sway, r).
+    /// Network weights W_hat, one row per monomial and one column per channel: velocity (surge,
+    /// sway, r).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
     /// a = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
@@ -75,7 +75,7 @@ pub struct State<T> {
     /// Noise term phi (68), kept positive: velocity (surge, sway, r).
     ///
     /// `phi_2(t + dt) = phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)) if ||e_2|| >=
-    /// iota_phi, else phi_2; at least phi_min (68) (E11)`
+    /// iota_phi, else phi_2; at least phi_min (68), erratum 11`
     pub phi2: T,
 }
 
@@ -487,7 +487,7 @@ pub struct Prepared<T> {
     pub Psi2: T,
     /// Part of `Lam2`.
     pub Lam2_1: T,
-    /// `phi_min = sqrt(Psi_2 dt / 0.1) (E11)`
+    /// `phi_min = sqrt(Psi_2 dt / 0.1), erratum 11`
     pub phi2_min: T,
 }
 
@@ -558,7 +558,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- states of block 2, one sample later --
-    // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
+    // phi_min = sqrt(Psi_2 dt / 0.1), erratum 11
     let phi2_min = (Psi2 * real(0.19999999999999998)).sqrt();
     let Lam2_1 = H_norm2_2 * Ybar_norm2;
     Prepared {
@@ -671,12 +671,12 @@ pub struct ControlOutputs<T: Real> {
 /// `C = diag(2, 2, 4)`, `Fl = diag(0.2, 0.2, 0.1) s`, `S = diag(0.5, 0.5, 1)`, `eta_1 = 1`,
 /// `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 6`, `kbar = 1`, `C = 10`,
-/// `S = (-3 0 0; 22.8 0 0; 0 -3 0; 0 22.8 0; 0 0 -3; 0 0 22.8)`, `M = (0 1; -36 -1.2) in each
-/// channel`, `N = diag((0; 0.04), (0; 0.04), (0; 0.08))`, `L = (0 1) in each channel`, `eta_1 = 1`,
-/// `Gamma = 10`, `lambda = 0.1`, `iota = diag(0.02, 0.02, 0.1)`, `iota_0 = 0.1`, `b = 0.1`,
-/// `eta_noise = 0.1`, `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 0.1`, `kappa_phi = 0.5`,
-/// `iota_phi = 0.02`.
+/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 6`, `kbar = 1`, `C = 10
+/// I`, `S = (-3 0 0; 22.8 0 0; 0 -3 0; 0 22.8 0; 0 0 -3; 0 0 22.8)`, `M = (0 1; -36 -1.2) in
+/// each channel`, `N = diag((0; 0.04), (0; 0.04), (0; 0.08))`, `L = (0 1) in each channel`,
+/// `eta_1 = 1`, `Gamma = 10`, `lambda = 0.1`, `iota = diag(0.02, 0.02, 0.1)`, `iota_0 = 0.1`,
+/// `b = 0.1`, `eta_noise = 0.1`, `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 0.1`,
+/// `kappa_phi = 0.5`, `iota_phi = 0.02`.
 ///
 /// Operations: 238 additions, 316 multiplications, 5 divisions, 2 square roots, 8 elementary
 /// functions, 13 comparisons and selections.
@@ -781,7 +781,7 @@ pub fn law<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -Vector([t12[0], t12[1], bracket1[2]]);
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
     let zeta1_dot = G1 * state.zeta2 - t11;
 
@@ -835,8 +835,8 @@ pub fn law<T: Real>(
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b)
     // (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) +
-    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2
-    // + s^2) (64)
+    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64), errata 4 and 7 + e Psi cos^2 E /
+    // (phi^2 + s^2) (64)
     let Lam2 = e2 * (t18 + prepared.Lam2_1 * state.sigma2 * s_scale2 + t17)
         + Lam2_error_bound;
 
@@ -852,7 +852,7 @@ pub fn law<T: Real>(
         .max(Vector::<T, 3>::from_f64([-2.0, -2.0, -1.5]))
         .min(Vector::<T, 3>::from_f64([2.0, 2.0, 1.5]));
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
     let zeta2_dot = prepared.G2 * (u_sat + t20) - t19;
 
@@ -953,7 +953,7 @@ pub fn law<T: Real>(
     // sigma2(t + dt) = sigma2 + g sigma2', g = (1 - exp(-a dt))/a, a = taubar_2 lambda_sigma (67)
     state.sigma2 = state.sigma2 + real(0.019980013326669332) * sigma2_dot;
     // phi_2(t + dt) = phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)) if ||e_2|| >= iota_phi,
-    // else phi_2; at least phi_min (68) (E11)
+    // else phi_2; at least phi_min (68), erratum 11
     state.phi2 = T::select(
             s2.sqrt().ge(real(0.02)),
             state.phi2 * (-(real(0.02) * phi2_decay)).exp(),
@@ -981,12 +981,12 @@ pub fn law<T: Real>(
 /// `C = diag(2, 2, 4)`, `Fl = diag(0.2, 0.2, 0.1) s`, `S = diag(0.5, 0.5, 1)`, `eta_1 = 1`,
 /// `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 6`, `kbar = 1`, `C = 10`,
-/// `S = (-3 0 0; 22.8 0 0; 0 -3 0; 0 22.8 0; 0 0 -3; 0 0 22.8)`, `M = (0 1; -36 -1.2) in each
-/// channel`, `N = diag((0; 0.04), (0; 0.04), (0; 0.08))`, `L = (0 1) in each channel`, `eta_1 = 1`,
-/// `Gamma = 10`, `lambda = 0.1`, `iota = diag(0.02, 0.02, 0.1)`, `iota_0 = 0.1`, `b = 0.1`,
-/// `eta_noise = 0.1`, `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 0.1`, `kappa_phi = 0.5`,
-/// `iota_phi = 0.02`.
+/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 6`, `kbar = 1`, `C = 10
+/// I`, `S = (-3 0 0; 22.8 0 0; 0 -3 0; 0 22.8 0; 0 0 -3; 0 0 22.8)`, `M = (0 1; -36 -1.2) in
+/// each channel`, `N = diag((0; 0.04), (0; 0.04), (0; 0.08))`, `L = (0 1) in each channel`,
+/// `eta_1 = 1`, `Gamma = 10`, `lambda = 0.1`, `iota = diag(0.02, 0.02, 0.1)`, `iota_0 = 0.1`,
+/// `b = 0.1`, `eta_noise = 0.1`, `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 0.1`,
+/// `kappa_phi = 0.5`, `iota_phi = 0.02`.
 ///
 /// Operations: 274 additions, 386 multiplications, 8 divisions, 3 square roots, 11 elementary
 /// functions, 13 comparisons and selections.

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: d7503d45d029ac2dcbec8b4221083138d4852f8730123b85b6eeefc9526f531d
+// SHA-256 of the text below: e877bf494b58071957f8939623bf60500ed512aa8da8e8e69f643e3bf448f1a2
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 744 additions, 939 multiplications, 13 divisions, 2 square roots, 13 elementary functions, 19 comparisons and selections
 
@@ -668,7 +668,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
         let alpha1 = -t41;
 
-        // -- auxiliary system of block 1 (13) (E1) --
+        // -- auxiliary system of block 1 (13), erratum 1 --
         // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
         let zeta1_dot = G1 * state.zeta2 - t38;
 
@@ -751,8 +751,8 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
         // before the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat
         // Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi
-        // cos^2 E / (phi^2 + s^2) (64)
+        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64), errata 4 and 7 +
+        // e Psi cos^2 E / (phi^2 + s^2) (64)
         let Lam2 = e2 * (t52 + t49 * state.sigma2 * s_scale2 + t51) + Lam2_error_bound;
 
         // -- control (64) of block 2 --
@@ -767,7 +767,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
             .max(Vector::<T, 3>::from_f64([-2.0, -2.0, -1.5]))
             .min(Vector::<T, 3>::from_f64([2.0, 2.0, 1.5]));
 
-        // -- auxiliary system of block 2 (13) (E1) --
+        // -- auxiliary system of block 2 (13), erratum 1 --
         // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
         let zeta2_dot = G2 * (u_sat + t54) - t53;
         LyapunovValues1 {

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 1f6f0c9afb1a93ac64665da4d2de472f4fdfe2f431aa8422b05976a267e29cfe
+// SHA-256 of the text below: e6b2d57c3e912e39e10641b46d727a62c6c88ed0da5600a79769d33ae4f74ce8
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 11 additions, 27 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
 // control: 184 additions, 275 multiplications, 7 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
@@ -42,8 +42,7 @@ pub struct State<T> {
     ///
     /// `h_1' = (alpha_1 - h_1) / Fl_1`
     pub h1: Vector<T, 2>,
-    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: rates (v1,
-    /// v2).
+    /// Network weights W_hat, one row per monomial and one column per channel: rates (v1, v2).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
     /// a = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
@@ -549,11 +548,11 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 4`, `kbar = 4`, `C = 20`,
-/// `Fl = 0.02 s`, `eta_2 = 1`, `eta_3 = 1`.
+/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 4`, `kbar = 4`, `C = 20
+/// I`, `Fl = 0.02 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 8`, `kbar = 8`, `C = 50`,
-/// `S = (12 0; 36 0; 0 8; 0 2; 0 11)`, `M = diag((0 1; 0 0), (0 0 0; 0 0 3; 0 -3 0))`, `L =
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 8`, `kbar = 8`, `C = 50
+/// I`, `S = (12 0; 36 0; 0 8; 0 2; 0 11)`, `M = diag((0 1; 0 0), (0 0 0; 0 0 3; 0 -3 0))`, `L =
 /// diag((1 0), (1 1 0))`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`, `iota_0 = 0.1`,
 /// `b = 1`.
 ///
@@ -657,7 +656,7 @@ pub fn law<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
     let zeta1_dot = state.zeta2 - t12;
 
@@ -715,7 +714,7 @@ pub fn law<T: Real>(
         .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
         .min(Vector::<T, 2>::from_f64([60.0, 30.0]));
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
     let zeta2_dot = G2 * (u_sat + t17) - t16;
 
@@ -796,11 +795,11 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 4`, `kbar = 4`, `C = 20`,
-/// `Fl = 0.02 s`, `eta_2 = 1`, `eta_3 = 1`.
+/// Gains of block 1, `joints`, which are numbers in the formulas: `K = 4`, `kbar = 4`, `C = 20
+/// I`, `Fl = 0.02 s`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 8`, `kbar = 8`, `C = 50`,
-/// `S = (12 0; 36 0; 0 8; 0 2; 0 11)`, `M = diag((0 1; 0 0), (0 0 0; 0 0 3; 0 -3 0))`, `L =
+/// Gains of block 2, `rates`, which are numbers in the formulas: `K = 8`, `kbar = 8`, `C = 50
+/// I`, `S = (12 0; 36 0; 0 8; 0 2; 0 11)`, `M = diag((0 1; 0 0), (0 0 0; 0 0 3; 0 -3 0))`, `L =
 /// diag((1 0), (1 1 0))`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`, `iota_0 = 0.1`,
 /// `b = 1`.
 ///

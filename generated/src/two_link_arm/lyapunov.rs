@@ -1,4 +1,4 @@
-// SHA-256 of the text below: d3ca18273899e7336f8ce735ed9041051bfff8b5cd5ed1ed14229889c81b82bd
+// SHA-256 of the text below: afde5cff4cc8e3cb1d7ea9ab8ae71618ef48e1140f23e81c5e6cfbb46d2ea38f
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 500 additions, 632 multiplications, 11 divisions, 0 square roots, 13 elementary functions, 20 comparisons and selections
 
@@ -156,7 +156,7 @@ pub fn lyapunov<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -bracket1;
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     // zeta_1' = -C_1 zeta_1 + G_1 zeta_2
     let zeta1_dot = state.zeta2 - t27;
 
@@ -215,7 +215,7 @@ pub fn lyapunov<T: Real>(
         .max(Vector::<T, 2>::from_f64([-60.0, -30.0]))
         .min(Vector::<T, 2>::from_f64([60.0, 30.0]));
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     // zeta_2' = -C_2 zeta_2 + G_2 (sat(u) - u)
     let zeta2_dot = G2 * (u_sat + t33) - t32;
 

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: fb2406f26e16a803234bc8e2321136e867abd781e105aa23b9d2c849ff08f0c1
+// SHA-256 of the text below: 6dfc36b264abdf4cc97ec912c5b3ce008a58767d16380ee7a971048ddb35ff65
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 77 additions, 155 multiplications, 6 divisions, 0 square roots, 19 elementary functions, 3 comparisons and selections
 // control: 708 additions, 1018 multiplications, 12 divisions, 3 square roots, 26 elementary functions, 19 comparisons and selections
@@ -49,8 +49,8 @@ pub struct State<T> {
     ///
     /// `h_1' = (alpha_1 - h_1) / Fl_1`
     pub h1: Vector<T, 6>,
-    /// Network weights W_hat (32) (65), one row per monomial and one column per channel: velocity
-    /// (surge, sway, heave, p, q, r).
+    /// Network weights W_hat, one row per monomial and one column per channel: velocity (surge,
+    /// sway, heave, p, q, r).
     ///
     /// `W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a,
     /// a = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)`
@@ -77,7 +77,7 @@ pub struct State<T> {
     /// Noise term phi (68), kept positive: velocity (surge, sway, heave, p, q, r).
     ///
     /// `phi_2(t + dt) = phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)) if ||e_2|| >=
-    /// iota_phi, else phi_2; at least phi_min (68) (E11)`
+    /// iota_phi, else phi_2; at least phi_min (68), erratum 11`
     pub phi2: T,
 }
 
@@ -543,7 +543,7 @@ pub struct Prepared<T> {
     pub Psi2: T,
     /// Part of `Lam2`.
     pub Lam2_1: T,
-    /// `phi_min = sqrt(Psi_2 dt / 0.1) (E11)`
+    /// `phi_min = sqrt(Psi_2 dt / 0.1), erratum 11`
     pub phi2_min: T,
 }
 
@@ -623,7 +623,7 @@ pub fn prepare<T: Real>(params: &Params<T>) -> Prepared<T> {
         + real(0.30000000000000004) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
     // -- states of block 2, one sample later --
-    // phi_min = sqrt(Psi_2 dt / 0.1) (E11)
+    // phi_min = sqrt(Psi_2 dt / 0.1), erratum 11
     let phi2_min = (Psi2 * real(0.09999999999999999)).sqrt();
     let Lam2_1 = H_norm2_2 * Ybar_norm2;
     Prepared {
@@ -753,11 +753,11 @@ pub struct ControlOutputs<T: Real> {
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `pose`, which are numbers in the formulas: `K = 2`, `kbar = 0.5`, `C = 5`,
-/// `Fl = 0.1 s`, `S = 1`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`.
+/// Gains of block 1, `pose`, which are numbers in the formulas: `K = 2`, `kbar = 0.5`, `C = 5
+/// I`, `Fl = 0.1 s`, `S = I`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 5`, `kbar = 2`, `C = 10`,
-/// `S = (-8 0 0 0 0 0; 5.8 0 0 0 0 0; 0 -8 0 0 0 0; 0 5.8 0 0 0 0; 0 0 -8 0 0 0; 0 0 5.8 0 0 0; 0 0 0 -8 0 0; 0 0 0 5.8 0 0; 0 0 0 0 -8 0; 0 0 0 0 5.8 0; 0 0 0 0 0 -8; 0 0 0 0 0 5.8)`,
+/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 5`, `kbar = 2`, `C = 10
+/// I`, `S = (-8 0 0 0 0 0; 5.8 0 0 0 0 0; 0 -8 0 0 0 0; 0 5.8 0 0 0 0; 0 0 -8 0 0 0; 0 0 5.8 0 0 0; 0 0 0 -8 0 0; 0 0 0 5.8 0 0; 0 0 0 0 -8 0; 0 0 0 0 5.8 0; 0 0 0 0 0 -8; 0 0 0 0 0 5.8)`,
 /// `M = (0 1; -1 -0.2) in each channel`, `N = diag((0; 0.1), (0; 0.1), (0; 0.1), (0; 0.2), (0; 0.2),
 /// (0; 0.2))`, `L = (0 1) in each channel`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`,
 /// `iota_0 = 0.1`, `b = 1`, `eta_noise = 0.1`, `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 1`,
@@ -903,7 +903,7 @@ pub fn law<T: Real>(
     // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
     let alpha1 = -Vector([t33[0], t33[1], t33[2], t35, t34[0], t34[1]]);
 
-    // -- auxiliary system of block 1 (13) (E1) --
+    // -- auxiliary system of block 1 (13), erratum 1 --
     let t36 = Vector([
         t14 * state.zeta2[0] + t16 * state.zeta2[1] + t17 * state.zeta2[2],
         t18 * state.zeta2[0] + t20 * state.zeta2[1] + t21 * state.zeta2[2],
@@ -975,8 +975,8 @@ pub fn law<T: Real>(
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat Tanh(e / b)
     // (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer block (38) +
-    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi cos^2 E / (phi^2
-    // + s^2) (64)
+    // ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64), errata 4 and 7 + e Psi cos^2 E /
+    // (phi^2 + s^2) (64)
     let Lam2 = e2 * (t42 + prepared.Lam2_1 * state.sigma2 * s_scale2 + t41)
         + Lam2_error_bound;
 
@@ -1000,7 +1000,7 @@ pub fn law<T: Real>(
         .max(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]))
         .min(Vector::<T, 6>::from_f64([40.0, 40.0, 40.0, 5.0, 5.0, 5.0]));
 
-    // -- auxiliary system of block 2 (13) (E1) --
+    // -- auxiliary system of block 2 (13), erratum 1 --
     let t47 = u_sat + t46;
     let t48 = Vector([
         prepared.H_norm2_2_1 * t47[0] + prepared.H_norm2_2_2 * t47[4],
@@ -1121,7 +1121,7 @@ pub fn law<T: Real>(
     // sigma2(t + dt) = sigma2 + g sigma2', g = (1 - exp(-a dt))/a, a = taubar_2 lambda_sigma (67)
     state.sigma2 = state.sigma2 + real(0.009995001666250083) * sigma2_dot;
     // phi_2(t + dt) = phi_2 exp(-dt (Psi_2/(phi_2^2 + s_2^2) + kappa_phi)) if ||e_2|| >= iota_phi,
-    // else phi_2; at least phi_min (68) (E11)
+    // else phi_2; at least phi_min (68), erratum 11
     state.phi2 = T::select(
             s2.sqrt().ge(real(0.2)),
             state.phi2 * (-(real(0.01) * phi2_decay)).exp(),
@@ -1145,11 +1145,11 @@ pub fn law<T: Real>(
 /// One sample of the control law: control and the signals on the way; the states become those
 /// of the next sample.
 ///
-/// Gains of block 1, `pose`, which are numbers in the formulas: `K = 2`, `kbar = 0.5`, `C = 5`,
-/// `Fl = 0.1 s`, `S = 1`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`.
+/// Gains of block 1, `pose`, which are numbers in the formulas: `K = 2`, `kbar = 0.5`, `C = 5
+/// I`, `Fl = 0.1 s`, `S = I`, `eta_1 = 1`, `eta_2 = 1`, `eta_3 = 1`.
 ///
-/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 5`, `kbar = 2`, `C = 10`,
-/// `S = (-8 0 0 0 0 0; 5.8 0 0 0 0 0; 0 -8 0 0 0 0; 0 5.8 0 0 0 0; 0 0 -8 0 0 0; 0 0 5.8 0 0 0; 0 0 0 -8 0 0; 0 0 0 5.8 0 0; 0 0 0 0 -8 0; 0 0 0 0 5.8 0; 0 0 0 0 0 -8; 0 0 0 0 0 5.8)`,
+/// Gains of block 2, `velocity`, which are numbers in the formulas: `K = 5`, `kbar = 2`, `C = 10
+/// I`, `S = (-8 0 0 0 0 0; 5.8 0 0 0 0 0; 0 -8 0 0 0 0; 0 5.8 0 0 0 0; 0 0 -8 0 0 0; 0 0 5.8 0 0 0; 0 0 0 -8 0 0; 0 0 0 5.8 0 0; 0 0 0 0 -8 0; 0 0 0 0 5.8 0; 0 0 0 0 0 -8; 0 0 0 0 0 5.8)`,
 /// `M = (0 1; -1 -0.2) in each channel`, `N = diag((0; 0.1), (0; 0.1), (0; 0.1), (0; 0.2), (0; 0.2),
 /// (0; 0.2))`, `L = (0 1) in each channel`, `eta_1 = 1`, `Gamma = 1`, `lambda = 0.1`, `iota = 1`,
 /// `iota_0 = 0.1`, `b = 1`, `eta_noise = 0.1`, `taubar = 1`, `lambda_sigma = 0.1`, `varsigma = 1`,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 756b4cfb5dd70ff2fbdfd4bd62371fc62d307b1a88aa41ffdd5af7d9948a5319
+// SHA-256 of the text below: c5b0ec89cdae4f8ed9db656e35977bd465b82799e5a9ffd617d5541c7f51ad89
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 4115 additions, 4522 multiplications, 21 divisions, 2 square roots, 28 elementary functions, 25 comparisons and selections
 
@@ -1063,7 +1063,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         // alpha_1 = -G_1^-1 [ F_1 + A_hat_1 - y_r' + C_1 zeta_1 + D_hat_1 + Lam_1 ]
         let alpha1 = -t75;
 
-        // -- auxiliary system of block 1 (13) (E1) --
+        // -- auxiliary system of block 1 (13), erratum 1 --
         let t76 = Vector([
             t46 * state.zeta2[0] + t48 * state.zeta2[1] + t49 * state.zeta2[2],
             t50 * state.zeta2[0] + t52 * state.zeta2[1] + t53 * state.zeta2[2],
@@ -1199,8 +1199,8 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
         // before the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + e / (2 cos^2 E) (63) + eps_hat
         // Tanh(e / b) (64) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c, eta_3 of the outer
-        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64) (E4, E7) + e Psi
-        // cos^2 E / (phi^2 + s^2) (64)
+        // block (38) + ||H||^2 ||Ybar|| sigma_hat e / sqrt(s^2 + varsigma^2) (64), errata 4 and 7 +
+        // e Psi cos^2 E / (phi^2 + s^2) (64)
         let Lam2 = e2 * (t131 + t128 * state.sigma2 * s_scale2 + t130)
             + Lam2_error_bound;
 
@@ -1224,7 +1224,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
             .max(Vector::<T, 6>::from_f64([-40.0, -40.0, -40.0, -5.0, -5.0, -5.0]))
             .min(Vector::<T, 6>::from_f64([40.0, 40.0, 40.0, 5.0, 5.0, 5.0]));
 
-        // -- auxiliary system of block 2 (13) (E1) --
+        // -- auxiliary system of block 2 (13), erratum 1 --
         let t136 = u_sat + t135;
         let t137 = Vector([
             t80 * t136[0] + t81 * t136[4],

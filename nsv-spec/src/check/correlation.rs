@@ -22,7 +22,7 @@ impl Context<'_> {
             let Some(members) = self.members(correlation) else {
                 continue;
             };
-            let numbers = self.numbers(&correlation.covariance);
+            let numbers = self.numbers_for(&correlation.covariance, "covariance");
             let Some(factor) = numbers.and_then(|numbers| self.factor(&members, &numbers)) else {
                 continue;
             };

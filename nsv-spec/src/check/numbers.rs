@@ -10,8 +10,10 @@ use crate::model::Matrix;
 use crate::spec::{Code, Formula};
 use crate::unit::Dimension;
 
-/// Largest magnitude of a number of the controller or its scenario, in SI, and inverse of the smallest besides 0.
+/// Largest magnitude in SI of a gain, parameter, limit or other number that stands alone under its key, and smallest besides 0. Constants,
+/// and numbers inside formulas, may be beyond: formulas are checked to be finite at the start.
 pub(super) const LARGEST: f64 = 1e50;
+const SMALLEST: f64 = 1e-50;
 
 /// A constant expression as numbers.
 #[derive(Clone, Debug)]
@@ -53,29 +55,33 @@ impl Context<'_> {
         let numbers = self.numbers(formula);
         self.names.subject = None;
         let numbers = numbers?;
+        let mut all = true;
         for (&value, &place) in numbers.values.iter().zip(&numbers.places) {
-            self.moderate(value, place, what)?;
+            all &= self.is_moderate(value, place, what);
         }
-        Some(numbers)
+        all.then_some(numbers)
     }
 
     /// Reports a number so large or small that powers and quotients of it, as in the gains of a law, overflow.
-    fn moderate(&mut self, value: f64, place: Span, what: &str) -> Option<()> {
+    fn is_moderate(&mut self, value: f64, place: Span, what: &str) -> bool {
         let magnitude = value.abs();
         let expected = if magnitude > LARGEST {
             format!("at most {LARGEST:e}")
-        } else if magnitude > 0.0 && magnitude < 1.0 / LARGEST {
-            format!("0 or at least {:e}", 1.0 / LARGEST)
+        } else if magnitude > 0.0 && magnitude < SMALLEST {
+            format!("0 or at least {SMALLEST:e}")
         } else {
-            return Some(());
+            return true;
         };
         self.fault(
             Rule::E0602,
             place,
-            format!("{what} is {value:e} in SI, expected a magnitude of {expected}"),
+            format!(
+                "{what} is {} in SI, expected a magnitude of {expected}",
+                rounded(value)
+            ),
             "look for a wrong unit or exponent",
         );
-        None
+        false
     }
 
     /// The numbers of a parsed constant formula, all finite.

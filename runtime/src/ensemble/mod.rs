@@ -57,13 +57,13 @@ pub struct Summary {
     pub runs: u64,
     /// Control samples taken in all runs.
     pub samples: u64,
-    /// Runs that violated the output constraint, `||e_1|| >= k_1`, at some sample, or diverged. `None` without a constraint.
+    /// Runs that violated the output constraint, `||y - y_r|| >= k_1`, at some sample, or diverged. `None` without a constraint.
     pub violations: Option<u64>,
     /// Fraction of runs that violated the output constraint.
     pub violated: Option<f64>,
     /// Clopper-Pearson interval of the violation probability, 95 %.
     pub violated_interval95: Option<(f64, f64)>,
-    /// The largest ratio `||e_1|| / k_1` in each run, over the runs; infinite for a run that diverged. `None` without a constraint.
+    /// The largest ratio `||y - y_r|| / k_1` in each run, over the runs; infinite for a run that diverged. `None` without a constraint.
     pub ratio: Option<RatioQuantiles>,
     /// The same from the settling time on.
     pub settled_ratio: Option<RatioQuantiles>,
@@ -102,7 +102,7 @@ pub struct RatioQuantiles {
 pub struct WorstRun {
     /// Its number, which with the seed replays it.
     pub run: u64,
-    /// Its largest `||e_1|| / k_1`; infinite if it diverged.
+    /// Its largest `||y - y_r|| / k_1`; infinite if it diverged.
     pub ratio: f64,
     /// Whether it stopped because a state or the control was not finite.
     pub diverged: bool,

@@ -17,7 +17,7 @@ pub(super) struct Record {
     pub(super) samples: u64,
     /// Whether the run stopped because something was not finite.
     pub(super) diverged: bool,
-    /// Largest `||e_1|| / k_1`; `None` without a constraint.
+    /// Largest `||y - y_r|| / k_1`; `None` without a constraint.
     pub(super) ratio: Option<f64>,
     /// The same from the settling time on; also `None` for a run that did not get so far.
     pub(super) settled_ratio: Option<f64>,

@@ -279,7 +279,7 @@ impl Tally {
     }
 }
 
-/// A largest `||e_1|| / k_1` of a run, infinite if it diverged; `None` without a constraint.
+/// A largest `||y - y_r|| / k_1` of a run, infinite if it diverged; `None` without a constraint.
 pub(super) fn largest(record: &Record, ratio: Option<f64>) -> Option<f64> {
     match record.diverged {
         true => Some(f64::INFINITY),

@@ -34,9 +34,6 @@ pub(super) fn simulate<L: ClosedLoop>(
     };
     let resumed = found.is_some();
     let start = found.unwrap_or_else(|| State::new::<L>(campaign));
-    if resumed {
-        line(output, format_args!("{{\"resumed\": {}}}", start.runs()))?;
-    }
     let table = match &request.run_table {
         Some(path) => Some((
             path.as_path(),
@@ -44,6 +41,9 @@ pub(super) fn simulate<L: ClosedLoop>(
         )),
         None => None,
     };
+    if resumed {
+        line(output, format_args!("{{\"resumed\": {}}}", start.runs()))?;
+    }
     let each_block = |block, rows: &Rows<'_>| match &table {
         Some((path, table)) => table
             .write(block, rows)

@@ -46,9 +46,12 @@ pub(super) enum Refusal {
 }
 
 impl Refusal {
-    /// What the user can do.
-    pub(super) fn remedy(&self) -> &'static str {
+    /// What the user can do, who simulates or merges parts.
+    pub(super) fn remedy(&self, merges: bool) -> &'static str {
         match self {
+            Self::Other(_) if merges => "give the options that it was flown with",
+            Self::Incomplete(..) => "start its campaign again to go on",
+            _ if merges => "fly this part again",
             Self::Unreadable(_) | Self::Foreign | Self::Damaged | Self::Version(_) => {
                 "name another file to start anew"
             }
@@ -56,7 +59,6 @@ impl Refusal {
             Self::Other(_) => {
                 "repeat the campaign's own options, or name another file to start anew"
             }
-            Self::Incomplete(..) => "start its campaign again to go on",
             Self::NoRows | Self::OtherRows => {
                 "put back the file of rows that was kept with this state, or name another state to start anew"
             }

@@ -71,7 +71,7 @@ impl fmt::Display for Failure {
         match self {
             Failure::Usage(error) => write!(f, "{error}; --help lists the options"),
             Failure::Output(error) => write!(f, "cannot write to standard output: {error}"),
-            Failure::File(path, error) => write!(f, "cannot write `{}`: {error}", path.display()),
+            Failure::File(path, error) => write!(f, "cannot use `{}`: {error}", path.display()),
             Failure::Refused(path, refusal) => write!(f, "`{}` {refusal}", path.display()),
             Failure::Parts(found, runs) => {
                 write!(f, "the parts have {found} runs, the campaign has {runs}")
@@ -97,7 +97,10 @@ fn run<L: ClosedLoop>(
         campaign::merge::<L>(&request)
     };
     if let Err(refused @ Failure::Refused(_, refusal)) = &state {
-        let words = [&format!("{refused}"), refusal.remedy()];
+        let words = [
+            &format!("{refused}"),
+            refusal.remedy(!request.merge.is_empty()),
+        ];
         let words = json::array(words.into_iter().map(json::string));
         writeln!(output, "{{\"refused\": {words}}}").map_err(Failure::Output)?;
     }

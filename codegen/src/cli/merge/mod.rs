@@ -126,7 +126,7 @@ fn simulator(
         specification.display()
     );
     Err(Failure::new(Exit::Usage, words).with_help(
-        "give the `--set` that they were flown with; else the specification, nsv or the Rust compiler has changed since, or `--math` was another",
+        "give the `--set` that they were flown with; else the specification (its name or its text, comments included), nsv or the Rust compiler has changed since, or `--math` was another",
     ))
 }
 

@@ -35,10 +35,10 @@ pub(crate) struct Args {
     #[command(flatten)]
     settings: Settings,
     /// Seed of noise and dispersions; default: the scenario's
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     seed: Option<u64>,
     /// Number of runs; default: the scenario's
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_RUNS))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(1..=MAX_RUNS))]
     runs: Option<u64>,
     /// Length of a run, s; default: the scenario's
     #[arg(long, value_name = "T", allow_negative_numbers = true, value_parser = seconds)]
@@ -56,7 +56,7 @@ pub(crate) struct Args {
     #[arg(long, value_name = "FILE")]
     checkpoint: Option<PathBuf>,
     /// Simulate the K-th of N parts; `nsv merge` adds their checkpoints up
-    #[arg(long, value_name = "K/N", value_parser = part, requires = "checkpoint", conflicts_with = "report")]
+    #[arg(long, value_name = "K/N", allow_hyphen_values = true, value_parser = part, requires = "checkpoint", conflicts_with = "report")]
     shard: Option<Part>,
     /// Keep in the checkpoint what a later report shows of all runs
     #[arg(long, requires = "checkpoint")]
@@ -71,13 +71,13 @@ pub(crate) struct Args {
     #[arg(long)]
     no_dispersion: bool,
     /// Worker threads; default: one for each core. Results do not depend on it
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
     /// What optimisation may change
     #[arg(long, value_enum, default_value_t)]
     math: Math,
     /// The run whose signals are written, counted from 0; without --runs it is the only one simulated
-    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u64).range(..MAX_RUNS))]
+    #[arg(long, value_name = "K", allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(..MAX_RUNS))]
     run: Option<u64>,
 }
 

@@ -154,7 +154,7 @@ fn worst(worst: &[WorstRun]) -> Option<String> {
     });
     let shown: Vec<String> = shown.collect();
     Some(format!(
-        "{}  (fly one again with `--run {}`)",
+        "{}  (fly one again with `--run {}` in place of `--runs`)",
         shown.join(", "),
         first.run
     ))

@@ -27,7 +27,7 @@ pub(crate) enum Kind {
 impl Kind {
     /// The format of a path.
     pub(crate) fn of(path: &Path) -> Option<Kind> {
-        match path.extension()?.to_str()? {
+        match path.extension()?.to_str()?.to_lowercase().as_str() {
             "csv" => Some(Kind::Csv),
             "parquet" => Some(Kind::Parquet),
             _ => None,
