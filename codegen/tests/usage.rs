@@ -1,5 +1,6 @@
 //! What a command line or an environment asks that cannot be done: exit code and message.
 
+use std::path::Path;
 use std::process::Command;
 
 const PENDULUM: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../specs/pendulum.yaml");
@@ -74,6 +75,23 @@ fn an_option_without_effect_is_two_and_says_what_is_missing() {
     check(&example, 2, "without `--example`");
     let defaults = ["check", PENDULUM, "-v", "--format", "sarif"];
     check(&defaults, 2, "no place for the defaults");
+}
+
+#[cfg(unix)]
+#[test]
+fn no_output_replaces_what_is_read() {
+    let specs = Path::new(env!("CARGO_MANIFEST_DIR")).join("../specs");
+    let folder = tempfile::tempdir().expect("a folder");
+    let link = folder.path().join("link.csv");
+    std::os::unix::fs::symlink(specs.join("data/missile_moment.csv"), &link).expect("a link");
+    let spec = specs.join("missile_pitch.yaml");
+    let [spec, link] = [&spec, &link].map(|path| path.to_str().expect("UTF-8"));
+    let arguments = ["simulate", spec, "--runs", "1", "--out", link];
+    check(
+        &arguments,
+        2,
+        "which is read, and `--out` are the same file",
+    );
 }
 
 #[test]

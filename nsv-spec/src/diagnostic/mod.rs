@@ -203,6 +203,12 @@ impl SourceMap {
         id
     }
 
+    /// The names of the files on disk.
+    pub fn on_disk(&self) -> impl Iterator<Item = &str> {
+        let files = self.files.iter().filter(|file| file.on_disk);
+        files.map(|file| file.name.as_str())
+    }
+
     /// The file of a span.
     pub fn source(&self, file: FileId) -> &Source {
         &self.files[file.0 as usize]

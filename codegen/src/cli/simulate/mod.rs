@@ -118,8 +118,9 @@ pub(crate) fn run(args: &Args) -> Result<(), Failure> {
     // Before the campaign, which may take long.
     let rows = args.runs_out.as_ref().and(args.checkpoint.as_deref());
     let rows = rows.map(beside);
+    let read: Vec<&Path> = model.sources.on_disk().map(Path::new).collect();
     files::expect_places(
-        &[&args.spec],
+        &read,
         &[
             ("`--out`", args.out.as_deref()),
             ("`--runs-out`", args.runs_out.as_deref()),
