@@ -88,7 +88,8 @@ impl Law<'_> {
 
     /// Lam_i: barrier feedback and one damping term for each thing to dominate, (31) (63) (64).
     pub(super) fn define_damping(&mut self, i: usize, block: &Block) {
-        self.group(format!("robust feedback of block {i} (31) (63)"));
+        let equation = if i < self.order() { "(31)" } else { "(63)" };
+        self.group(format!("robust feedback of block {i} {equation}"));
         let quantity = |base: &str| name(format!("{base}{i}"));
         let (e, s, c) = (quantity("e"), quantity("s"), quantity("c"));
         let feedback = self.barrier_feedback(i);

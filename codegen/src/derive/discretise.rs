@@ -8,7 +8,7 @@ use nsv_spec::model::{Disturbance, Integration, Matrix, Network, NoiseBound, Phi
 
 use super::law::Law;
 use super::observer::{assemble, closed_observer, compound_rate, rate_equation};
-use super::symbol::{Symbol, name, number, vector};
+use super::symbol::{Symbol, diagonal_of, name, number, vector};
 use crate::ir::Function;
 
 impl Law<'_> {
@@ -72,12 +72,13 @@ impl Law<'_> {
             Integration::Exponential => exponential_step(leak, dt),
         };
         let rate = name(format!("{state}_dot"));
-        let increment = self.gain(
-            format!("{state}_step"),
-            &format!("g({symbol})"),
-            &step,
-            rate,
-        );
+        let text = format!("g({symbol})");
+        let mut increment = self.gain(format!("{state}_weight"), &text, &step, rate);
+        // A matrix of numbers is told where it stands, far from the state.
+        if diagonal_of(&step).is_none() {
+            let text = format!("g {state}', {}  {equation}", self.weight(symbol));
+            increment = self.define(format!("{state}_step"), text, increment);
+        }
         self.define_next(&state, increment, symbol, equation);
     }
 

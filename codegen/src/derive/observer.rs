@@ -108,7 +108,7 @@ impl Law<'_> {
                 );
                 let rate = closed.times(name(format!("w_hat{i}"))) - self.observed(i, s, flow);
                 let text = format!(
-                    "th_{i}' = (M_{i} - S_{i} L_{i}) w_hat_{i} - S_{i} (F_{i} + G_{i} v_{i} - h_{}' + C_{i} zeta_{i} + A_hat_{i})",
+                    "th_{i}' = (M_{i} - S_{i} L_{i}) w_hat_{i} - S_{i} (F_{i} + G_{i} v_{i} - h_{}' + C_{i} zeta_{i} + A_hat_{i})  (50)",
                     i - 1
                 );
                 self.define(format!("th{i}_dot"), text, rate);
@@ -127,7 +127,7 @@ impl Law<'_> {
         );
         let rate = free + self.observed(i, s, name(format!("Lam{i}")));
         let text = format!(
-            "th_{i}' = (M_{i} - S_{i} L_{i}) w_hat_{i} - S_{i} (F_{i} + G_{i} u - h_{}' + C_{i} zeta_{i} + A_hat_{i}) = M_{i} w_hat_{i} + S_{i} Lam_{i}, \
+            "th_{i}' = (M_{i} - S_{i} L_{i}) w_hat_{i} - S_{i} (F_{i} + G_{i} u - h_{}' + C_{i} zeta_{i} + A_hat_{i}) (50) = M_{i} w_hat_{i} + S_{i} Lam_{i}, \
              since the sum in brackets is -(D_hat_{i} + Lam_{i}) under (64)",
             i - 1
         );

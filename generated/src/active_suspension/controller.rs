@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 6810fe335d520de5e30398d3de8e2891920e449c0468f4c3679d1307a6d1dff9
+// SHA-256 of the text below: d71a64b1cc9e016271fdd285acfd322a036a3c338e66a93f0f885c3a61c5457d
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 20 additions, 46 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 3 comparisons and selections
 // control: 94 additions, 145 multiplications, 7 divisions, 2 square roots, 8 elementary functions, 9 comparisons and selections
@@ -56,7 +56,7 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// speed (v).
     ///
-    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)`
+    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2) (50)`
     pub th2: Vector<T, 3>,
     /// Bound eps_hat of the approximation error (66): speed (v).
     ///
@@ -444,7 +444,7 @@ pub fn initial<T: Real>(
     // c_1 = s_1 e_1^T / cos^2 E_1
     let c1 = e1 * t6;
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t7 = real(6.0)
         * T::select(
             E1_free.lt(real(1e-300)),
@@ -489,7 +489,7 @@ pub fn initial<T: Real>(
     // ||G_2||^2
     let G_norm2_2 = G2.sum_squares();
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (31) --
     let t9 = real(30.0) + s2 * real(2846.4344499999997) + s2 * (real(0.05) * G_norm2_2)
         + real(0.5);
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
@@ -713,7 +713,7 @@ pub fn law<T: Real>(
     // c_1 = s_1 e_1^T / cos^2 E_1
     let c1 = e1 * t2;
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t3 = real(6.0)
         * T::select(
             E1_free.lt(real(1e-300)),
@@ -769,7 +769,7 @@ pub fn law<T: Real>(
     // D_hat_2 = L_2 w_hat_2
     let D_hat2 = L2 * w_hat2;
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (31) --
     let t5 = (e2 * real(10.0)).tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t5 * state.eps2;
@@ -802,7 +802,7 @@ pub fn law<T: Real>(
         [9.594, 9.594, 1.5994000000000002],
         [-746.1999999999999, -3913.2, -52.220000000000006],
     ]);
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2) (50)
     let th2_dot = w2_closed * w_hat2
         - S2 * (t7 + prepared.G2 * (x3 - state.zeta3) - h1_dot + t8);
 
@@ -826,7 +826,7 @@ pub fn law<T: Real>(
     // Psi_3 = ||H_3||^4 ||Ybar_3||^2 varsigma_3^2/2 + 2 ||N_3||^2 + eta_noise ||S_3 H_3||^4 (62)
     let Psi3 = real(0.09331199999999999);
 
-    // -- robust feedback of block 3 (31) (63) --
+    // -- robust feedback of block 3 (63) --
     let t9 = s3 * s3;
     // 1 / sqrt(s_3^2 + varsigma_3^2)
     let s_scale3 = real(1.0) / (t9 + real(0.010000000000000002)).sqrt();
@@ -865,11 +865,13 @@ pub fn law<T: Real>(
 
     // -- states of block 2, one sample later --
     // g(S_2 L_2 - M_2)
-    let th2_step: Matrix<T, 3, 3> = Matrix::from_f64([
+    let th2_weight: Matrix<T, 3, 3> = Matrix::from_f64([
         [0.0009489395474816429, -4.7418858827792715e-5, -3.1852741210029903e-6],
         [4.452677660265132e-6, 0.0010036263973934641, 7.780777620487019e-7],
         [-0.0003598454138262539, -0.001916026513342128, 0.00097412070020468],
     ]);
+    // g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
+    let th2_step = th2_weight * th2_dot;
 
     // -- states of block 3, one sample later --
     // phi_min = sqrt(Psi_3 dt / 0.1), erratum 11
@@ -887,7 +889,7 @@ pub fn law<T: Real>(
     // h2(t + dt) = h2 + g h2', g = (1 - exp(-a dt))/a, a = 1/Fl_2 (33)
     state.h2 = state.h2 + h2_dot * real(0.0006321205588285577);
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
-    state.th2 = state.th2 + th2_step * th2_dot;
+    state.th2 = state.th2 + th2_step;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
     // = Gamma_2 lambda_2 (32): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: c0d8535b971236c4d499273467e6a0260f61849c7f3674445f451746495a6ecc
+// SHA-256 of the text below: b463c08b41078c656fe5b8fd87a02ae664bfa96c2f35f1ab21efa7b0c3dd3ef1
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 252 additions, 356 multiplications, 10 divisions, 2 square roots, 9 elementary functions, 15 comparisons and selections
 
@@ -102,7 +102,7 @@ pub fn lyapunov<T: Real>(
     // c_1 = s_1 e_1^T / cos^2 E_1
     let c1 = e1 * t16;
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t17 = E1.sin();
     let t18 = t17 * cosE1;
     let t19 = real(1.0) / E1_free;
@@ -162,7 +162,7 @@ pub fn lyapunov<T: Real>(
     // ||G_2||^2
     let G_norm2_2 = G2.sum_squares();
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (31) --
     let t22 = (e2 * real(10.0)).tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t22 * state.eps2;
@@ -204,7 +204,7 @@ pub fn lyapunov<T: Real>(
         [9.594, 9.594, 1.5994000000000002],
         [-746.1999999999999, -3913.2, -52.220000000000006],
     ]);
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2) (50)
     let th2_dot = w2_closed * w_hat2
         - S2 * (t26 + G2 * (x3 - state.zeta3) - h1_dot + t27);
 
@@ -228,7 +228,7 @@ pub fn lyapunov<T: Real>(
     // Psi_3 = ||H_3||^4 ||Ybar_3||^2 varsigma_3^2/2 + 2 ||N_3||^2 + eta_noise ||S_3 H_3||^4 (62)
     let Psi3 = real(0.09331199999999999);
 
-    // -- robust feedback of block 3 (31) (63) --
+    // -- robust feedback of block 3 (63) --
     let t30 = s3 * s3;
     // 1 / sqrt(s_3^2 + varsigma_3^2)
     let s_scale3 = real(1.0) / (t30 + real(0.010000000000000002)).sqrt();

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: d868c61f14b4f883e5eb69c9b0d5ce4e594dff57d097546a5a98dd9b099efc67
+// SHA-256 of the text below: 34f635f62a68017fc344bfb149c4681b50f1448bf52832d4bd1c4ed16cb0d515
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 0 additions, 1 multiplications, 0 divisions, 0 square roots, 0 elementary functions, 0 comparisons and selections
 // control: 98 additions, 120 multiplications, 0 divisions, 0 square roots, 3 elementary functions, 2 comparisons and selections
@@ -506,7 +506,7 @@ pub fn law<T: Real>(
     // c_1 = s_1 e_1^T / cos^2 E_1
     let c1 = e1 * s1;
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (real(3.0) + s1 * real(0.5));
@@ -552,7 +552,7 @@ pub fn law<T: Real>(
     // c_2 = s_2 e_2^T / cos^2 E_2
     let c2 = e2 * s2;
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (31) --
     let t4 = s_c1 * s_c1;
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G,
@@ -635,7 +635,7 @@ pub fn law<T: Real>(
     // D_hat_3 = th_3 + S_3 x_3
     let D_hat3 = state.th3 + x3 * real(10.0);
 
-    // -- robust feedback of block 3 (31) (63) --
+    // -- robust feedback of block 3 (63) --
     // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
     // eta_3 of the outer block (38)

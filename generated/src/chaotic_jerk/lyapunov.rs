@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 2f15ebe81d0979b87ab50212341675e2ed1db38fda7b5dde538e0d3e9e2f0261
+// SHA-256 of the text below: 928da083069baf620eaf20a1cf2f5796785f3aa759bca4680f4324db8b5566f4
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 190 additions, 212 multiplications, 0 divisions, 0 square roots, 3 elementary functions, 2 comparisons and selections
 
@@ -75,7 +75,7 @@ pub fn lyapunov<T: Real>(
     // c_1 = s_1 e_1^T / cos^2 E_1
     let c1 = e1 * s1;
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     // Lam_1 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37)
     let Lam1 = e1 * (real(3.0) + s1 * real(0.5));
@@ -126,7 +126,7 @@ pub fn lyapunov<T: Real>(
     // c_2 = s_2 e_2^T / cos^2 E_2
     let c2 = e2 * s2;
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (31) --
     let t19 = s_c1 * s_c1;
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G,
@@ -219,7 +219,7 @@ pub fn lyapunov<T: Real>(
     // D_hat_3 = th_3 + S_3 x_3
     let D_hat3 = state.th3 + x3 * real(10.0);
 
-    // -- robust feedback of block 3 (31) (63) --
+    // -- robust feedback of block 3 (63) --
     // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
     // eta_3 of the outer block (38)

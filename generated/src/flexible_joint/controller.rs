@@ -1,4 +1,4 @@
-// SHA-256 of the text below: a98025a326913c975177ee7c4bd4c37b3d46e3f2a8c8ca4aa70a93e562a237f9
+// SHA-256 of the text below: e96d1f2ef71b08fbf38f92c0f3059dd34268fac13e1b4308e9fd852cda9a17b3
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 17 additions, 52 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 83 additions, 120 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 6 comparisons and selections
@@ -74,8 +74,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// motor_rate (v2).
     ///
-    /// `th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 u - h_3' + C_4 zeta_4 + A_hat_4) = M_4
-    /// w_hat_4 + S_4 Lam_4, since the sum in brackets is -(D_hat_4 + Lam_4) under (64)`
+    /// `th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 u - h_3' + C_4 zeta_4 + A_hat_4) (50) =
+    /// M_4 w_hat_4 + S_4 Lam_4, since the sum in brackets is -(D_hat_4 + Lam_4) under (64)`
     pub th4: Vector<T, 3>,
 }
 
@@ -489,7 +489,7 @@ pub fn initial<T: Real>(
     // c_1 = s_1 e_1^T / cos^2 E_1
     let c1 = e1 * t7;
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t8 = real(5.0)
         * T::select(
             E1_free.lt(real(1e-300)),
@@ -522,7 +522,7 @@ pub fn initial<T: Real>(
     // ||G_2||^2
     let G_norm2_2 = G2.sum_squares();
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (31) --
     let t9 = real(34.5) + s2 * real(0.5) + s2 * (real(5e-5) * G_norm2_2)
         + s_c1 * s_c1 * real(0.25);
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
@@ -547,7 +547,7 @@ pub fn initial<T: Real>(
     // s_3 = e_3^T e_3
     let s3 = e3.sum_squares();
 
-    // -- robust feedback of block 3 (31) (63) --
+    // -- robust feedback of block 3 (31) --
     let t11 = G_norm2_2 * s_c2;
     // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G,
@@ -788,7 +788,7 @@ pub fn law<T: Real>(
     // c_1 = s_1 e_1^T / cos^2 E_1
     let c1 = e1 * t3;
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t4 = real(5.0)
         * T::select(
             E1_free.lt(real(1e-300)),
@@ -838,7 +838,7 @@ pub fn law<T: Real>(
     // D_hat_2 = th_2 + S_2 x_2
     let D_hat2 = state.th2 + x2 * real(40.0);
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (31) --
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_1/2 c^T (36) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E)
     // e / (4 eta_3^4), G, c, eta_3 of the outer block (38)
@@ -874,7 +874,7 @@ pub fn law<T: Real>(
     // c_3 = s_3 e_3^T / cos^2 E_3
     let c3 = e3 * s3;
 
-    // -- robust feedback of block 3 (31) (63) --
+    // -- robust feedback of block 3 (31) --
     let t8 = prepared.G_norm2_2 * s_c2;
     // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_2/2 ||G||^2 c^T (37) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G,
@@ -916,7 +916,7 @@ pub fn law<T: Real>(
     // D_hat_4 = L_4 w_hat_4
     let D_hat4 = L4 * w_hat4;
 
-    // -- robust feedback of block 4 (31) (63) --
+    // -- robust feedback of block 4 (63) --
     // Lam_4 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4),
     // G, c, eta_3 of the outer block (38)
@@ -937,18 +937,20 @@ pub fn law<T: Real>(
     let zeta4_dot = (u_sat + t11) * real(250.0) - t10;
 
     // -- observer dynamics of block 4 (50) --
-    // th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 u - h_3' + C_4 zeta_4 + A_hat_4) = M_4
+    // th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 u - h_3' + C_4 zeta_4 + A_hat_4) (50) = M_4
     // w_hat_4 + S_4 Lam_4, since the sum in brackets is -(D_hat_4 + Lam_4) under (64)
     let th4_dot = Vector([real(0.0), real(20.0) * w_hat4[2], real(-20.0) * w_hat4[1]])
         + S4 * Lam4;
 
     // -- states of block 4, one sample later --
     // g(S_4 L_4 - M_4)
-    let th4_step: Matrix<T, 3, 3> = Matrix::from_f64([
+    let th4_weight: Matrix<T, 3, 3> = Matrix::from_f64([
         [0.000495049750665833, -4.950207916806941e-6, -1.6542082639089032e-8],
         [-2.4999170823621035e-6, 0.0004974917704589582, 2.4916460410425596e-6],
         [-7.417040833890866e-6, -9.916957916252972e-6, 0.0004999668744173617],
     ]);
+    // g th4', g = (1 - exp(-a dt))/a, a = S_4 L_4 - M_4 (50)
+    let th4_step = th4_weight * th4_dot;
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + g zeta1', g = (1 - exp(-a dt))/a, a = C_1 (13)
@@ -981,7 +983,7 @@ pub fn law<T: Real>(
     // zeta4(t + dt) = zeta4 + g zeta4', g = (1 - exp(-a dt))/a, a = C_4 (13)
     state.zeta4 = state.zeta4 + zeta4_dot * real(0.00047581290982020213);
     // th4(t + dt) = th4 + g th4', g = (1 - exp(-a dt))/a, a = S_4 L_4 - M_4 (50)
-    state.th4 = state.th4 + th4_step * th4_dot;
+    state.th4 = state.th4 + th4_step;
     ControlOutputs {
         u,
         u_sat,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: fc1de1390d4cd395b389ec24845261a05eba0ac421244c1592112e997bebfa74
+// SHA-256 of the text below: adc54b26f6c66375388a2829a82c69cacce8604a5165ff131eaca5eec0c0bd57
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 237 additions, 315 multiplications, 6 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
 
@@ -267,7 +267,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // c_1 = s_1 e_1^T / cos^2 E_1
         let c1 = e1 * t19;
 
-        // -- robust feedback of block 1 (31) (63) --
+        // -- robust feedback of block 1 (31) --
         let t20 = E1.sin();
         let t21 = t20 * cosE1;
         let t22 = real(1.0) / E1_free;
@@ -321,7 +321,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // ||G_2||^2
         let G_norm2_2 = G2.sum_squares();
 
-        // -- robust feedback of block 2 (31) (63) --
+        // -- robust feedback of block 2 (31) --
         let t25 = real(5e-5) * G_norm2_2;
         let t26 = s_c1 * s_c1;
         // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
@@ -363,7 +363,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // c_3 = s_3 e_3^T / cos^2 E_3
         let c3 = e3 * s3;
 
-        // -- robust feedback of block 3 (31) (63) --
+        // -- robust feedback of block 3 (31) --
         let t31 = G_norm2_2 * s_c2;
         let t32 = t31 * t31;
         // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
@@ -406,7 +406,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // D_hat_4 = L_4 w_hat_4
         let D_hat4 = L4 * w_hat4;
 
-        // -- robust feedback of block 4 (31) (63) --
+        // -- robust feedback of block 4 (63) --
         // Lam_4 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
         // before the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + ||G||^4 ||c||^4 cos^2(E) e / (4
         // eta_3^4), G, c, eta_3 of the outer block (38)
@@ -427,8 +427,8 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let zeta4_dot = (u_sat + t35) * real(250.0) - t34;
 
         // -- observer dynamics of block 4 (50) --
-        // th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 u - h_3' + C_4 zeta_4 + A_hat_4) = M_4
-        // w_hat_4 + S_4 Lam_4, since the sum in brackets is -(D_hat_4 + Lam_4) under (64)
+        // th_4' = (M_4 - S_4 L_4) w_hat_4 - S_4 (F_4 + G_4 u - h_3' + C_4 zeta_4 + A_hat_4) (50) =
+        // M_4 w_hat_4 + S_4 Lam_4, since the sum in brackets is -(D_hat_4 + Lam_4) under (64)
         let th4_dot = Vector([
             real(0.0),
             real(20.0) * w_hat4[2],

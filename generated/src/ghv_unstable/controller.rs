@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 99b3182795030cec49677c8ae49c601e373f03e5fb67e63f7fc669736497070e
+// SHA-256 of the text below: 933fd8832385c52a5774bf4c2cd839740bff0a52dcb6b294946cb66680b0432b
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 59 additions, 101 multiplications, 6 divisions, 0 square roots, 20 elementary functions, 3 comparisons and selections
 // control: 564 additions, 852 multiplications, 11 divisions, 4 square roots, 26 elementary functions, 18 comparisons and selections
@@ -69,8 +69,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// rates (p, q, r).
     ///
-    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    /// w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
+    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) =
+    /// M_2 w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
     pub th2: Vector<T, 6>,
     /// Bound eps_hat of the approximation error (66): rates (p, q, r).
     ///
@@ -469,7 +469,7 @@ pub fn initial<T: Real>(
     // ||G_1||^2
     let G_norm2_1 = G1.sum_squares();
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t14 = s1 * sec2E1;
     let t15 = real(2.375)
         * T::select(
@@ -874,7 +874,7 @@ pub fn law<T: Real>(
     // ||G_1||^2
     let G_norm2_1 = G1.sum_squares();
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let [sin_E1, sin_E2] = t24.sin().0;
     let t28 = real(2.375)
         * T::select(
@@ -955,7 +955,7 @@ pub fn law<T: Real>(
     let Psi2 = H_norm2_2 * H_norm2_2 * Ybar_square2 * real(0.5)
         + real(0.030000000000000006) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (63) --
     let t36 = (e2 * real(0.5)).tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t36 * state.eps2;
@@ -1017,7 +1017,7 @@ pub fn law<T: Real>(
         real(-2.0) * Lam2[2],
         real(4.0) * Lam2[2],
     ]);
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) = M_2
     // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
     let th2_dot = t45 + t46;
 
@@ -1039,7 +1039,8 @@ pub fn law<T: Real>(
     let violated = violated1.or(violated2);
 
     // -- states of block 2, one sample later --
-    let t47 = Vector([
+    // g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
+    let th2_step = Vector([
         real(0.001999376166805184) * th2_dot[0]
             + real(1.197117602400319e-5) * th2_dot[1],
         real(-5.985588012001595e-6) * th2_dot[0]
@@ -1077,7 +1078,7 @@ pub fn law<T: Real>(
     // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
-    state.th2 = state.th2 + t47;
+    state.th2 = state.th2 + th2_step;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
     // = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 85044cd5dcec867f6659e737607f38e815b11f4a5df9e7aa59c4ca6a30bd0284
+// SHA-256 of the text below: 173f90ed5b2efc8a2ea5fe93729ec253b7980efeffc68ef7b01d6442553eb350
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 1990 additions, 2485 multiplications, 18 divisions, 3 square roots, 30 elementary functions, 30 comparisons and selections
 
@@ -1000,7 +1000,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         // ||G_1||^2
         let G_norm2_1 = G1.sum_squares();
 
-        // -- robust feedback of block 1 (31) (63) --
+        // -- robust feedback of block 1 (31) --
         let [sin_E1, sin_E2] = t51.sin().0;
         let t57 = sin_E1 * cosE1;
         let t58 = real(1.0) / E1_free;
@@ -1088,7 +1088,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         let Psi2 = H_norm2_2 * H_norm2_2 * Ybar_square2 * real(0.5)
             + real(0.030000000000000006) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
-        // -- robust feedback of block 2 (31) (63) --
+        // -- robust feedback of block 2 (63) --
         let t71 = (e2 * real(0.5)).tanh();
         // eps_hat Tanh(e / b) (64)
         let Lam2_error_bound = t71 * state.eps2;
@@ -1158,8 +1158,8 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
             real(-2.0) * Lam2[2],
             real(4.0) * Lam2[2],
         ]);
-        // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-        // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
+        // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) =
+        // M_2 w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
         let th2_dot = t82 + t83;
 
         // -- network error bound of block 2 (66) --

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: e6df3e7f98c407218c2852e0908f685a5849f6b33faa35aa18d88a13997b46e7
+// SHA-256 of the text below: 33134cee1c71760e181e9fd10fe3ac03ad723b01b542edcb033951bca4465c5a
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 55 additions, 83 multiplications, 3 divisions, 0 square roots, 4 elementary functions, 31 comparisons and selections
 // control: 108 additions, 147 multiplications, 4 divisions, 0 square roots, 4 elementary functions, 34 comparisons and selections
@@ -417,7 +417,7 @@ pub fn initial<T: Real>(
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t27 = real(10.0)
         * T::select(
             E1_free.lt(real(1e-300)),
@@ -655,7 +655,7 @@ pub fn law<T: Real>(
     // D_hat_1 = th_1 + S_1 x_1
     let D_hat1 = state.th1 + x1 * real(10.0);
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t3 = real(10.0)
         * T::select(
             E1_free.lt(real(1e-300)),
@@ -706,7 +706,7 @@ pub fn law<T: Real>(
     // D_hat_2 = th_2 + S_2 x_2
     let D_hat2 = state.th2 + x2 * real(30.0);
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (63) --
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
     // eta_3 of the outer block (38)

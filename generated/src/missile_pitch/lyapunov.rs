@@ -1,4 +1,4 @@
-// SHA-256 of the text below: b2e356ba06e3e82fa11cc007186a189c3396142f094af42672859d0cb01ade7f
+// SHA-256 of the text below: ab8890fba03ded5e8dfdcc998e2cf123a9426e4a7fcb880bb25b2bc9386dd875
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 268 additions, 352 multiplications, 6 divisions, 0 square roots, 10 elementary functions, 70 comparisons and selections
 
@@ -156,7 +156,7 @@ pub fn lyapunov<T: Real>(
     // D_hat_1 = th_1 + S_1 x_1
     let D_hat1 = state.th1 + x1 * real(10.0);
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t41 = E1.sin();
     let t42 = t41 * cosE1;
     let t43 = real(1.0) / E1_free;
@@ -207,7 +207,7 @@ pub fn lyapunov<T: Real>(
     // D_hat_2 = th_2 + S_2 x_2
     let D_hat2 = state.th2 + x2 * real(30.0);
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (63) --
     let t47 = s_c1 * s_c1;
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,

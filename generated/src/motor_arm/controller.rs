@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 519de6e0bec1f9af4fa226ac20562820a0e5ea16277c5d0358c09b28119473fa
+// SHA-256 of the text below: 68f5cc05c515608a583af09475d8df0f2a52641b5f86baab4bfa75ef81bbab89
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 21 additions, 58 multiplications, 6 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 78 additions, 127 multiplications, 7 divisions, 3 square roots, 9 elementary functions, 9 comparisons and selections
@@ -56,7 +56,7 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// speed (rate).
     ///
-    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)`
+    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2) (50)`
     pub th2: Vector<T, 1>,
     /// Bound eps_hat of the approximation error (66): speed (rate).
     ///
@@ -463,7 +463,7 @@ pub fn initial<T: Real>(
     // c_1 = s_1 e_1^T / cos^2 E_1
     let c1 = e1 * t8;
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t9 = real(3.2199999999999998)
         * T::select(
             E1_free.lt(real(1e-300)),
@@ -512,7 +512,7 @@ pub fn initial<T: Real>(
     let Psi2 = H_norm2_2 * H_norm2_2 * Ybar_square2 * real(0.5) + real(0.5)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (31) --
     let t10 = real(45.0) + s2 * real(0.5) + s2 * (real(0.05) * G_norm2_2) + real(0.5);
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + ||L||^2/(2 eta_1) c^T (63) + eta_2/2 ||G||^2 c^T (37) + e / (2 cos^2 E)
@@ -782,7 +782,7 @@ pub fn law<T: Real>(
     // c_1 = s_1 e_1^T / cos^2 E_1
     let c1 = e1 * t3;
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t4 = real(3.2199999999999998)
         * T::select(
             E1_free.lt(real(1e-300)),
@@ -832,7 +832,7 @@ pub fn law<T: Real>(
     // w_hat_2 = th_2 + S_2 e_2
     let w_hat2 = state.th2 + e2 * real(10.0);
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (31) --
     let t6 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t6 * state.eps2;
@@ -865,7 +865,7 @@ pub fn law<T: Real>(
     let zeta2_dot = prepared.G2 * state.zeta3 - t11;
 
     // -- observer dynamics of block 2 (50) --
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2) (50)
     let th2_dot = w_hat2 * real(-12.0)
         - (t10 + prepared.G2 * (x3 - state.zeta3) - h1_dot + t11) * real(10.0);
 
@@ -898,7 +898,7 @@ pub fn law<T: Real>(
     // D_hat_3 = th_3 + S_3 x_3
     let D_hat3 = state.th3 + x3 * real(50.0);
 
-    // -- robust feedback of block 3 (31) (63) --
+    // -- robust feedback of block 3 (63) --
     let t12 = prepared.G_norm2_2 * s_c2;
     // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,

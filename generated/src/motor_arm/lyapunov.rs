@@ -1,4 +1,4 @@
-// SHA-256 of the text below: f85cc90622b54a8cdbe49b6fbcd1addcafe510bc29496b5c2d5751e89800ba61
+// SHA-256 of the text below: 84ef46c8a3e167fa89fc89ce8a882a3f2f591767495a0b6e93581f52f16b7706
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 282 additions, 424 multiplications, 15 divisions, 2 square roots, 13 elementary functions, 15 comparisons and selections
 
@@ -407,7 +407,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // c_1 = s_1 e_1^T / cos^2 E_1
         let c1 = e1 * t19;
 
-        // -- robust feedback of block 1 (31) (63) --
+        // -- robust feedback of block 1 (31) --
         let t20 = E1.sin();
         let t21 = t20 * cosE1;
         let t22 = real(1.0) / E1_free;
@@ -481,7 +481,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let Psi2 = H_norm2_2 * H_norm2_2 * Ybar_square2 * real(0.5) + real(0.5)
             + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
-        // -- robust feedback of block 2 (31) (63) --
+        // -- robust feedback of block 2 (31) --
         let t25 = e2.tanh();
         // eps_hat Tanh(e / b) (64)
         let Lam2_error_bound = t25 * state.eps2;
@@ -527,7 +527,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let W2_dot = P2.outer(c2) - state.W2 * real(0.1);
 
         // -- observer dynamics of block 2 (50) --
-        // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2)
+        // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 v_2 - h_1' + C_2 zeta_2 + A_hat_2) (50)
         let th2_dot = w_hat2 * real(-12.0)
             - (t37 + G2 * (x3 - state.zeta3) - h1_dot + t38) * real(10.0);
 
@@ -566,7 +566,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // D_hat_3 = th_3 + S_3 x_3
         let D_hat3 = state.th3 + x3 * real(50.0);
 
-        // -- robust feedback of block 3 (31) (63) --
+        // -- robust feedback of block 3 (63) --
         let t41 = G_norm2_2 * s_c2;
         // Lam_3 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)
         // before the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4),

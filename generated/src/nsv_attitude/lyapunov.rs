@@ -1,4 +1,4 @@
-// SHA-256 of the text below: c9e1301e6af664bdb24db8ce4c189934d7f2c194a6fce21dd3a7cbb8312adcc8
+// SHA-256 of the text below: ff8492cbfd16b4d7d89e6142e7ce182373dd116c080d647f3d3d4ab256801e66
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 1928 additions, 2399 multiplications, 18 divisions, 3 square roots, 30 elementary functions, 34 comparisons and selections
 
@@ -969,7 +969,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         // ||G_1||^2
         let G_norm2_1 = G1.sum_squares();
 
-        // -- robust feedback of block 1 (31) (63) --
+        // -- robust feedback of block 1 (31) --
         let [sin_E1, sin_E2] = t50.sin().0;
         let t56 = sin_E1 * cosE1;
         let t57 = real(1.0) / E1_free;
@@ -1057,7 +1057,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         let Psi2 = H_norm2_2 * H_norm2_2 * Ybar_square2 * real(0.5) + real(12.0)
             + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
-        // -- robust feedback of block 2 (31) (63) --
+        // -- robust feedback of block 2 (63) --
         let t70 = (e2 * real(0.5)).tanh();
         // eps_hat Tanh(e / b) (64)
         let Lam2_error_bound = t70 * state.eps2;
@@ -1127,8 +1127,8 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
             real(-2.0) * Lam2[2],
             real(4.0) * Lam2[2],
         ]);
-        // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-        // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
+        // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) =
+        // M_2 w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
         let th2_dot = t81 + t82;
 
         // -- network error bound of block 2 (66) --

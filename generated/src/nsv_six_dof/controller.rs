@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 7be4e277a95eb23856f76c0fbe6ebc3e3ce99708c4e819dacaf006acd8daf507
+// SHA-256 of the text below: 13105ebba41f303375439371582114bd321050c014d7243e99d76ad7f74bb323
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 87 additions, 134 multiplications, 6 divisions, 0 square roots, 12 elementary functions, 43 comparisons and selections
 // control: 547 additions, 830 multiplications, 11 divisions, 4 square roots, 18 elementary functions, 58 comparisons and selections
@@ -69,8 +69,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// rates (p, q, r).
     ///
-    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    /// w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
+    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) =
+    /// M_2 w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
     pub th2: Vector<T, 6>,
     /// Bound eps_hat of the approximation error (66): rates (p, q, r).
     ///
@@ -514,7 +514,7 @@ pub fn initial<T: Real>(
     // ||G_1||^2
     let G_norm2_1 = G1.sum_squares();
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t50 = s1 * sec2E1;
     let t51 = real(2.375)
         * T::select(
@@ -934,7 +934,7 @@ pub fn law<T: Real>(
     // ||G_1||^2
     let G_norm2_1 = G1.sum_squares();
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let [sin_E1, sin_E2] = t22.sin().0;
     let t26 = real(2.375)
         * T::select(
@@ -1015,7 +1015,7 @@ pub fn law<T: Real>(
     let Psi2 = H_norm2_2 * H_norm2_2 * Ybar_square2 * real(0.5) + real(3.0)
         + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (63) --
     let t34 = (e2 * real(0.5)).tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t34 * state.eps2;
@@ -1077,7 +1077,7 @@ pub fn law<T: Real>(
         real(-2.0) * Lam2[2],
         real(4.0) * Lam2[2],
     ]);
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) = M_2
     // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
     let th2_dot = t43 + t44;
 
@@ -1099,7 +1099,8 @@ pub fn law<T: Real>(
     let violated = violated1.or(violated2);
 
     // -- states of block 2, one sample later --
-    let t45 = Vector([
+    // g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
+    let th2_step = Vector([
         real(0.0019999760360430705) * th2_dot[0]
             + real(1.1975964129556617e-5) * th2_dot[1],
         real(-5.9879820647783075e-6) * th2_dot[0]
@@ -1139,7 +1140,7 @@ pub fn law<T: Real>(
     // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
-    state.th2 = state.th2 + t45;
+    state.th2 = state.th2 + th2_step;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
     // = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state

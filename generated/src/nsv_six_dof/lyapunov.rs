@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 644346b0131ba712430b104cfc539b1ce3ef6d4591564ce436999e755d9aea7d
+// SHA-256 of the text below: dc6cf8f71157ef41351e23d7284e88aa768f05d48b1060832642aec448ac1136
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 1967 additions, 2434 multiplications, 18 divisions, 3 square roots, 24 elementary functions, 110 comparisons and selections
 
@@ -1130,7 +1130,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         // ||G_1||^2
         let G_norm2_1 = G1.sum_squares();
 
-        // -- robust feedback of block 1 (31) (63) --
+        // -- robust feedback of block 1 (31) --
         let [sin_E1, sin_E2] = t92.sin().0;
         let t98 = sin_E1 * cosE1;
         let t99 = real(1.0) / E1_free;
@@ -1219,7 +1219,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         let Psi2 = H_norm2_2 * H_norm2_2 * Ybar_square2 * real(0.5) + real(3.0)
             + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
-        // -- robust feedback of block 2 (31) (63) --
+        // -- robust feedback of block 2 (63) --
         let t112 = (e2 * real(0.5)).tanh();
         // eps_hat Tanh(e / b) (64)
         let Lam2_error_bound = t112 * state.eps2;
@@ -1289,8 +1289,8 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
             real(-2.0) * Lam2[2],
             real(4.0) * Lam2[2],
         ]);
-        // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-        // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
+        // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) =
+        // M_2 w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
         let th2_dot = t123 + t124;
 
         // -- network error bound of block 2 (66) --

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 6b57b31de4f5b6208a2af346107df2171cfa351c60d8b480aa210fce1d0beb3f
+// SHA-256 of the text below: 8a91998cb622032b73c9c587fadd731789b8bfc59627a6460e9be741815974d0
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 5 additions, 18 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
 // control: 39 additions, 63 multiplications, 5 divisions, 0 square roots, 6 elementary functions, 6 comparisons and selections
@@ -352,7 +352,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 1>, x2: Vector<T, 1>) -> State<T> {
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t2 = real(5.0)
         * T::select(
             E1_free.lt(real(1e-300)),
@@ -540,7 +540,7 @@ pub fn law<T: Real>(
     // c_1 = s_1 e_1^T / cos^2 E_1
     let c1 = e1 * t3;
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t4 = real(5.0)
         * T::select(
             E1_free.lt(real(1e-300)),
@@ -590,7 +590,7 @@ pub fn law<T: Real>(
     // D_hat_2 = th_2 + S_2 x_2
     let D_hat2 = state.th2 + x2 * real(20.0);
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (63) --
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,
     // eta_3 of the outer block (38)

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: de97140b6a560a173708124d2b5251bc6384d0ac656db429b51681e5099ab31f
+// SHA-256 of the text below: 687417687323b4608c0450ece066fdc4b3ce89df5b7fd2ee6f13efc66f499df0
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 142 additions, 202 multiplications, 8 divisions, 0 square roots, 10 elementary functions, 18 comparisons and selections
 
@@ -94,7 +94,7 @@ pub fn lyapunov<T: Real>(
     // c_1 = s_1 e_1^T / cos^2 E_1
     let c1 = e1 * t12;
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t13 = E1.sin();
     let t14 = t13 * cosE1;
     let t15 = real(1.0) / E1_free;
@@ -144,7 +144,7 @@ pub fn lyapunov<T: Real>(
     // D_hat_2 = th_2 + S_2 x_2
     let D_hat2 = state.th2 + x2 * real(20.0);
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (63) --
     let t18 = s_c1 * s_c1;
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,

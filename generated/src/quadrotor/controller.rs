@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 099d7bef589fc82995b0147c389c41e4c346cb7a40cb5c5626f7c215a090ce63
+// SHA-256 of the text below: e7149a039ef9aea01637357f26335ea2a96228b9047b7c39b01d063b1af51f37
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 31 additions, 76 multiplications, 5 divisions, 0 square roots, 16 elementary functions, 3 comparisons and selections
 // control: 279 additions, 423 multiplications, 13 divisions, 3 square roots, 20 elementary functions, 13 comparisons and selections
@@ -54,8 +54,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// rates (p, q, r).
     ///
-    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    /// w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
+    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) =
+    /// M_2 w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
     pub th2: Vector<T, 8>,
     /// Bound eps_hat of the approximation error (66): rates (p, q, r).
     ///
@@ -421,7 +421,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) -> State<T> {
     // ||G_1||^2
     let G_norm2_1 = G1.sum_squares();
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t20 = real(3.5)
         * T::select(
             E1_free.lt(real(1e-300)),
@@ -739,7 +739,7 @@ pub fn law<T: Real>(
     // ||G_1||^2
     let G_norm2_1 = G1.sum_squares();
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t10 = real(3.5)
         * T::select(
             E1_free.lt(real(1e-300)),
@@ -806,7 +806,7 @@ pub fn law<T: Real>(
         w_hat2[6] + w_hat2[7],
     ]);
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (63) --
     let t15 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t15 * state.eps2;
@@ -866,7 +866,7 @@ pub fn law<T: Real>(
         real(8.0) * Lam2[2],
         -Lam2[2],
     ]);
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) = M_2
     // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
     let th2_dot = t23 + t24;
 
@@ -884,7 +884,8 @@ pub fn law<T: Real>(
     let phi2_decay = t18 + real(0.5);
 
     // -- states of block 2, one sample later --
-    let t25 = Vector([
+    // g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
+    let th2_step = Vector([
         real(0.0019704072450943437) * th2_dot[0]
             + real(2.3760064293746006e-5) * th2_dot[1]
             + real(-2.8986780435574954e-5) * th2_dot[2],
@@ -919,7 +920,7 @@ pub fn law<T: Real>(
     // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
-    state.th2 = state.th2 + t25;
+    state.th2 = state.th2 + th2_step;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
     // = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: d613d50529210ed3e6b5ddab6ef89bd96546b007af541188073ef6c2abcaf4e9
+// SHA-256 of the text below: 7ba49b7739c05513d8365ef63c06178eb66bee812c0efdaa774129978d10e678
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 1005 additions, 1206 multiplications, 20 divisions, 2 square roots, 20 elementary functions, 19 comparisons and selections
 
@@ -307,7 +307,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // ||G_1||^2
         let G_norm2_1 = G1.sum_squares();
 
-        // -- robust feedback of block 1 (31) (63) --
+        // -- robust feedback of block 1 (31) --
         let t32 = E1.sin();
         let t33 = t32 * cosE1;
         let t34 = real(1.0) / E1_free;
@@ -403,7 +403,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let Psi2 = H_norm2_2 * H_norm2_2 * Ybar_square2 * real(0.5) + real(20.5)
             + real(0.01) * (SH_norm2_2 * SH_norm2_2);
 
-        // -- robust feedback of block 2 (31) (63) --
+        // -- robust feedback of block 2 (63) --
         let t55 = e2.tanh();
         // eps_hat Tanh(e / b) (64)
         let Lam2_error_bound = t55 * state.eps2;
@@ -465,8 +465,8 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
             real(8.0) * Lam2[2],
             -Lam2[2],
         ]);
-        // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-        // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
+        // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) =
+        // M_2 w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
         let th2_dot = t65 + t66;
 
         // -- network error bound of block 2 (66) --

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 976d8cf1867bfb22a293448dc08b51c57611725b2bb0b0dfa1398c50537fc131
+// SHA-256 of the text below: 4191134b845fc7ca1480f66e347436af8e9d0517746246740dd00ffe70a61a79
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 27 additions, 65 multiplications, 3 divisions, 0 square roots, 10 elementary functions, 3 comparisons and selections
 // control: 229 additions, 295 multiplications, 4 divisions, 0 square roots, 27 elementary functions, 16 comparisons and selections
@@ -378,7 +378,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t18 = real(3.5)
         * T::select(
             E1_free.lt(real(1e-300)),
@@ -739,7 +739,7 @@ pub fn law<T: Real>(
     // ||G_1||^2
     let G_norm2_1 = real(6.0);
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t32 = real(3.5)
         * T::select(
             E1_free.lt(real(1e-300)),
@@ -779,7 +779,7 @@ pub fn law<T: Real>(
     // D_hat_2 = th_2 + S_2 x_2
     let D_hat2 = state.th2 + x2 * real(100.0);
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (63) --
     let t34 = G_norm2_1 * s_c1;
     // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E) before
     // the clamp of E (31) + eta_1/2 c^T (36) + ||G||^4 ||c||^4 cos^2(E) e / (4 eta_3^4), G, c,

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 60610721b08d5f7967141b2b4fa9d452b51f80e85610147f7b33e08169bec900
+// SHA-256 of the text below: 2b0cffeb357233269fce11f8fbdbb953bc9747bd1ce500bb3c75d8b9d0d35f83
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 1077 additions, 1472 multiplications, 21 divisions, 0 square roots, 35 elementary functions, 38 comparisons and selections
 
@@ -1137,7 +1137,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         // ||G_1||^2
         let G_norm2_1 = real(6.0);
 
-        // -- robust feedback of block 1 (31) (63) --
+        // -- robust feedback of block 1 (31) --
         let t101 = E1.sin();
         let t102 = t101 * cosE1;
         let t103 = real(1.0) / E1_free;
@@ -1176,7 +1176,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         // D_hat_2 = th_2 + S_2 x_2
         let D_hat2 = state.th2 + x2 * real(100.0);
 
-        // -- robust feedback of block 2 (31) (63) --
+        // -- robust feedback of block 2 (63) --
         let t105 = G_norm2_1 * s_c1;
         let t106 = t105 * t105;
         // Lam_2 = (4 kbar + K) k^4/(2 pi s^2) sin E cos E e + kbar e, k^4/(2 pi s^2) = 1/(4 E)

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 49556677337e50ba37a9541a518490a6716615737561a2b0034486d2c66c622e
+// SHA-256 of the text below: 3d9c0eab70be28461a4403858fb740d0caaef048ed9d4c3958a78ed4a5bb8f83
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 40 additions, 65 multiplications, 4 divisions, 0 square roots, 7 elementary functions, 3 comparisons and selections
 // control: 274 additions, 386 multiplications, 8 divisions, 3 square roots, 11 elementary functions, 13 comparisons and selections
@@ -60,8 +60,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// velocity (surge, sway, r).
     ///
-    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    /// w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
+    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) =
+    /// M_2 w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
     pub th2: Vector<T, 6>,
     /// Bound eps_hat of the approximation error (66): velocity (surge, sway, r).
     ///
@@ -422,7 +422,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 3>, x2: Vector<T, 3>) -> State<T> {
     // ||G_1||^2
     let G_norm2_1 = G1.sum_squares();
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t10 = T::select(
         E1_free.lt(real(1e-300)),
         real(1.0),
@@ -756,7 +756,7 @@ pub fn law<T: Real>(
     // ||G_1||^2
     let G_norm2_1 = G1.sum_squares();
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t10 = T::select(
         E1_free.lt(real(1e-300)),
         real(1.0),
@@ -822,7 +822,7 @@ pub fn law<T: Real>(
     // D_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([w_hat2[1], w_hat2[3], w_hat2[5]]);
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (63) --
     let t14 = (e2 * real(10.0)).tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t14 * state.eps2;
@@ -873,7 +873,7 @@ pub fn law<T: Real>(
         real(-3.0) * Lam2[2],
         real(22.8) * Lam2[2],
     ]);
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) = M_2
     // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
     let th2_dot = t21 + t22;
 
@@ -891,7 +891,8 @@ pub fn law<T: Real>(
     let phi2_decay = t17 + real(0.5);
 
     // -- states of block 2, one sample later --
-    let t23 = Vector([
+    // g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
+    let th2_step = Vector([
         real(0.019829465934243364) * th2_dot[0]
             + real(0.000682818118818716) * th2_dot[1],
         real(-0.006145363069368444) * th2_dot[0]
@@ -934,7 +935,7 @@ pub fn law<T: Real>(
     // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.018126924692201812);
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
-    state.th2 = state.th2 + t23;
+    state.th2 = state.th2 + th2_step;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
     // = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: e877bf494b58071957f8939623bf60500ed512aa8da8e8e69f643e3bf448f1a2
+// SHA-256 of the text below: 1c61598fd5d50d2cef1fa0dfd00522a29b09bac28628227665a47d1518f9d6a9
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 744 additions, 939 multiplications, 13 divisions, 2 square roots, 13 elementary functions, 19 comparisons and selections
 
@@ -130,7 +130,7 @@ pub fn lyapunov<T: Real>(
         real(-3.0) * Lam2[2],
         real(22.8) * Lam2[2],
     ]);
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) = M_2
     // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
     let th2_dot = t55 + t56;
 
@@ -641,7 +641,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         // ||G_1||^2
         let G_norm2_1 = G1.sum_squares();
 
-        // -- robust feedback of block 1 (31) (63) --
+        // -- robust feedback of block 1 (31) --
         let t32 = E1.sin();
         let t33 = t32 * cosE1;
         let t34 = real(1.0) / E1_free;
@@ -736,7 +736,7 @@ impl<T: Real> Part for LyapunovPart1<'_, T> {
         let Psi2 = t45 * t45 * Ybar_square2 * real(0.5) + real(0.019200000000000002)
             + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
-        // -- robust feedback of block 2 (31) (63) --
+        // -- robust feedback of block 2 (63) --
         let t46 = (e2 * real(10.0)).tanh();
         // eps_hat Tanh(e / b) (64)
         let Lam2_error_bound = t46 * state.eps2;

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: e6b2d57c3e912e39e10641b46d727a62c6c88ed0da5600a79769d33ae4f74ce8
+// SHA-256 of the text below: b8a3ea7098ed22553750341d8ca5b4b5301bfce9a1fdf91e5e93fdcf3f61a060
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 11 additions, 27 multiplications, 3 divisions, 0 square roots, 5 elementary functions, 3 comparisons and selections
 // control: 184 additions, 275 multiplications, 7 divisions, 0 square roots, 11 elementary functions, 13 comparisons and selections
@@ -53,8 +53,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// rates (v1, v2).
     ///
-    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    /// w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
+    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) =
+    /// M_2 w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
     pub th2: Vector<T, 5>,
     /// Bound eps_hat of the approximation error (66): rates (v1, v2).
     ///
@@ -366,7 +366,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 2>, x2: Vector<T, 2>) -> State<T> {
     // 1 / cos^2 E_1
     let sec2E1 = real(1.0) / (cosE1 * cosE1);
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t5 = real(5.0)
         * T::select(
             E1_free.lt(real(1e-300)),
@@ -635,7 +635,7 @@ pub fn law<T: Real>(
     // c_1 = s_1 e_1^T / cos^2 E_1
     let c1 = e1 * t10;
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let [sin_E1, sin_E2] = t7.sin().0;
     let t11 = real(5.0)
         * T::select(
@@ -685,7 +685,7 @@ pub fn law<T: Real>(
     // D_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([w_hat2[0], w_hat2[2] + w_hat2[3]]);
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (63) --
     let t13 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t13 * state.eps2;
@@ -726,7 +726,7 @@ pub fn law<T: Real>(
         real(2.0) * Lam2[1],
         real(11.0) * Lam2[1],
     ]);
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) = M_2
     // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
     let th2_dot = Vector([
         w_hat2[1],
@@ -746,7 +746,7 @@ pub fn law<T: Real>(
 
     // -- states of block 2, one sample later --
     // g(S_2 L_2 - M_2)
-    let th2_step: Matrix<T, 5, 5> = Matrix::from_f64([
+    let th2_weight: Matrix<T, 5, 5> = Matrix::from_f64([
         [0.001976143425723861, 1.984071770174817e-6, 0.0, 0.0, 0.0],
         [-7.142658372629343e-5, 0.001999952286965959, 0.0, 0.0, 0.0],
         [
@@ -759,6 +759,8 @@ pub fn law<T: Real>(
         [0.0, 0.0, -4.0171910527606606e-6, 0.001995970820999854, 5.991956185266466e-6],
         [0.0, 0.0, -2.1845797894047418e-5, -2.784571417199025e-5, 0.0019999442315428947],
     ]);
+    // g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
+    let th2_step = th2_weight * th2_dot;
 
     // -- states of block 1, one sample later --
     // zeta1(t + dt) = zeta1 + g zeta1', g = (1 - exp(-a dt))/a, a = C_1 (13)
@@ -770,7 +772,7 @@ pub fn law<T: Real>(
     // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.0019032516392808085);
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
-    state.th2 = state.th2 + th2_step * th2_dot;
+    state.th2 = state.th2 + th2_step;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
     // = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state

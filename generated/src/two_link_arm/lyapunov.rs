@@ -1,4 +1,4 @@
-// SHA-256 of the text below: afde5cff4cc8e3cb1d7ea9ab8ae71618ef48e1140f23e81c5e6cfbb46d2ea38f
+// SHA-256 of the text below: 77060039e6bb1ad1ae7ca672ea9a4c0b5851f9e966270c17d4543a0529f4a148
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 500 additions, 632 multiplications, 11 divisions, 0 square roots, 13 elementary functions, 20 comparisons and selections
 
@@ -137,7 +137,7 @@ pub fn lyapunov<T: Real>(
     // c_1 = s_1 e_1^T / cos^2 E_1
     let c1 = e1 * t24;
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let [sin_E1, sin_E2] = t20.sin().0;
     let t25 = sin_E1 * cosE1;
     let t26 = real(1.0) / E1_free;
@@ -186,7 +186,7 @@ pub fn lyapunov<T: Real>(
     // D_hat_2 = L_2 w_hat_2
     let D_hat2 = Vector([w_hat2[0], w_hat2[2] + w_hat2[3]]);
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (63) --
     let t29 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t29 * state.eps2;
@@ -231,7 +231,7 @@ pub fn lyapunov<T: Real>(
         real(2.0) * Lam2[1],
         real(11.0) * Lam2[1],
     ]);
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) = M_2
     // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
     let th2_dot = Vector([
         w_hat2[1],

@@ -1,4 +1,4 @@
-// SHA-256 of the text below: 6dfc36b264abdf4cc97ec912c5b3ce008a58767d16380ee7a971048ddb35ff65
+// SHA-256 of the text below: 0c92299ec9e210fe2bfddc0d28c126d1ffab052fb1c91be9a8acb10d78652b8c
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // initial: 77 additions, 155 multiplications, 6 divisions, 0 square roots, 19 elementary functions, 3 comparisons and selections
 // control: 708 additions, 1018 multiplications, 12 divisions, 3 square roots, 26 elementary functions, 19 comparisons and selections
@@ -62,8 +62,8 @@ pub struct State<T> {
     /// Observer state theta_hat; with the measured part it gives the disturbance estimate D_hat:
     /// velocity (surge, sway, heave, p, q, r).
     ///
-    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-    /// w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
+    /// `th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) =
+    /// M_2 w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)`
     pub th2: Vector<T, 12>,
     /// Bound eps_hat of the approximation error (66): velocity (surge, sway, heave, p, q, r).
     ///
@@ -457,7 +457,7 @@ pub fn initial<T: Real>(t: T, x1: Vector<T, 6>, x2: Vector<T, 6>) -> State<T> {
     let G_norm2_1 = t36 + (cos_phi * cos_phi + sin_phi * sin_phi)
         + (t31 * t31 + t32 * t32);
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t37 = s1 * sec2E1;
     let t38 = T::select(
         E1_free.lt(real(1e-300)),
@@ -879,7 +879,7 @@ pub fn law<T: Real>(
     let G_norm2_1 = t30 + (cos_phi * cos_phi + sin_phi * sin_phi)
         + (t25 * t25 + t26 * t26);
 
-    // -- robust feedback of block 1 (31) (63) --
+    // -- robust feedback of block 1 (31) --
     let t31 = T::select(
         E1_free.lt(real(1e-300)),
         real(1.0),
@@ -962,7 +962,7 @@ pub fn law<T: Real>(
         w_hat2[11],
     ]);
 
-    // -- robust feedback of block 2 (31) (63) --
+    // -- robust feedback of block 2 (63) --
     let t38 = e2.tanh();
     // eps_hat Tanh(e / b) (64)
     let Lam2_error_bound = t38 * state.eps2;
@@ -1042,7 +1042,7 @@ pub fn law<T: Real>(
         real(-8.0) * Lam2[5],
         real(5.8) * Lam2[5],
     ]);
-    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
+    // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) = M_2
     // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
     let th2_dot = t49 + t50;
 
@@ -1070,7 +1070,8 @@ pub fn law<T: Real>(
     ]);
 
     // -- states of block 2, one sample later --
-    let t52 = Vector([
+    // g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
+    let th2_step = Vector([
         real(0.0099985222988428) * th2_dot[0]
             + real(0.00044110044503657773) * th2_dot[1],
         real(-4.9011160559619754e-5) * th2_dot[0]
@@ -1110,7 +1111,7 @@ pub fn law<T: Real>(
     // zeta2(t + dt) = zeta2 + g zeta2', g = (1 - exp(-a dt))/a, a = C_2 (13)
     state.zeta2 = state.zeta2 + zeta2_dot * real(0.009516258196404044);
     // th2(t + dt) = th2 + g th2', g = (1 - exp(-a dt))/a, a = S_2 L_2 - M_2 (50)
-    state.th2 = state.th2 + t52;
+    state.th2 = state.th2 + th2_step;
     // W_2(t + dt) = (1 - g Gamma_2 lambda_2) W_2 + g Gamma_2 P_2 c_2 I_2, g = (1 - exp(-a dt))/a, a
     // = Gamma_2 lambda_2 (65): W_2' = Gamma_2 (P_2 c_2 I_2 - lambda_2 W_2)
     state

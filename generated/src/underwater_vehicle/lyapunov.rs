@@ -1,4 +1,4 @@
-// SHA-256 of the text below: c5b0ec89cdae4f8ed9db656e35977bd465b82799e5a9ffd617d5541c7f51ad89
+// SHA-256 of the text below: 1607ee2a52349513fec4f20acc95149dda7545a3f7496467d4b6b097dbcf7e28
 // nsv 0.1.0: change the specification and run `nsv generate`, do not edit.
 // lyapunov: 4115 additions, 4522 multiplications, 21 divisions, 2 square roots, 28 elementary functions, 25 comparisons and selections
 
@@ -1036,7 +1036,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         } = self;
         let real = T::from_f64;
 
-        // -- robust feedback of block 1 (31) (63) --
+        // -- robust feedback of block 1 (31) --
         let t63 = E1.sin();
         let t64 = t63 * cosE1;
         let t65 = real(1.0) / E1_free;
@@ -1184,7 +1184,7 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
         let Psi2 = H_norm2_2 * H_norm2_2 * Ybar_square2 * real(0.5)
             + real(0.30000000000000004) + real(0.1) * (SH_norm2_2 * SH_norm2_2);
 
-        // -- robust feedback of block 2 (31) (63) --
+        // -- robust feedback of block 2 (63) --
         let t125 = e2.tanh();
         // eps_hat Tanh(e / b) (64)
         let Lam2_error_bound = t125 * state.eps2;
@@ -1270,8 +1270,8 @@ impl<T: Real> Part for LyapunovPart2<'_, T> {
             real(-8.0) * Lam2[5],
             real(5.8) * Lam2[5],
         ]);
-        // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) = M_2
-        // w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
+        // th_2' = (M_2 - S_2 L_2) w_hat_2 - S_2 (F_2 + G_2 u - h_1' + C_2 zeta_2 + A_hat_2) (50) =
+        // M_2 w_hat_2 + S_2 Lam_2, since the sum in brackets is -(D_hat_2 + Lam_2) under (64)
         let th2_dot = t138 + t139;
 
         // -- network error bound of block 2 (66) --
