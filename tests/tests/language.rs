@@ -189,11 +189,11 @@ fn text(chain: Chain) -> String {
         disturbed,
         noisy,
     } = chain;
-    let drifts = ["0*s1", "-sin(s1) - 0.2*s2", "-0.5*s3", "-0.5*s4"];
+    let drifts = ["0*q1", "-sin(q1) - 0.2*q2", "-0.5*q3", "-0.5*q4"];
     let (mut plant, mut controller) = (String::new(), String::new());
     for (i, drift) in (1..=blocks).zip(drifts) {
         plant += &format!(
-            "    b{i}:\n      states: {{s{i}: 0}}\n      drift: [\"({drift})/(1 s)\"]\n      gain: [[\"1/(1 s)\"]]\n"
+            "    b{i}:\n      states: {{q{i}: 0}}\n      drift: [\"({drift})/(1 s)\"]\n      gain: [[\"1/(1 s)\"]]\n"
         );
         controller += &format!("    b{i}:\n      K: 1.5\n      kbar: 0.5\n      C: 20\n");
         if disturbed {
@@ -222,7 +222,7 @@ fn text(chain: Chain) -> String {
     };
     format!(
         "nsv: 1\nname: chain\ntitle: Scalar chain\nplant:\n  blocks:\n{plant}  inputs: {{push: 1000}}\n\
-         reference: {{s1: sin(t/(1 s))*(1 - exp(-(t/(1 s))^3))}}\ncontroller:\n  sample_time: 2 ms\n  {choice}\n  blocks:\n{controller}\
+         reference: {{q1: sin(t/(1 s))*(1 - exp(-(t/(1 s))^3))}}\ncontroller:\n  sample_time: 2 ms\n  {choice}\n  blocks:\n{controller}\
          scenario: {{horizon: 6 s, substeps: 1, scheme: {scheme}, noise: {noise}, seed: 1, runs: 1, settle: 3 s}}\n"
     )
 }
