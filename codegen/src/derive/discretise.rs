@@ -74,7 +74,7 @@ impl Law<'_> {
         let rate = name(format!("{state}_dot"));
         let text = format!("g({symbol})");
         let mut increment = self.gain(format!("{state}_weight"), &text, &step, rate);
-        // A matrix of numbers is told where it stands, far from the state.
+        // A matrix becomes many numbers, far from the line of its state: they have a name and their equation.
         if diagonal_of(&step).is_none() {
             let text = format!("g {state}', {}  {equation}", self.weight(symbol));
             increment = self.define(format!("{state}_step"), text, increment);

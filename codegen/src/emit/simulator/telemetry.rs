@@ -16,8 +16,9 @@ pub(crate) struct Column {
     pub(crate) value: TokenStream,
 }
 
-/// The columns: time, then for each block states, errors (of the first the tracking error, too), bound, ratio, virtual control, filter, disturbance and its estimate, then
-/// reference, control and Lyapunov function, or the further states of the flown plant in its place.
+/// The columns: time, then for each block states, errors, bound, ratio, virtual control, filter, disturbance and its estimate, then
+/// reference, control and Lyapunov function, or the further states of the flown plant in its place. The first block has its tracking
+/// error before e_1, and its ratio is that of the tracking error.
 pub(crate) fn columns(
     interface: &Interface,
     control: &Program,
